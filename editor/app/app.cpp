@@ -18,7 +18,7 @@ using base::tr;
 
 namespace {
 
-/// The flag that would replace what is not its own, and why; empty: all may be written.
+/// The flag that would replace a foreign file, and why; empty if all may be written.
 std::string refused_flag(const EditorOptions& o) {
   const auto refusal = [](const char* flag, const std::string& path, const std::string& why) {
     return why.empty() ? why : std::string(flag) + " " + path + ": " + why;
@@ -41,7 +41,7 @@ int run_editor(const EditorOptions& options) {
     std::fprintf(stderr, "weftlight: %s\n", refused.c_str());
     return kUsage;
   }
-  // A file that may not grow is an error to be told, and no end of the window.
+  // Exceeding the file size limit becomes a write error instead of killing the program.
   std::signal(SIGXFSZ, SIG_IGN);
   const Settings settings = load_settings();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);

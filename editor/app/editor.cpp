@@ -22,7 +22,7 @@ using base::tr_n;
 
 namespace {
 
-/// Where a save is asked to begin.
+/// The path that a save dialog starts with.
 std::string first_path(const Document& document) {
   if (!document.path().empty()) return document.path();
   return document.name() == "Untitled" ? "untitled.wif" : document.name();
@@ -65,7 +65,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
   style_.dark = settings_.dark;
   remake_actions();
   if (!options.file.empty()) open_path(options.file);
-  // A program that drives the window knows its way.
+  // No tour if a program drives the window.
   if (!settings_.toured && options.ui_map.empty() && options.live_export.empty()) settings_.tour = 0;
   follow_shown();
   offer_recovery();
@@ -274,7 +274,7 @@ void Editor::follow_shown() {
   edited();
 }
 
-/// After every change of the design that is shown, whatever made it.
+/// Called after every change of the shown design.
 void Editor::edited() {
   if (!std::ranges::equal(views_in_menu_, document().now().views, {}, {}, &NamedView::name)) remake_actions();
   preview_.submit(hung());
@@ -309,7 +309,7 @@ void Editor::ask(Dialog dialog, std::function<void(int)> then) {
 
 void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
                       std::function<void(const std::string&)> chosen, const std::string& ending) {
-  // The system's dialog leaves the window free: what was asked is about the draft that was shown then.
+  // The system dialog is not modal: the answer belongs to the draft that was active when it opened.
   if (what != FileAsk::kOpen)
     chosen = [this, about = session_.active().id, then = std::move(chosen)](const std::string& path) {
       if (session_.find(about) == nullptr) return say(tr("Not written: the draft has been closed"));
@@ -339,8 +339,8 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
       });
 }
 
-/// A draft is saved under a name that ends in .wif, a printed one in .pdf. Where that is another file than the one that
-/// was asked about, and it is there, it asks again.
+/// Appends the file ending, such as .wif or .pdf. If that makes another name, which exists, it asks again: the file
+/// dialog confirmed only the typed name.
 void Editor::with_ending(const std::string& typed, const std::string& ending,
                          const std::function<void(const std::string&)>& then) {
   const std::string path = with_file_ending(typed, ending);
@@ -363,7 +363,7 @@ void Editor::update_title() {
 void Editor::run_action(const std::string& id) {
   for (const Action& a : actions_) {
     if (a.item.id != id || (a.enabled && !a.enabled(*this))) continue;
-    const auto run = a.run;  // the table may be made anew by what it does
+    const auto run = a.run;  // running may make the table again
     return run(*this);
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The editor: the open documents, the panels around the one that is shown, and what the actions do. Everything the
-// weaver can do is in the table of actions.h; panels return edits, which are committed here and nowhere else.
+// The editor: the open documents, the panels of the active one, and the implementation of the actions. Everything the
+// user can do is in the table of actions.h; panels return edits, which are committed only here.
 
 #include <functional>
 #include <string>
@@ -41,7 +41,7 @@ class Editor : public ActionHost {
   Editor(Window& window, const EditorOptions& options);
   void run();
 
-  // What the actions do (actions/action_host.h).
+  // The interface of the actions (actions/action_host.h).
   const Document& document() const override { return session_.active().document; }
   DocumentView& view() override { return session_.active().view; }
   const DocumentView& view() const override { return session_.active().view; }
@@ -113,21 +113,21 @@ class Editor : public ActionHost {
   void draw_window();
   void draw_panels(PanelContext& c, float tabs_height, const std::vector<ActionItem>& items);
   std::vector<Tab> tabs_of() const;
-  /// What the weaver does with them, to be done once the frame is through.
+  /// Draws the tabs; the request is carried out at the end of the frame.
   TabRequest draw_tabs(PanelContext& c, float height);
   void carry_out(const TabRequest& requested);
-  /// What the panels of a frame asked for, in their order.
+  /// Carries out the requests of the panels in their order.
   void carry_out(Intents& wanted);
   void change_settings(const SettingsChange& change);
-  /// Share of the room that the draft's pane takes.
+  /// Fraction of the width for the pane of the draft.
   float split_of(float room, float height);
   void draw_splitter(PanelContext& c, const WindowLayout& layout);
   void draw_question(PanelContext& c);
   void draw_status(PanelContext& c, const WindowLayout& layout);
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
-  /// What was refused in a gesture that is over, and what comes nearest to it.
+  /// Computes the closest weave to a rejected gesture once it has ended.
   void find_closest_weave();
-  /// What the panels are to know of the draft; started anew only while somebody looks.
+  /// The report for the panels; a new one is started only while it is visible.
   const Report* report();
   void apply_input();
   void apply_waiting_input();
@@ -136,26 +136,26 @@ class Editor : public ActionHost {
   void run_action(const std::string& id);
   double sleep_s();
 
-  /// What the window begins with.
+  /// The document that the window starts with.
   static Document first_document();
-  /// Another document is shown: the picture, the live export and what is derived follow it.
+  /// Updates picture, live export and derived state after another document was activated.
   void follow_shown();
-  /// The design with what the cloth hangs over: its drape, or the flat swatch.
+  /// The design with its drape, or with the flat swatch.
   std::shared_ptr<const Design> hung() const;
-  /// Beside the others; nothing of them is lost.
+  /// Opens the document in a tab beside the others.
   void open_beside(Document document, Origin origin);
   void edited();
-  /// True when there is something to show of the cloth's own drape.
+  /// Handles updates of the simulated drape; true if there are any.
   bool update_drape();
   void report(std::vector<Diagnostic> remarks, const std::string& path);
   void ask(Dialog dialog, std::function<void(int button)> then);
-  /// Once the weaver decided about what is unsaved in it.
+  /// Closes the document; asks first if it has unsaved changes.
   void close(uint64_t id);
-  /// The same, one after the other; nothing more is closed where the weaver would rather not.
+  /// Closes several, one after the other; stops when the user cancels.
   void close_each(std::vector<uint64_t> ids);
   void close(uint64_t id, const std::function<void()>& then);
   void save_shown(std::function<void()> then);
-  /// One after the other, asking where for those without a file; then `then`, but not where one was not saved.
+  /// Saves several, asking for a path for those without a file. Runs `then` only if all were saved.
   void save_each(std::vector<uint64_t> ids, const std::function<void()>& then);
   void save_to(const std::string& path, const std::function<void()>& then);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
@@ -165,28 +165,28 @@ class Editor : public ActionHost {
   void start_print(const std::string& path, const PrintPrompt& prompt);
   void export_again();
   void update_title();
-  /// The table of actions anew: it names files, keys and views.
+  /// Makes the table of actions again: it contains files, shortcuts and views.
   void remake_actions();
 
   // editor_loom.cpp
-  /// What the loom said; true when there is something to show.
+  /// Handles reports of the loom; true if there is something to show.
   bool update_loom();
   void carry_out(const LoomStep& step);
   bool carry_out(const TypedKey& typed);
   void draw_loom_window(PanelContext& c, const WindowLayout& layout);
 
   // editor_files.cpp
-  /// To the document's own file; asks when another program changed it.
+  /// Saves to the document's own file; asks if another program changed it.
   void save_own(std::function<void()> then);
-  /// Where the window has come back to: asks when another program changed the file meanwhile.
+  /// Checks the file when the window or tab becomes active; asks if another program changed it.
   void look_at_file();
   void ask_about_change(bool saving, std::function<void()> then);
-  /// The file of the document that is shown, as it is now.
+  /// Reads the file of the active document again.
   void read_again();
   void bring_back(size_t left);
   void bring_back_all();
   void keep_live_export();
-  /// What could not be written, until it is.
+  /// The present write error, until it is resolved.
   std::string trouble() const;
 
   Window& window_;
@@ -194,17 +194,17 @@ class Editor : public ActionHost {
   Settings settings_;
   Style style_;
   Session session_;
-  uint64_t shown_ = 0;               // the document that all follows
+  uint64_t shown_ = 0;               // id of the document last followed
   FrameNotes notes_;                 // of the last frame
-  std::string focus_;                // control that the keyboard goes to next
-  std::vector<Diagnostic> remarks_;  // of the document, or on a file that could not be opened
+  std::string focus_;                // control that gets the keyboard next
+  std::vector<Diagnostic> remarks_;  // about the document, or a file that could not be opened
   std::vector<Action> actions_;
   std::vector<std::string> views_in_menu_;
-  BackgroundWriter writer_;    // of the live export
-  BackgroundWriter exporter_;  // apart, since it takes long
+  BackgroundWriter writer_;    // writes the live export
+  BackgroundWriter exporter_;  // separate, since it takes long
   Exporter sets_{Window::wake};
   std::shared_ptr<ExportPlan> export_plan_ = std::make_shared<ExportPlan>();
-  uint64_t exported_ = 0;  // the document that the sets are of
+  uint64_t exported_ = 0;  // id of the document that was exported
   std::shared_ptr<LiveExport> live_export_;
   std::string live_problem_, trouble_;
   FileDialog file_dialog_;
@@ -217,7 +217,7 @@ class Editor : public ActionHost {
   UiMap map_;
   UiMapFile map_file_;
   ImVec2 pane_{0, 0};
-  float fitted_split_ = 0.5f;  // while the weaver has not moved the splitter
+  float fitted_split_ = 0.5f;  // used until the user moves the splitter
   CommandPalette commands_;
   TabStrip tabs_;
   HistoryWindow history_;
@@ -230,7 +230,7 @@ class Editor : public ActionHost {
   Strokes strokes_;
   Reporter reporter_;
   LoomLink loom_{Window::wake};
-  uint64_t loom_of_ = 0;  // the document that it weaves
+  uint64_t loom_of_ = 0;  // id of the document that it weaves
   std::string loom_address_, loom_why_;
   LoomLink::State loom_state_ = LoomLink::State::kOff;  // as last shown
   uint64_t weaves_asked_ = 0, sittings_ = 0;

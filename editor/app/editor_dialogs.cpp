@@ -1,4 +1,4 @@
-// The editor's longer questions: a new draft's weave, and the export of textures.
+// The dialogs of the editor: new draft, weaves, sections, export, comparison, environment, print.
 
 #include <cstdlib>
 #include <filesystem>
@@ -37,7 +37,7 @@ void Editor::new_draft_of(int weave) {
 }
 
 void Editor::ask_weave() {
-  constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;  // apart from those of the mouse
+  constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;  // distinct from mouse strokes
   const Draft& d = document().now().draft;
   const Selection& s = view().select.selected;
   const bool ends = !s.empty() && (s.grid == BitGrid::kThreading || s.grid == BitGrid::kDrawdown);
@@ -50,7 +50,7 @@ void Editor::ask_weave() {
   p.use.picks = picks ? s.b1 - s.b0 : d.picks();
   p.use.first_pick = picks ? s.b0 : 0;
   std::string weave = "twill";
-  // Made by a weave before: its numbers are there to be changed.
+  // If a weave made these threads, its values are shown again.
   for (const WeaveUse& before : document().now().weaves)
     if (before.first_end == p.use.first_end && before.ends == p.use.ends && before.first_pick == p.use.first_pick &&
         before.picks == p.use.picks)
@@ -63,7 +63,7 @@ void Editor::ask_weave() {
 }
 
 void Editor::ask_sections() {
-  constexpr uint64_t kSectionStrokes = uint64_t{3} << 61;  // apart from those of the mouse and of weaves
+  constexpr uint64_t kSectionStrokes = uint64_t{3} << 61;  // distinct from mouse and weave strokes
   const Design& d = document().now();
   const Selection& s = view().select.selected;
   SectionsPrompt p;
@@ -88,9 +88,9 @@ void Editor::find_closest_weave() {
 }
 
 void Editor::ask_closest_weave() {
-  constexpr uint64_t kNearestStrokes = uint64_t{5} << 60;  // apart from those of the mouse, of weaves and sections
+  constexpr uint64_t kClosestStrokes = uint64_t{5} << 60;  // distinct from mouse, weave and section strokes
   if (!view().rejected_edit || !view().rejected_edit->nearest) return;
-  ClosestWeavePrompt p{view().rejected_edit->nearest, document().snapshot(), kNearestStrokes | ++weaves_asked_};
+  ClosestWeavePrompt p{view().rejected_edit->nearest, document().snapshot(), kClosestStrokes | ++weaves_asked_};
   Edit edit{tr("Closest weave for this loom"), [nearest = p.nearest](const Design&) { return *nearest->design; }};
   edit.stroke = p.stroke;
   commit(edit);
@@ -122,7 +122,7 @@ void Editor::export_textures() {
   });
 }
 
-/// The sets follow the draft that they were exported of.
+/// Exports again after an edit of the exported draft, if that is wanted.
 void Editor::export_again() {
   if (!export_plan_->watch || session_.active().id != exported_ || !sets_.began()) return;
   sets_.start(jobs_of(*export_plan_, document().now(), document().path(), WEFTLIGHT_VERSION), document().snapshot());
@@ -186,7 +186,7 @@ void Editor::start_print(const std::string& path, const PrintPrompt& p) {
     });
     say(tr("Printing\xE2\x80\xA6"));
   };
-  // The name itself was asked about; those of further sheets were not.
+  // The dialog confirmed the name itself, but not those of further sheets.
   const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);
   std::error_code ignored;
   for (size_t i = 0; sheets > 1 && i < sheets; ++i)

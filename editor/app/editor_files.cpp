@@ -1,5 +1,4 @@
-// The editor's care for files: unsaved work that is journalled and brought back, files that other programs change
-// meanwhile, and what could not be written.
+// Files of the editor: recovery of unsaved work, changes by other programs, write errors, and the gallery.
 
 #include <chrono>
 #include <cstdlib>
@@ -28,7 +27,7 @@ int64_t now_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
 }
 
-/// "twill-2.wif" where nothing is yet.
+/// An unused name such as "twill-2.wif".
 std::string free_name_beside(const std::string& path) {
   const fs::path file(path);
   std::error_code ignored;
@@ -171,7 +170,7 @@ void Editor::bring_back(size_t chosen) {
 }
 
 void Editor::bring_back_all() {
-  // The newest is brought back last, and shown; what cannot be read stays.
+  // The newest is recovered last, so that it is shown; unreadable work stays.
   for (size_t left = session_.left().size(); left-- > 0;) bring_back(left);
 }
 

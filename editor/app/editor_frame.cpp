@@ -34,13 +34,13 @@ using base::tr;
 
 namespace {
 
-constexpr int kFramesAfterEvent = 4;  // a click goes down and up, and what it opened lays itself out
-constexpr double kMessageS = 10;      // then hints take its place again
-constexpr double kTipS = 0.5;         // a frame when a tooltip is due
-constexpr double kCaretS = 0.4;       // a text field's caret blinks
+constexpr int kFramesAfterEvent = 4;  // for press, release, and the layout of what a click opened
+constexpr double kMessageS = 10;      // then hints replace it again
+constexpr double kTipS = 0.5;         // delay of the frame that shows a tooltip
+constexpr double kCaretS = 0.4;       // blink of a text caret
 constexpr double kDialogPollS = 0.05;
-constexpr double kTroublePollS = 0.25;  // whether what was refused has succeeded, or the other way round
-constexpr double kInputS = 0.1;         // of waiting input is taken before a picture is drawn
+constexpr double kTroublePollS = 0.25;  // interval of the check for write errors
+constexpr double kInputS = 0.1;         // of waiting input is handled before a frame is drawn
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                     ImGuiWindowFlags_NoNavFocus;
@@ -104,7 +104,7 @@ void Editor::frame() {
   const bool dialog_changed = update_export() | update_dialog(dialog_, dialog_busy_);
   const bool cloth_changed = preview_.poll() | dialog_changed | reporter_.poll() | update_loom() | update_drape() |
                              carry_out(type_after_wait(view(), document().now(), now));
-  // What it holds may lay it out anew, and the map wants it to stand still.
+  // The content may change the layout, and the --ui-map is written only once that is stable.
   if (dialog_changed) frames_due_ = std::max(frames_due_, 2);
   if (cloth_changed && !preview_.picture().refining) frames_due_ = std::max(frames_due_, 2);
   const bool tip_due = tip_at_s_ >= 0 && now >= tip_at_s_;
@@ -128,8 +128,8 @@ void Editor::frame() {
   update_title();
 }
 
-/// However long a picture takes, what the hand did meanwhile is edited and journalled first: a frame of input after
-/// the other, without drawing any.
+/// Handles waiting input first, however long a picture takes, so that edits reach the journal: one frame of input after
+/// the other, without drawing.
 void Editor::apply_waiting_input() {
   const double until = Window::seconds() + kInputS;
   while (window_.has_input() && Window::seconds() < until && !leaving_) {
@@ -141,14 +141,14 @@ void Editor::apply_waiting_input() {
   }
 }
 
-/// True when there is something to show.
+/// Shows messages of exports and analysis; true if there is something to show.
 bool Editor::update_export() {
-  std::string news = exporter_.take_error();
-  if (news.empty()) news = exporter_.take_message();
-  if (news.empty()) news = sets_.take_message();
-  if (news.empty()) news = reporter_.take_problem();
-  if (!news.empty()) say(news);
-  return sets_.take_news() || !news.empty();
+  std::string message = exporter_.take_error();
+  if (message.empty()) message = exporter_.take_message();
+  if (message.empty()) message = sets_.take_message();
+  if (message.empty()) message = reporter_.take_problem();
+  if (!message.empty()) say(message);
+  return sets_.take_news() || !message.empty();
 }
 
 void Editor::apply_input() {
@@ -163,13 +163,13 @@ void Editor::apply_input() {
     }
 }
 
-/// A key that is no text: closes what stands open, or runs its action.
+/// Handles a key that types no text: closes a popup or runs an action.
 void Editor::apply_key(const std::string& key) {
   if (!keys_.waiting.empty()) {
     keys_.pressed = key;
     return;
   }
-  if (!std::holds_alternative<std::monostate>(dialog_)) return;  // it sees to its own
+  if (!std::holds_alternative<std::monostate>(dialog_)) return;  // dialogs handle their own keys
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     const bool command = runs_while_typing(key);
     if (key == "Escape" || command) close_popups();
@@ -184,7 +184,7 @@ void Editor::apply_key(const std::string& key) {
     if (a.item.shortcut == key) return run_action(a.item.id);
 }
 
-/// True when there was something to do.
+/// True if the key was used.
 bool Editor::carry_out(const TypedKey& typed) {
   for (const Edit& edit : typed.edits) commit(edit);
   return typed.taken;
@@ -223,20 +223,20 @@ void Editor::draw_window() {
   draw_question(c);
   ImGui::PopFont();
   carry_out(wanted);
-  // Now that nothing of the frame is still about the draft that was shown.
+  // Last, since it may activate another draft.
   carry_out(requested);
-  if (view().select.drag == SelectDrag::kBand) message_.clear();  // it was about what was selected before
+  if (view().select.drag == SelectDrag::kBand) message_.clear();  // it was about the earlier selection
   if (!view().select.notice.empty()) say(std::exchange(view().select.notice, {}));
   window_.use_crosshair(notes_.crosshair);
   if (notes_.again) frames_due_ = std::max(frames_due_, 1);
-  // ImGui lays a new tip out in one frame and shows it in the next; the map wants it to stand still.
+  // ImGui lays out a new tooltip in one frame and shows it in the next; the --ui-map is written once it is stable.
   if (tip_.drawn && !tip_.shown) frames_due_ = std::max(frames_due_, 3);
 }
 
 void Editor::carry_out(Intents& wanted) {
   const uint64_t about = shown_;
   for (const Intent& one : wanted.take()) {
-    // An action may show another draft; what was done to the one before is not done to that.
+    // An action may activate another draft; later requests for the first one are dropped.
     const bool of_window = std::holds_alternative<RunAction>(one) || std::holds_alternative<SettingsChange>(one);
     if (!of_window && session_.active().id != about) continue;
     if (const auto* edit = std::get_if<Edit>(&one)) commit(*edit);
@@ -254,7 +254,7 @@ void Editor::change_settings(const SettingsChange& change) {
   if (settings_.keys != keys || settings_.recent != recent) remake_actions();
 }
 
-/// "twill.wif", "Overshot"; with its folder where another has the same name.
+/// "twill.wif", "Overshot"; with the folder if two have the same name.
 std::vector<Tab> Editor::tabs_of() const {
   std::vector<Tab> tabs;
   for (const auto& open : session_.all()) {
@@ -366,7 +366,7 @@ const Report* Editor::last_report() const {
 float Editor::split_of(float room, float height) {
   constexpr float kMin = 0.42f, kMax = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
-  // Chosen with the first pitch, and kept while threads are added.
+  // Computed with the first pitch, and kept while threads are added.
   if (view().pitch <= 0)
     fitted_split_ = fitting_width(document().now().draft, style_, room * kMin, room * kMax,
                                   std::max(1.0f, height - style_.px(kAround))) /
@@ -405,7 +405,7 @@ void Editor::draw_question(PanelContext& c) {
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);
   if (result.outcome == DialogOutcome::kDone && then) then(result.button);
-  // The answer may have asked the next question.
+  // The callback may have opened the next dialog.
   if (!answer_) dialog_ = {};
 }
 

@@ -1,4 +1,4 @@
-// The editor at the loom: steps by key, click or the loom's own asking.
+// Weaving at the loom: steps by key, by click or by request of the loom.
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ void Editor::carry_out(const LoomStep& step) {
 }
 
 bool Editor::update_loom() {
-  // The loom weaves the draft that it was given, not the one that is looked at meanwhile.
+  // The loom weaves the draft that it was connected with: another active draft disconnects it.
   if (loom_state_ != LoomLink::State::kOff && loom_of_ != session_.active().id) loom_.disconnect();
   const LoomLink::News news = loom_.take();
   if (news.connected) carry_out(greet(view().at_loom, document().now()));

@@ -1,5 +1,4 @@
-// What is done with the tabs of the editor: closing them, each once the weaver decided about what is unsaved, and what
-// their menu offers.
+// The tabs of the editor: closing them, with a question about unsaved changes, and the actions of their menu.
 
 #include <filesystem>
 #include <utility>

@@ -1,4 +1,4 @@
-// The editor's views of the cloth: drape or flat swatch, and views by name.
+// Views of the cloth: drape or flat swatch, and named views.
 
 #include <algorithm>
 #include <utility>

@@ -25,8 +25,8 @@ using base::tr;
 namespace {
 
 struct Asking {
-  pid_t program = 0;  // 0: it did not start
-  int answer = -1;    // where what it prints is read
+  pid_t program = 0;  // 0 if it did not start
+  int answer = -1;    // read end of its output
 };
 
 Asking start_asking(std::vector<std::string> words) {
@@ -47,7 +47,7 @@ Asking start_asking(std::vector<std::string> words) {
   return {};
 }
 
-/// Whether all that there will be has been read.
+/// Reads what is there; true at the end of the output.
 bool read_all(int from, std::string& text) {
   char buffer[4096];
   ssize_t n = 0;
@@ -95,7 +95,7 @@ std::vector<std::string> zenity_words(FileAsk what, const std::string& title, co
   return words;
 }
 
-/// kdialog asks by itself before it gives a file that is there.
+/// kdialog itself asks before it returns an existing file.
 std::vector<std::string> kdialog_words(FileAsk what, const std::string& title, const std::string& start,
                                        const std::string& ending) {
   const char* verb = what == FileAsk::kFolder ? "--getexistingdirectory"
@@ -155,7 +155,7 @@ FileDialog::~FileDialog() {
   if (answer_ >= 0) close(answer_);
   if (!waiting()) return;
   kill(asking_, SIGTERM);
-  // Dialogs end at that; one that hangs is not waited for.
+  // A dialog that does not end within 100 ms is killed.
   for (int i = 0; i < 20; ++i) {
     if (waitpid(asking_, nullptr, WNOHANG) != 0) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

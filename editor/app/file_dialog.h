@@ -1,5 +1,5 @@
 #pragma once
-// The system's file dialog, through zenity or kdialog, which runs beside the window.
+// The system's file dialog, by zenity or kdialog as a separate process.
 
 #include <sys/types.h>
 
@@ -14,33 +14,33 @@ namespace weftlight::app {
 
 enum class FileAsk { kOpen, kSave, kFolder };
 
-/// Programs that ask for a file.
+/// Programs that show a file dialog.
 enum class Asker { kNone, kZenity, kKdialog };
-/// The one of the desktop, else the one that is there. `path`: folders as in $PATH; `desktop`: as $XDG_CURRENT_DESKTOP.
+/// The desktop's own program, else the one that is installed. `path` is as $PATH, `desktop` as $XDG_CURRENT_DESKTOP.
 Asker find_asker(const std::string& path, const std::string& desktop);
-/// The program and its arguments; it prints the chosen path. `ending`: of what is saved or opened, ".wif".
+/// The program and its arguments; it prints the chosen path. `ending` of the file, such as ".wif".
 std::vector<std::string> asker_words(Asker asker, FileAsk what, const std::string& title, const std::string& start,
                                      const std::string& ending);
 
 class FileDialog {
  public:
   FileDialog() = default;
-  /// Ends the program that is still asking: who quits does not wait for an answer.
+  /// Terminates a dialog that is still open, so that quitting does not wait.
   ~FileDialog();
   FileDialog(const FileDialog&) = delete;
   FileDialog& operator=(const FileDialog&) = delete;
-  /// False without a program that asks: ask inside the window instead.
+  /// False if there is no such program: then ask inside the window.
   static bool is_there();
-  /// `ending`: of what is saved, ".wif".
+  /// `ending` of the file, such as ".wif".
   void ask(FileAsk what, const std::string& title, const std::string& start, const std::string& ending,
            std::function<void(const std::string&)> chosen);
   bool waiting() const { return asking_ != 0; }
-  /// Calls `chosen` once an answer has come. Never waits.
+  /// Calls `chosen` once a path was chosen. Never blocks.
   void poll();
 
  private:
-  pid_t asking_ = 0;  // the program, 0: none
-  int answer_ = -1;   // what it prints, read without waiting; -1: all is read
+  pid_t asking_ = 0;  // process of the dialog; 0 if none
+  int answer_ = -1;   // its output, non-blocking; -1 after its end
   std::string answer_so_far_;
   std::function<void(const std::string&)> chosen_;
 };

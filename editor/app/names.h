@@ -1,5 +1,5 @@
 #pragma once
-// The folders whose names this one uses without saying whose they are; what those use comes with them.
+// Imports the namespaces that this folder uses without qualification.
 
 #include "actions/names.h"
 #include "commands/names.h"

@@ -23,10 +23,10 @@ std::string open_folder(const std::string& folder) {
   if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv, environ) != 0)
     return fill(tr("No program shows folders here (xdg-open is missing). The folder is {folder}"),
                 arg("folder", folder));
-  // Its end is waited for, by nobody who has anything else to do.
+  // A thread of its own waits for the process, so that none is left defunct.
   try {
     std::thread([child] { waitpid(child, nullptr, 0); }).detach();
-  } catch (const std::system_error&) {  // no thread is to be had: it is waited for when the program ends
+  } catch (const std::system_error&) {  // without a thread it stays defunct until the program ends
   }
   return {};
 }

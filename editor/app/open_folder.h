@@ -1,5 +1,5 @@
 #pragma once
-// A folder in the desktop's own file manager.
+// Opens a folder in the file manager.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace weftlight::app {
 
-/// Asks the desktop (xdg-open) and does not wait for it; what went wrong, or empty.
+/// Starts xdg-open without waiting for it. Returns the error, or empty.
 std::string open_folder(const std::string& folder);
 
 }  // namespace weftlight::app

@@ -15,15 +15,15 @@ using base::tr;
 
 namespace {
 
-constexpr double kRestS = 0.15;         // still for so long: draw every pixel
-constexpr double kBusyRestS = 2;        // while the worker makes a better cloth: its picture would not stand long
-constexpr double kBusyPollS = 0.01;     // how often the worker is asked
-constexpr double kTracePollS = 0.1;     // how often the ray tracer is asked
+constexpr double kRestS = 0.15;         // rest before full resolution
+constexpr double kBusyRestS = 2;        // the same while the pipeline works: its result replaces the picture soon
+constexpr double kBusyPollS = 0.01;     // polling interval of the pipeline
+constexpr double kTracePollS = 0.1;     // polling interval of the ray tracer
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
 constexpr int kMaxAPass = 4;            // the lattice of 8 samples
-constexpr double kPassMs = 30;          // the next pass takes more samples below, fewer above twice it
-constexpr float kAsGood = 0.1f;         // a tolerance that differs by less is the same
-constexpr double kRefineMs = 4000;      // for all passes of one picture
+constexpr double kPassMs = 30;          // below it the next pass has more samples, above twice it fewer
+constexpr float kAsGood = 0.1f;         // relative; smaller differences of the tolerance are ignored
+constexpr double kRefineMs = 4000;      // limit of all passes of one picture
 constexpr float kMinScale = 0.3f, kMaxMovingScale = 0.9f;
 
 }  // namespace
@@ -45,7 +45,7 @@ void PictureMaker::follow(std::shared_ptr<const Design> design) {
 
 bool PictureMaker::poll() {
   if (!renderer_) return false;
-  // Asked before the upload: what is finished in between is taken up by the next poll.
+  // Read before the upload, so that work finished in between is taken by the next poll.
   const bool busy = pipeline_.busy();
   const bool changed = pipeline_.poll(*renderer_);
   if (changed) has_cloth_ = dirty_ = true;
@@ -57,9 +57,9 @@ bool PictureMaker::poll() {
 }
 
 float PictureMaker::moving_scale() const {
-  constexpr float kFirstOnSoftware = 0.5f;  // nothing has been timed, and a program is being compiled
+  constexpr float kFirstOnSoftware = 0.5f;  // nothing has been timed, and shaders are being compiled
   if (full_ms_ <= 0 && moving_ms_ <= 0 && renderer_->is_software()) return kFirstOnSoftware;
-  // Moving pictures are drawn by cheaper rungs: a third is a guess until one has been timed.
+  // Moving pictures use cheaper shading methods: a third is a guess until one has been timed.
   const double all_pixels_ms = moving_ms_ > 0 ? moving_ms_ : full_ms_ / 3;
   if ((full_ms_ > 0 ? full_ms_ : all_pixels_ms) <= kMovingBudgetMs) return 1;
   return std::clamp(static_cast<float>(std::sqrt(kMovingBudgetMs / all_pixels_ms)), kMinScale, kMaxMovingScale);
@@ -79,7 +79,7 @@ bool PictureMaker::draw(const PictureRequest& request, bool moving, double now_s
   picture.compare = drawn_.compare;  // does not change what is drawn
   const bool other = !(picture == drawn_);
   const bool changed = dirty_ || other;
-  // The last of the worker's cloths is drawn at every pixel at once.
+  // The final result of the pipeline is drawn at full resolution at once.
   if (changed && (moving || other || pipeline_.busy())) moved_s_ = now_s;
   const bool resting = now_s - moved_s_ >= rest_s();
   const float scale = resting ? 1.0f : moving_scale();
@@ -118,7 +118,7 @@ void PictureMaker::begin_passes() {
   spent_ms_ = 0;
 }
 
-/// One more pass of a resting picture, or the picture of what moves.
+/// Draws one more pass of a resting picture, or a moving picture.
 void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   Frame frame = frame_of(request);
   frame.render_scale = scale;
@@ -135,7 +135,7 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   if (scale == 1) stats_ = renderer_->measure();
   if (scale == 1 && passes_ == 0 && request.budget_ms > 0 && stats_.method == Method::kAuto) {
     const float held = renderer_->tolerance_within(request.budget_ms);
-    // Once a picture: what it took tells what the budget buys.
+    // Once per picture: its cost gives the tolerance for the budget.
     const bool other = held > 0 && !held_used_ && std::abs(held - tolerance_) > kAsGood * tolerance_;
     if (held > 0) held_ = held;
     held_used_ = true;
@@ -145,8 +145,8 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
     (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
   drawn_scale_ = scale;
   if (scale < 1) return;
-  constexpr float kMaxlyThreads = 0.3f;
-  if (stats_.gpu_ms > 0 && stats_.method_weights[0] > kMaxlyThreads) ms_a_sample_ = stats_.gpu_ms / samples;
+  constexpr float kMostlyThreads = 0.3f;
+  if (stats_.gpu_ms > 0 && stats_.method_weights[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples;
   ++passes_;
   samples_ += samples;
   spent_ms_ += stats_.gpu_ms;
@@ -167,7 +167,7 @@ void PictureMaker::follow_reference(const PictureRequest& request, bool changed)
   }
 }
 
-/// The picture that is shown is made anew afterwards.
+/// Draws the shown picture again afterwards.
 TraceJob PictureMaker::job_of(const PictureRequest& request) {
   TraceJob job{design_, request.scene, 0, {}, {}};
   Frame frame = frame_of(request);

@@ -1,7 +1,7 @@
 #pragma once
-// Keeps the picture of the cloth in step with the design: hands designs to the pipeline, draws only when
-// something changed, with fewer pixels while it moves and all of them when it rests. A comparison with the
-// ray-traced picture starts when it rests and is given up at every change. Of one thread, with its GL context.
+// Draws the picture of the cloth: hands designs to the pipeline, draws only after changes, at a lower resolution while
+// it moves and at full resolution at rest. The comparison with the ray-traced picture starts at rest and stops at every
+// change. Used by one thread, with its GL context.
 
 #include <cstdint>
 #include <memory>
@@ -16,14 +16,14 @@
 
 namespace weftlight::app {
 
-/// What the window wants to see.
+/// The picture that the window requests.
 struct PictureRequest {
   Scene scene;
   Look look;
   int width = 0, height = 0;  // pixels
   bool show_methods = false;
   Compare compare = Compare::kOff;
-  float budget_ms = 0;  // of the cloth's pass at rest: the tolerance that keeps within it; 0: the look's
+  float budget_ms = 0;  // time budget of the cloth's pass at rest, which sets the tolerance; 0: tolerance of the look
   bool operator==(const PictureRequest&) const = default;
 };
 
@@ -35,38 +35,38 @@ class PictureMaker {
   void submit(std::shared_ptr<const Design> design);
   /// The pipeline has it already.
   void follow(std::shared_ptr<const Design> design);
-  /// Takes what the worker and the tracer finished. True when there is something new to show.
+  /// Takes finished work of the pipeline and the tracer. True if there is something new to show.
   bool poll();
-  /// Draws if anything changed since the last time; true when it did.
+  /// Draws if anything changed since the last call; true if it drew.
   bool draw(const PictureRequest& request, bool moving, double now_s);
-  /// Seconds until poll or draw has something to do; negative: only after submit or another request.
+  /// Seconds until poll or draw has something to do; negative if only submit or another request can need it.
   double next_s(double now_s) const;
 
   /// The last picture: RGBA8 with sRGB's encoding, row 0 at the bottom; empty when none was drawn.
   void read(int& width, int& height, std::vector<uint32_t>& pixels) const;
   const FrameStats& stats() const { return stats_; }
-  /// What the last picture was drawn with.
+  /// The error tolerance of the last picture.
   float tolerance() const { return tolerance_; }
-  /// Of Compare::kSplit or kDifference; empty while nothing is traced.
+  /// For Compare::kSplit or kDifference; empty while nothing is traced.
   const session::PictureComparison& comparison() const { return comparison_; }
-  /// Why there is no picture, or what is wrong with the mesh.
+  /// Why there is no picture, or an error of the mesh.
   std::string problem() const {
     return !problem_.empty() ? problem_ : !stats_.problem.empty() ? stats_.problem : pipeline_.problem();
   }
   const std::shared_ptr<const Design>& design() const { return design_; }
-  /// The newest design is still being worked on.
+  /// True while the newest design is being processed.
   bool busy() const { return renderer_ && pipeline_.busy(); }
-  /// Whether more samples of the threads would make the resting picture finer.
+  /// True if more samples of the threads would refine the resting picture.
   bool can_refine() const;
 
  private:
   Frame frame_of(const PictureRequest& request) const;
   void begin_passes();
   void draw_pass(const PictureRequest& request, float scale);
-  /// The look to draw with: by its own tolerance, or by what the last picture took.
+  /// The look to draw with: with its own tolerance, or the one that keeps to the time budget.
   Look look_for(const PictureRequest& request);
   float moving_scale() const;
-  /// Still for so long: every pixel is drawn.
+  /// Seconds of rest before the picture is drawn at full resolution.
   double rest_s() const;
   void follow_reference(const PictureRequest& request, bool changed);
   TraceJob job_of(const PictureRequest& request);
@@ -79,17 +79,17 @@ class PictureMaker {
   PictureRequest drawn_;
   float drawn_scale_ = 0;
   double moved_s_ = -1e9;
-  int passes_ = 0, samples_ = 0;              // of the resting picture, so far
-  int lattice_a_pass_ = 1, all_samples_ = 8;  // the first picture tells what it costs
+  int passes_ = 0, samples_ = 0;              // of the resting picture so far
+  int lattice_a_pass_ = 1, all_samples_ = 8;  // updated by the cost of the first picture
   double spent_ms_ = 0;                       // on its passes
-  double ms_a_sample_ = 0;                    // of a picture mostly of threads
-  double full_ms_ = 0, moving_ms_ = 0;        // the cloth's cost at every pixel, at rest and by the moving programs
+  double ms_a_sample_ = 0;                    // cost of a sample in a picture mostly of threads
+  double full_ms_ = 0, moving_ms_ = 0;        // cost of the cloth at full resolution, at rest and while moving
   FrameStats stats_;
-  float tolerance_ = 0, held_ = 0;  // of the last picture; within the budget, 0: not known yet
-  bool held_used_ = false;          // the resting picture has it
+  float tolerance_ = 0, held_ = 0;  // of the last picture; that of the budget, 0 if unknown
+  bool held_used_ = false;          // the resting picture uses held_
 
   ReferenceTracer tracer_;
-  bool traced_ = false;  // the tracer was given the picture that is drawn
+  bool traced_ = false;  // the tracer has the drawn picture
   session::PictureComparison comparison_;
 };
 

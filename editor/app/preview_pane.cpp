@@ -16,7 +16,7 @@ using base::tr;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kAgainS = 1;  // what could not be drawn is tried again
+constexpr double kAgainS = 1;  // delay before a failed picture is drawn again
 
 double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -77,7 +77,7 @@ PreviewPicture PreviewPane::picture() const {
   return p;
 }
 
-/// The cloth is computed while the graphics are made ready for it.
+/// Starts the computation of the cloth before the GL context is created.
 std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
   std::unique_lock lock(mutex_);
   wake_.wait(lock, [this] { return leaving_ || new_design_; });
@@ -164,7 +164,7 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   if (!made.picture.busy) made.made = maker.design();
   {
     const std::lock_guard lock(mutex_);
-    // What was not taken yet and is not made anew still holds.
+    // Pixels that were not taken yet and are not replaced stay valid.
     if (news_ && made.pixels.empty())
       made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height;
     news_ = std::move(made);

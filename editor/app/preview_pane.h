@@ -1,6 +1,6 @@
 #pragma once
-// The picture of the cloth as the window sees it. It is made on a thread of its own, with a GL context of its own, so
-// that no stroke waits for it: the window says what it wants to see and is woken when there is something new to show.
+// The preview of the cloth. It is drawn on its own thread with its own GL context, so that painting never waits for it.
+// The window requests a picture and is woken when there is something new to show.
 
 #include <condition_variable>
 #include <functional>
@@ -20,35 +20,35 @@ namespace weftlight::app {
 
 class PreviewPane {
  public:
-  /// `wake`: called on the other thread when poll() has something.
+  /// `wake` is called on the drawing thread when poll() has a result.
   explicit PreviewPane(std::function<void()> wake);
-  /// Waits for the picture that is being drawn.
+  /// Waits for the picture in progress.
   ~PreviewPane();
   PreviewPane(const PreviewPane&) = delete;
   PreviewPane& operator=(const PreviewPane&) = delete;
 
   void submit(std::shared_ptr<const Design> design);
-  /// The newest request is the one that counts.
+  /// Replaces the earlier request.
   void ask(const PictureRequest& request, bool moving);
-  /// Takes what is new; true when there is something to show. Needs the window's GL context.
+  /// Takes the newest result; true if there is something to show. Needs the window's GL context.
   bool poll();
   PreviewPicture picture() const;
 
  private:
-  /// What the thread hands over. Pixels are left out where they are those of before.
+  /// A result of the drawing thread. Unchanged pixels are left out.
   struct News {
     int width = 0, height = 0;
     std::vector<uint32_t> pixels;
-    std::vector<uint32_t> reference;  // of the comparison that is shown
+    std::vector<uint32_t> reference;  // of the shown comparison
     int reference_width = 0, reference_height = 0;
-    PreviewPicture picture;              // but for its textures
-    std::shared_ptr<const Design> made;  // nothing of it is still to come
+    PreviewPicture picture;              // without its textures
+    std::shared_ptr<const Design> made;  // the design, if its picture is complete
   };
 
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
   void draw_until_left(class PictureMaker& maker);
-  /// What was thrown while a picture was made, told in its place; the next is made anew.
+  /// Shows an exception in place of the picture; the next picture is drawn in full.
   void fail(const std::string& why);
   void make(PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
@@ -61,8 +61,8 @@ class PreviewPane {
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
   std::optional<News> news_;
-  bool failed_ = false;  // the thread's: what was made last was not handed over
-  // The window's.
+  bool failed_ = false;  // used by the drawing thread: the last picture was not handed over
+  // Used by the window's thread.
   std::shared_ptr<const Design> submitted_, shown_;
   PreviewPicture picture_;
   PixelTexture texture_, reference_texture_;

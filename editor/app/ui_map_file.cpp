@@ -23,7 +23,7 @@ std::string ui_map_json(const UiMap& map, uint64_t frame) {
 
 void UiMapFile::frame(const UiMap& map) {
   ++frame_;
-  // A layout in the making (a menu opening, a dialog finding its size) is not written.
+  // A changing layout (a menu that opens, a dialog that finds its size) is not written.
   const bool settled = map == before_;
   before_ = map;
   if (path_.empty() || !settled || map == last_) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The --ui-map file: where everything is, rewritten once what moved stands still.
+// The --ui-map file: positions of all controls, rewritten once the layout is stable.
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ std::string ui_map_json(const UiMap& map, uint64_t frame);
 class UiMapFile {
  public:
   explicit UiMapFile(std::string path) : path_(std::move(path)) {}
-  /// Counts the frame; writes when the map is not the last one written.
+  /// Counts the frame; writes the map if it is stable and has changed.
   void frame(const UiMap& map);
 
  private:

@@ -29,7 +29,7 @@ namespace {
 using Kind = InputEvent::Kind;
 
 constexpr int kButtons = IM_ARRAYSIZE(ImGuiIO::MouseDown), kKeys = GLFW_KEY_LAST + 1;
-constexpr float kOutside = -1e6f;  // where no pointer is
+constexpr float kOutside = -1e6f;  // pointer position outside of the window
 
 constexpr std::pair<int, const char*> kNamedKeys[] = {{GLFW_KEY_KP_ADD, "+"},
                                                       {GLFW_KEY_KP_SUBTRACT, "-"},
@@ -54,7 +54,7 @@ std::string key_name(int key, int scancode) {
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));
   for (const auto& [named, name] : kNamedKeys)
     if (key == named) return name;
-  // The letter on the key, whatever the keyboard's layout.
+  // The letter on the key in the present keyboard layout.
   const char* name = glfwGetKeyName(key, scancode);
   if (name == nullptr) return {};
   std::string text = name;
@@ -67,7 +67,7 @@ Modifiers modifiers(int mods) {
   return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0};
 }
 
-/// The modifiers whose keys `down` holds.
+/// The modifiers whose keys are set in `down`.
 Modifiers modifiers(const bool* down) {
   const auto either = [down](int left, int right) { return down[left] || down[right]; };
   return {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
@@ -89,7 +89,7 @@ std::string shortcut(int key, int scancode, int mods) {
          ((mods & GLFW_MOD_ALT) ? "Alt+" : "") + name;
 }
 
-/// Newer versions of ImGui see to their textures themselves.
+/// Newer versions of ImGui manage their textures themselves.
 void renew_font_texture() {
 #if IMGUI_VERSION_NUM < 19200
   ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -108,7 +108,7 @@ GLFWwindow* make_window(int width, int height) {
   return glfwCreateWindow(width, height, "Weftlight", nullptr, nullptr);
 }
 
-/// No part of it lies beyond the screen, however small that is.
+/// Limits the window to the screen.
 void fit_to_screen(GLFWwindow* window) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (screen == nullptr) return;
@@ -132,10 +132,10 @@ struct Window::Inbox {
   InputQueue input;
   std::vector<std::string> dropped;
   std::vector<std::string> shortcuts;                     // of the frame
-  bool key_of_character = false;                          // the last of them may type the next character
-  bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as the window system last said
-  double x = kOutside, y = kOutside;                      // of the last move
-  ImVec2 given_pointer = {kOutside, kOutside};            // as ImGui knows them
+  bool key_of_character = false;                          // the last shortcut may type the next character
+  bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as last reported by the window system
+  double x = kOutside, y = kOutside;                      // position of the last move
+  ImVec2 given_pointer = {kOutside, kOutside};            // as passed to ImGui
   bool given_buttons[kButtons] = {}, given_keys[kKeys] = {};
 
   static Inbox& of(GLFWwindow* w) {
@@ -147,7 +147,7 @@ struct Window::Inbox {
     return std::find(std::begin(button_down), std::end(button_down), true) != std::end(button_down);
   }
   void key(int key, int scancode, int action, int mods);
-  /// To ImGui.
+  /// Passes an event to ImGui.
   void give(InputEvent& e);
 };
 
@@ -161,7 +161,7 @@ void Window::Inbox::key(int key, int scancode, int action, int mods) {
   input.add(std::move(e));
 }
 
-// All of them here, none by ImGui's own: the queue keeps their order.
+// These replace the callbacks of ImGui: the queue keeps the order of events.
 void Window::listen(GLFWwindow* w) {
   glfwSetKeyCallback(w, [](GLFWwindow* at, int key, int scancode, int action, int mods) {
     Inbox::of(at).key(key, scancode, action, mods);
@@ -174,8 +174,7 @@ void Window::listen(GLFWwindow* w) {
     Inbox& in = Inbox::of(at);
     if (button < 0 || button >= kButtons) return;
     in.button_down[button] = action == GLFW_PRESS;
-    // Where the move before it ended: glfwGetCursorPos tells where the pointer is by now, which after a slow
-    // frame is somewhere else.
+    // The position of the last move: glfwGetCursorPos gives the present one, which differs after a slow frame.
     in.input.add({Kind::kButton, in.x, in.y, static_cast<unsigned>(button), action == GLFW_PRESS, modifiers(mods)});
   });
   glfwSetCursorPosCallback(w, [](GLFWwindow* at, double x, double y) {
@@ -213,7 +212,7 @@ void Window::give_input() {
   inbox_->shortcuts.clear();
   for (InputEvent& e : inbox_->input.next_frame()) {
     inbox_->give(e);
-    // As they were with the press, though they be up by now.
+    // The modifiers at the press, even if released since.
     if (e.kind == Kind::kButton || e.kind == Kind::kScroll || (e.kind == Kind::kKey && e.down)) held = e.held;
   }
   const bool* keys = inbox_->given_keys;
@@ -243,7 +242,7 @@ void Window::Inbox::give(InputEvent& e) {
       feed_key(static_cast<int>(e.code), e.down);
       break;
     case Kind::kCharacter:
-      // A digit is one on any keyboard, also where it takes Shift and on the number pad.
+      // A digit counts as its key also if the layout needs Shift for it, or on the number pad.
       if (e.code >= '0' && e.code <= '9') {
         if (key_of_character) shortcuts.pop_back();
         shortcuts.emplace_back(1, static_cast<char>(e.code));

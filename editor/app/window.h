@@ -1,5 +1,5 @@
 #pragma once
-// The system's window with an OpenGL 3.3 core context and ImGui in it. It sleeps until something happens.
+// The window with an OpenGL 3.3 core context and ImGui. It sleeps until an event comes.
 
 #include <memory>
 #include <string>
@@ -22,34 +22,34 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Sleeps up to `seconds` (negative: as long as nothing happens); true when something happened.
+  /// Sleeps up to `seconds` (negative: until an event); true if there was an event.
   bool wait(double seconds);
   bool wants_close() const;
   void set_wants_close(bool close);
   void set_title(const std::string& title);
 
-  /// Fonts and ImGui's style anew when the theme or the display's scale changed.
+  /// Updates fonts and the style of ImGui after the theme or the display scale changed.
   void use_style(Style& style);
   void begin_frame();
   void end_frame(ImU32 background);
-  /// Ends a frame that nobody sees.
+  /// Ends a frame without drawing it.
   static void drop_frame();
 
-  /// Keys pressed in this frame, as shortcuts are written: "Ctrl+Shift+S".
+  /// Keys pressed in this frame, written as shortcuts: "Ctrl+Shift+S".
   std::vector<std::string> take_keys();
   std::vector<std::string> take_dropped_files();
-  /// The pointer is a cross that draws rectangles, else what ImGui asks for.
+  /// Shows a crosshair pointer, or the one that ImGui requests.
   void use_crosshair(bool on);
-  /// True once after the window got the keys again.
+  /// True once after the window got the keyboard focus.
   bool take_focus();
-  /// Something that the hand did waits for the next frame.
+  /// True if input waits for the next frame.
   bool has_input() const;
-  /// Framebuffer pixels a window unit (2 on a Retina display, else 1).
+  /// Framebuffer pixels per window unit (2 on a Retina display, else 1).
   float pixel_ratio() const;
   /// Size in window units.
   void size(int& width, int& height) const;
   static double seconds();
-  /// From any thread: wait() returns.
+  /// Makes wait() return; callable from any thread.
   static void wake();
 
  private:
@@ -59,7 +59,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
   struct Inbox;
   static void listen(GLFWwindow* window);
-  /// Hands ImGui what this frame is to see of the mouse and the keys.
+  /// Passes the mouse and key events of this frame to ImGui.
   void give_input();
 
   std::unique_ptr<Inbox> inbox_;

@@ -132,7 +132,7 @@ Beside make_beside(const std::string& target) {
     made.lock = platform::FileLock::make(made.path);
     made.failed = made.lock.answer() == LockAnswer::kNoFile ? made.lock.cause() : 0;
     if (made.failed != 0 && made.failed != EEXIST) return made;
-    // Who removes leftovers may come between a file and its lock.
+    // A process that removes stale files may come between a file and its lock.
     if (made.lock.answer() == LockAnswer::kNoLocks || (made.lock.held() && made.lock.stands_at(made.path))) return made;
   }
   return {{}, {}, EBUSY};

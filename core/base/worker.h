@@ -20,7 +20,7 @@ class Worker {
   /// What the destructor does with waiting jobs.
   enum class Leaving { kDrop, kFinish };
 
-  /// Told on the thread what a job threw, in words, unless it was asked to stop.
+  /// Called on the worker thread with the text of what a job threw, unless the job was asked to stop.
   using Failed = std::function<void(const std::string& why, const std::stop_token& stop)>;
 
   explicit Worker(Leaving leaving = Leaving::kDrop, Failed failed = {});

@@ -1,7 +1,7 @@
 #pragma once
-// A lock on a file that tells whether its owner lives: it ends with the process, however that ends, and holds between
-// threads, processes, containers and, where the share carries locks, machines. Numbers of processes tell nothing of the
-// kind: they repeat, and mean another process or none elsewhere.
+// A file lock as the sign that the owner of a file is alive. It ends with its process, however the process ends, and
+// works between threads, processes, containers and, where the network share supports locks, machines. Process numbers
+// are no such sign: they repeat, and elsewhere they mean another process or none.
 
 #include <string>
 
@@ -9,13 +9,13 @@ namespace weftlight::platform {
 
 enum class LockAnswer {
   kHeld,
-  kTaken,    // another has it
-  kNoLocks,  // the file system has none: who owns the file cannot be told
-  kNoFile,   // it is not there, or cannot be opened for writing
+  kTaken,    // another owner holds it
+  kNoLocks,  // the file system has no locks: the owner is unknown
+  kNoFile,   // the file does not exist, or cannot be opened for writing
 };
 
-/// An open file with its lock. A forked process keeps the lock of its parent for as long as it lives; a started program
-/// does not get it. What is locked lies beyond the end of any file: others may read and write it meanwhile.
+/// An open file and its lock. A forked process shares its parent's lock while it lives; a started program does not. The
+/// locked byte lies beyond the end of any file, so others can still read and write the file.
 class FileLock {
  public:
   FileLock() = default;
@@ -23,21 +23,20 @@ class FileLock {
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
 
-  /// Makes the file where it is not there, for its user alone.
+  /// Locks a file, which is created if needed, readable by its user only.
   static FileLock take(const std::string& path);
-  /// The same, waiting until nobody else has it.
+  /// The same, but waits until the lock is free.
   static FileLock wait_for(const std::string& path);
-  /// Of a file that is there, and no link; makes none.
+  /// Locks an existing file that is not a symbolic link.
   static FileLock take_existing(const std::string& path);
-  /// Makes a new file, empty, as programs make files; kNoFile where there is one already.
+  /// Creates and locks a new, empty file with the usual permissions; kNoFile if it exists already.
   static FileLock make(const std::string& path);
 
   LockAnswer answer() const { return answer_; }
   bool held() const { return answer_ == LockAnswer::kHeld; }
-  /// errno of what is not held; 0: it is.
+  /// errno if the lock is not held; otherwise 0.
   int cause() const { return cause_; }
-  /// Whether `path` still leads to the file that was opened: not where somebody removed or renamed it before the lock
-  /// was had.
+  /// True if `path` still names the locked file. False if it was removed or renamed before the lock was acquired.
   bool stands_at(const std::string& path) const;
 
  private:

@@ -1,12 +1,12 @@
 #pragma once
-// Names for what is made beside files of others, on disks that several machines may share.
+// Names for temporary files and folders, on disks that several machines may share.
 
 #include <string>
 #include <string_view>
 
 namespace weftlight::platform {
 
-/// 64 random bits as 16 hexadecimal digits: nobody draws the same.
+/// 64 random bits as 16 hexadecimal digits.
 std::string unique_name();
 bool is_unique_name(std::string_view name);
 

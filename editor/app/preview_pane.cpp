@@ -136,7 +136,8 @@ void PreviewPane::fail(const std::string& why) {
   caught([&] {
     {
       const std::lock_guard lock(mutex_);
-      news_.emplace().picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
+      news_ = News{};
+      news_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
     }
     wake_window_();
   });

@@ -1,6 +1,6 @@
 #pragma once
-// The grids under a pressed mouse button: they stand where they stood when it went down, whatever an edit adds to the
-// draft, the zoom or the window changes meanwhile. So a press is one cell, and a stroke goes on where the hand goes.
+// Freezes the layout of the grids while a mouse button is down, whatever an edit, the zoom or the window size changes
+// meanwhile. So a click is one cell, and a stroke follows the pointer.
 
 #include <optional>
 
@@ -9,24 +9,22 @@
 
 namespace weftlight::views {
 
-/// Where the hand is: the pointer, but while a button is down and it has not left the pixels about the press, the
-/// press.
+/// The pointer; while a button is down and the pointer stays within a few pixels, the point where it went down.
 ImVec2 hand_at(const Style& style);
 
 class HeldLayout {
  public:
-  /// The layout of this frame: `now` as the draft would be laid out, or its cells where they were pressed. `down`: a
-  /// mouse button is.
+  /// The layout of this frame: `now`, or the held layout while one is held. `down`: a mouse button is down.
   DraftLayout of(const DraftLayout& now, const DocumentView& view, bool down);
-  /// A button is down over a grid: it stands like this until all are let go.
+  /// A button went down over a grid: holds the layout until all buttons are released.
   void hold(const DraftLayout& layout, const DocumentView& view);
-  /// The hand itself scrolls: the view's scroll counts in the next frame.
+  /// The user scrolls during the press: the next frame uses the view's scroll.
   void let_scroll() { scrolls_ = true; }
   bool is_held() const { return held_.has_value(); }
 
  private:
   std::optional<DraftLayout> held_;
-  const DocumentView* view_ = nullptr;  // that it is of
+  const DocumentView* view_ = nullptr;  // of the held layout
   bool scrolls_ = false;
 };
 

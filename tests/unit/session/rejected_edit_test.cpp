@@ -55,7 +55,7 @@ TEST_F(RefusalTest, TheWholeGestureIsTheRequest) {
   for (int end = 0; end <= 8; ++end) wanted.set(2, end, true);
   EXPECT_EQ(drawdown(rejected_edit()->requested->draft), wanted);
   EXPECT_EQ(now(), before) << "of a stroke that is refused nothing is drawn";
-  EXPECT_FALSE(session_.commit(line({0, 3}, {0, 3}, !cells.get(3, 0)), 8)) << "another gesture, another wish";
+  EXPECT_FALSE(session_.commit(line({0, 3}, {0, 3}, !cells.get(3, 0)), 8)) << "another gesture, another request";
   wanted = cells;
   wanted.set(3, 0, !cells.get(3, 0));
   EXPECT_EQ(drawdown(rejected_edit()->requested->draft), wanted);

@@ -108,7 +108,7 @@ void add_light_options(CLI::App& verb, PictureVerb& p) {
 }
 
 std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
-  const auto picture = std::make_shared<PictureVerb>();
+  auto picture = std::make_shared<PictureVerb>();
   PictureOptions& o = picture->options;
   o.view_azimuth = o.view_elevation = o.light_azimuth = o.light_elevation = o.exposure_ev = kUnset;
   verb.add_option("file", o.file, tr("Draft"))->required();

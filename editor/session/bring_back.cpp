@@ -42,7 +42,7 @@ OpenResult bring_back(const LeftWork& left) {
   if (!note.path.empty() && began_with.there && changed_since(note.path, began_with) == FileChange::kNone) {
     OpenResult original = open_document(note.path);
     if (original.document) {
-      original.document->commit({tr("Recover unsaved work"), [d = read.file->design](Design) { return d; }}, 0);
+      original.document->commit({tr("Recover unsaved work"), [d = read.file->design](const Design&) { return d; }}, 0);
       return original;
     }
   }

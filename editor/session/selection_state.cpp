@@ -247,8 +247,8 @@ std::string selection_text(const SelectState& s) {
   if (s.held) return held_text(*s.held);
   if (s.selected.empty()) return {};
   const Selection& at = s.selected;
-  const std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " + column_range(at.grid, at.a0, at.a1) +
-                           ", " + row_range(at.grid, at.b0, at.b1);
+  std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " + column_range(at.grid, at.a0, at.a1) + ", " +
+                     row_range(at.grid, at.b0, at.b1);
   if (s.drag == SelectDrag::kBand) return size;
   if (s.drag == SelectDrag::kMove)
     return fill(s.move && s.move->copy ? tr("Copy {size}") : tr("Move {size}"), arg("size", size));

@@ -173,8 +173,8 @@ Figure albedo_figure(const std::vector<Brightness>& values) {
                 0,
                 {}};
     std::ostringstream unused;
-    for (double tick = 0; tick <= most * 1.05; tick += most > 2 ? 1 : most > 0.8 ? 0.2 : 0.1)
-      panel.y.ticks.push_back(std::round(tick * 100) / 100);
+    const double step = most > 2 ? 1 : most > 0.8 ? 0.2 : 0.1;
+    for (int k = 0; k * step <= most * 1.05; ++k) panel.y.ticks.push_back(std::round(k * step * 100) / 100);
     const auto curve_of = [&](const std::string& method, Ink ink, Marker marker, double width) {
       Curve curve{method, ink, width, false, {}};
       for (const Brightness& b : values) {

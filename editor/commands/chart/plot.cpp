@@ -132,9 +132,10 @@ std::vector<double> ticks_of(const Axis& a) {
                                       : range > 60 ? std::vector<double>{1, 3}
                                       : range > 12 ? std::vector<double>{1, 2, 5}
                                                    : std::vector<double>{1, 2, 3, 5, 7};
-    for (double decade = std::pow(10, std::floor(std::log10(a.from))); decade <= a.to; decade *= 10) {
+    const auto last = static_cast<int>(std::floor(std::log10(a.to)));
+    for (auto power = static_cast<int>(std::floor(std::log10(a.from))); power <= last; ++power) {
       for (const double k : steps) {
-        const double v = k * decade;
+        const double v = k * std::pow(10, power);
         if (v >= a.from * 0.999 && v <= a.to * 1.001) ticks.push_back(v);
       }
     }

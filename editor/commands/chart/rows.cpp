@@ -186,7 +186,7 @@ std::vector<ChartRow> read_chart(std::string_view csv) {
   return rows;
 }
 
-ChartRow as_written(ChartRow row) {
+ChartRow as_written(const ChartRow& row) {
   const std::vector<ChartRow> read = read_chart(chart_csv({row}));
   return read.empty() ? row : read.front();
 }

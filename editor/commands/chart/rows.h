@@ -52,7 +52,7 @@ std::string chart_csv(const std::vector<ChartRow>& rows);
 std::vector<ChartRow> read_chart(std::string_view csv);
 
 /// The row with its numbers rounded as in the file, so that decisions can be reproduced from the file.
-ChartRow as_written(ChartRow row);
+ChartRow as_written(const ChartRow& row);
 
 /// Sets on_front: no other method under the same conditions is both cheaper (nanoseconds) and more accurate.
 void mark_pareto_front(std::vector<ChartRow>& rows);

@@ -23,6 +23,7 @@ struct Lobes {
   float across_width = 0.45f;  // RMS slope across the fibre
   float layers = 1.0f;         // fibre layers that reflect, untinted
   float inner = 0.0f;          // fraction of it that passed through fibres, tinted (volume scattering)
+  float inner_depth = 1.0f;    // path of the inner part through the dye, relative to a round fibre
   // Body: diffuse reflection, times the thread's colour.
   float body = 1.0f;
   // Fuzz: fibres that stand off the yarn, seen at grazing angles and silhouettes.
@@ -31,8 +32,6 @@ struct Lobes {
   // Transmission: diffuse light from behind; the gaps between threads are in the coverage.
   float transmission = 0.1f;  // fraction of the body
   bool metallic = false;      // specular has the thread's colour, no body
-  // New members go to the end: the presets initialise these by position.
-  float inner_depth = 1.0f;  // path of the inner part through the dye, relative to a round fibre
   bool operator==(const Lobes&) const = default;
 };
 

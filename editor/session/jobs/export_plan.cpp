@@ -20,13 +20,13 @@ std::vector<ExportJob> jobs_of(const ExportPlan& plan, const Design& design, con
   const std::string name = file_name_of(file.stem().string());
   const int size = plan.by_density ? size_for(design, plan.texels_per_mm, 10 * plan.tile_cm) : plan.size;
   std::vector<ExportJob> out;
-  for (const ExportTarget target : plan.targets) {
+  for (const ExportTarget* target : plan.targets) {
     TextureSetOptions o;
     o.target = target, o.name = name, o.source = file.filename().string(), o.draft_path = draft_path;
     o.program_version = version, o.size = size, o.alpha = plan.alpha, o.tile_mm = 10 * plan.tile_cm;
-    if (target != ExportTarget::kRaw) o.mips = plan.mips;
+    if (!target->raw) o.mips = plan.mips;
     fs::path folder = fs::path(plan.folder) / name;
-    if (plan.targets.size() > 1) folder /= target_name(target);
+    if (plan.targets.size() > 1) folder /= target->id;
     out.push_back({folder.string(), o});
   }
   return out;
@@ -67,7 +67,7 @@ int replaced_files(const std::vector<ExportJob>& jobs) {
   return count;
 }
 
-void toggle(ExportPlan& plan, ExportTarget target) {
+void toggle(ExportPlan& plan, const ExportTarget* target) {
   const auto at = std::find(plan.targets.begin(), plan.targets.end(), target);
   if (at == plan.targets.end()) plan.targets.push_back(target);
   else if (plan.targets.size() > 1) plan.targets.erase(at);

@@ -12,7 +12,7 @@
 namespace weftlight::session {
 
 struct ExportPlan {
-  std::vector<ExportTarget> targets{ExportTarget::kGltf};  // each at most once
+  std::vector<const ExportTarget*> targets{&targets::kGltf};  // each at most once
   bool by_density = false;
   int size = 1024;           // texels of the longer side, a power of two 16..8192
   float texels_per_mm = 40;  // with by_density: the least density
@@ -47,7 +47,7 @@ std::vector<std::string> in_the_way(const std::vector<ExportJob>& jobs);
 int replaced_files(const std::vector<ExportJob>& jobs);
 
 /// Adds or removes the target; the last one stays.
-void toggle(ExportPlan& plan, ExportTarget target);
+void toggle(ExportPlan& plan, const ExportTarget* target);
 
 /// "14 MB", for display.
 std::string shown_bytes(int64_t bytes);

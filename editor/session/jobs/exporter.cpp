@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "files/design_drape.h"
-#include "texture_set/material_files.h"
 
 namespace weftlight::session {
 
@@ -78,7 +77,7 @@ void Exporter::tell(size_t set, size_t sets, float share) {
 
 bool Exporter::use_mesh(const std::vector<ExportJob>& jobs, const Design& design) {
   const bool wanted =
-      std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return needs_mesh(j.options.target); });
+      std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return j.options.target->wears_mesh; });
   if (!wanted || mesh_name_ == drape_key(design)) return true;
   ReadMesh read = load_design_drape(design);
   if (!read.mesh) {

@@ -47,7 +47,7 @@ bool tells_of_memory(const std::string& said) { return said.find("not enough mem
 
 TEST_F(NoMemory, AnExportSaysSoLeavesNothingAndTheNextIsWritten) {
   ExportPlan plan;
-  plan.folder = path("out"), plan.targets = {ExportTarget::kGodot}, plan.size = 32;
+  plan.folder = path("out"), plan.targets = {&targets::kGodot}, plan.size = 32;
   const std::vector<ExportJob> jobs = jobs_of(plan, *design_, "x.wif", "1");
   std::atomic<int> throws{0};
   Exporter exporter([&] {

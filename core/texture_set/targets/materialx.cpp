@@ -5,14 +5,31 @@
 #include <cmath>
 
 #include "base/files.h"
+#include "base/mark.h"
 #include "files/zip.h"
 #include "texture_set/material_files.h"
-#include "texture_set/set_images.h"
+#include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 namespace {
 
-constexpr const char* kImage = R"(    <image name="{WHAT}" type="{TYPE}">
+using enum Channel;
+using enum PixelType;
+
+constexpr ImageRow kImages[] = {
+    {"", "_basecolor", ".png", kU8, true, kBaseColor},
+    {"", "_opacity", ".png", kU8, false, only(kCoverage)},
+    {"", "_roughness", ".png", kU8, false, only(kOpenPbrRoughness)},
+    {"", "_metalness", ".png", kU8, false, only(kMetal)},
+    {"", "_normal", ".png", kU8, false, kNormalUp},
+    {"", "_anisotropy", ".png", kU8, false, only(kOpenPbrAnisotropy)},
+    {"", "_turn", ".png", kU8, false, only(kWideAngle)},
+    {"", "_fuzz", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kNone}},
+    {"", "_occlusion", ".png", kU8, false, only(kOcclusion)},
+    {"", "_height", ".exr", kHalf, false, only(kHeightMm)},
+};
+
+constexpr const char* kImageNode = R"(    <image name="{WHAT}" type="{TYPE}">
       <input name="file" type="filename" value="{FILE}"{SPACE} />
       <input name="texcoord" type="vector2" nodename="uv" />
     </image>
@@ -161,8 +178,6 @@ constexpr const char* kTexture = R"(
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-std::string material_name(const SetFacts& set, Face face) { return set.name + (face == Face::kBack ? "_back" : ""); }
-
 /// A valid USD name: no digit first, no '-'.
 std::string prim_name(std::string name) {
   for (char& c : name) c = c == '-' ? '_' : c;
@@ -190,10 +205,10 @@ constexpr MtlxImage kMtlxImages[] = {{"_basecolor", "basecolor", "color3", true}
 std::string mtlx_images(const SetFacts& set, Face face) {
   std::string text;
   for (const MtlxImage& image : kMtlxImages)
-    text += fill_template(kImage, {{"WHAT", image.what},
-                                   {"TYPE", image.type},
-                                   {"FILE", image_named(set, image.suffix, face)},
-                                   {"SPACE", image.srgb ? " colorspace=\"srgb_texture\"" : ""}});
+    text += fill_template(kImageNode, {{"WHAT", image.what},
+                                       {"TYPE", image.type},
+                                       {"FILE", image_named(set, image.suffix, face)},
+                                       {"SPACE", image.srgb ? " colorspace=\"srgb_texture\"" : ""}});
   return text;
 }
 
@@ -299,9 +314,7 @@ over "{PRIM}"
 }
 )";
 
-}  // namespace
-
-std::string write_materialx(const SetFacts& set) {
+std::string write_material(const SetFacts& set) {
   const std::string path = set.folder + "/" + set.name;
   std::string problem = write_mtlx(set);
   if (problem.empty()) problem = write_file_atomically(path + ".usda", stage(set));
@@ -318,5 +331,19 @@ std::string write_materialx(const SetFacts& set) {
   }
   return write_zip(path + ".usdz", entries, ZipKind::kUsdz);
 }
+
+}  // namespace
+
+const ExportTarget targets::kMaterialX{
+    .id = "materialx",
+    .title = base::mark("MaterialX, USD"),
+    .images = kImages,
+    .model = {.sheen = formulas::kSheenZeltner, .most_f0 = 0.25f, .grazing = false, .anisotropic = true},
+    .highlight = "OpenPBR, `specular_ior`",
+    .sheen = "Zeltner 2022",
+    .material = ".mtlx",
+    .write_material = write_material,
+    .embeds_images = true,
+};
 
 }  // namespace weftlight::texture_set

@@ -1,4 +1,5 @@
-// Based on: U3M 1.1, its schema and specification (Vizoo, Browzwear; github.com/vizoogmbh/u3m). Fibre densities:
+// U3M, a format of the textile industry. Based on: U3M 1.1, its schema and specification (Vizoo, Browzwear;
+// github.com/vizoogmbh/u3m). Fibre densities:
 //   J. W. S. Hearle, W. E. Morton, Physical Properties of Textile Fibres, 2008; 60% of the section of a yarn is fibre.
 
 #include <algorithm>
@@ -10,12 +11,28 @@
 #include "draft/drawdown.h"
 #include "files/zip.h"
 #include "texture_set/material_files.h"
-#include "texture_set/set_images.h"
+#include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 namespace {
 
 using nlohmann::json;
+using enum Channel;
+using enum PixelType;
+
+constexpr std::array<Channel, 4> grey(Channel c) { return {c, c, c, kNone}; }  // U3M reads RGB alone
+
+constexpr ImageRow kImages[] = {
+    {"", "_basecolor", ".png", kU8, true, kBaseColor},
+    {"", "_alpha", ".png", kU8, false, grey(kCoverage)},
+    {"", "_normal", ".png", kU8, false, kNormalUp},
+    {"", "_roughness", ".png", kU8, false, grey(kRoughness)},
+    {"", "_metalness", ".png", kU8, false, grey(kMetal)},
+    {"", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy)},
+    {"", "_rotation", ".png", kU8, false, grey(kWideAngle)},
+    {"", "_sheen", ".png", kU8, false, grey(kSheenWeight)},
+    {"", "_displacement", ".png", kU16, false, grey(kHeightNormalized)},
+};
 
 constexpr double kMmPerInch = 25.4;
 constexpr double kPackingFraction = 0.6;  // fibre in the section of a yarn
@@ -194,9 +211,7 @@ std::string uuid_of(const SetFacts& set) {
   return d.substr(0, 8) + "-" + d.substr(8, 4) + "-" + d.substr(12, 4) + "-" + d.substr(16, 4) + "-" + d.substr(20, 12);
 }
 
-}  // namespace
-
-std::string write_u3m(const SetFacts& set) {
+std::string write_material(const SetFacts& set) {
   const json root{{"schema", "1.1"},
                   {"custom", nullptr},
                   {"material",
@@ -215,12 +230,29 @@ std::string write_u3m(const SetFacts& set) {
   if (std::string problem = write_file_atomically(path, text); !problem.empty()) return problem;
   std::vector<ZipEntry> entries{{file, path}};
   for (const Face face : {Face::kFront, Face::kBack}) {
-    for (const ImageRow& row : image_rows(ExportTarget::kU3m)) {
-      const std::string image = image_file(row, set.name, face);
+    for (const ImageRow& row : kImages) {
+      const std::string image = image_file(set.target, row, set.name, face);
       entries.push_back({image, set.folder + "/" + image});
     }
   }
   return write_zip(set.folder + "/" + set.name + ".u3ma", entries, ZipKind::kU3ma);
 }
+
+}  // namespace
+
+const ExportTarget targets::kU3m{
+    .id = "u3m",
+    .title = "U3M",
+    .images = kImages,
+    .model = {.sheen = formulas::kSheenDisney,
+              .most_f0 = 2 * formulas::kEngineF0,
+              .grazing = false,
+              .anisotropic = true},
+    .highlight = "principled over Burley's body, specular value to 1",
+    .sheen = "Burley's",
+    .material = ".u3m",
+    .write_material = write_material,
+    .embeds_images = true,
+};
 
 }  // namespace weftlight::texture_set

@@ -1,10 +1,28 @@
+// Blender 3.4 and 4: a script that builds its principled material. Based on: its manual.
+
 #include "base/files.h"
-#include "texture_set/material_files.h"
+#include "texture_set/targets.h"
+#include "texture_set/targets/gltf.h"
 
 namespace weftlight::texture_set {
 namespace {
 
-// For Blender 3.4 and 4. Version 4.0 renamed sockets and reduces the diffuse part by the specular reflectance. The glTF
+using enum Channel;
+using enum PixelType;
+
+constexpr ImageRow kImages[] = {
+    {"", "_basecolor", ".png", kU8, true, kBaseColor},
+    {"", "_alpha", ".png", kU8, false, only(kCoverage)},
+    {"", "_roughness", ".png", kU8, false, only(kRoughness)},
+    {"", "_metallic", ".png", kU8, false, only(kMetal)},
+    {"", "_normal", ".png", kU16, false, kNormalUp},
+    {"", "_tangent", ".png", kU16, false, {kWideX, kWideY, kOneHalf, kNone}},
+    {"", "_anisotropic", ".png", kU8, false, only(kAspectAnisotropy)},
+    {"", "_occlusion", ".png", kU8, false, only(kOcclusion)},
+    {"", "_height", ".exr", kHalf, false, only(kHeightMm)},
+};
+
+// Version 4.0 renamed sockets and reduces the diffuse part by the specular reflectance. The glTF
 // importer stores 1 - v; the script subtracts that one unit, which is a millimetre there.
 constexpr const char* kScript =
     R"("""Builds the material "{NAME}" from the images beside this file: front and back, each with its own.
@@ -161,9 +179,7 @@ std::string older_of(const FaceSource& face) {
       {{"R", text(tint.r)}, {"G", text(tint.g)}, {"B", text(tint.b)}, {"SPECULAR", text(older.specular())}});
 }
 
-}  // namespace
-
-std::string write_blender_script(const SetFacts& set) {
+std::string write_script(const SetFacts& set) {
   const EngineFit &front = set.front.fit(), &back = set.back.fit();
   const SurfaceTexels& s = set.front.small();
   return write_file_atomically(
@@ -178,5 +194,32 @@ std::string write_blender_script(const SetFacts& set) {
                               {"SPECULAR", number(static_cast<double>(front.specular()))},
                               {"BACK_SPECULAR", number(static_cast<double>(back.specular()))}}));
 }
+
+/// The images belong to the script; the mesh is a .glb with images of its own.
+std::string write_material(const SetFacts& set) {
+  const std::string problem = write_gltf(set, ".glb", GltfImages::kEmbedded);
+  return problem.empty() ? write_script(set) : problem;
+}
+
+}  // namespace
+
+const ExportTarget targets::kBlender{
+    .id = "blender",
+    .title = "Blender",
+    .images = kImages,
+    .model = {.sheen = formulas::kSheenNone, .most_f0 = 0.5f, .grazing = false, .anisotropic = true},
+    .older_model =
+        EngineModel{.sheen = formulas::kSheenNoneDisney, .most_f0 = 0.5f, .grazing = false, .anisotropic = true},
+    .highlight =
+        "principled, Specular as a node (beyond 1), each texel by itself; colour and Specular for Blender 3 "
+        "and for 4",
+    .sheen = "none: Blender 3 and 4 have different ones",
+    .path_traced = true,
+    .open = Alpha::kHashed,
+    .keeps_masks = true,
+    .material = ".py",
+    .write_material = write_material,
+    .wears_mesh = true,
+};
 
 }  // namespace weftlight::texture_set

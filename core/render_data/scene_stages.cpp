@@ -20,6 +20,7 @@ ReadMesh find_mesh(const Design& design) {
 }  // namespace
 
 Outcome update_mesh(StageWork& work, Change) {
+  if (work.input.drape.empty()) return {Change::kNone, false, {}};  // the caller has a mesh of its own
   const ReadMesh read = find_mesh(work.design());
   if (!read.mesh) return {Change::kNone, work.quick(), read.error};
   work.result.mesh = prepare_mesh(*read.mesh, work.quick() ? SkyRays::kFew : SkyRays::kAll);

@@ -129,7 +129,8 @@ StageInput Stages::next_input(std::shared_ptr<const Design> design) const {
 }
 
 bool Stages::preview(Effort effort) {
-  if (effort != Effort::kQuick || !done_) return false;
+  // After a stop, packed() may already differ from what the renderer has.
+  if (effort != Effort::kQuick || !done_ || result_.all_maps) return false;
   if (!preview_visible(data_, *done_, *input_.design, visible_, previewed_, result_)) return false;
   return previewed_ = true;
 }
@@ -147,7 +148,6 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort, 
     else cloth = (preview_only = preview(effort)) || keys_.run(kClothStages, work, effort, watch);
   });
   if (!cloth || !scene) {
-    done_ = nullptr;
     StageResult nothing;
     nothing.stopped = true;
     return nothing;

@@ -29,7 +29,7 @@ class Stages {
 
   VisiblePart visible_;
   StageInput input_;                    // of the last update
-  std::shared_ptr<const Design> done_;  // the design that all stages show; null if some had a problem or were stopped
+  std::shared_ptr<const Design> done_;  // the last design that all stages showed; null after a problem
   StageKeys keys_;
   StageData data_;
   StageResult result_;      // not yet handed over

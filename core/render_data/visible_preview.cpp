@@ -111,7 +111,7 @@ bool preview_visible(const StageData& data, const Design& before, const Design& 
                      bool again, StageResult& result) {
   if (visible.empty() || !can_preview(data, before, now) || (!again && before.draft == now.draft)) return false;
   BitMatrix cells = data.cells;
-  update_drawdown(cells, before.draft, now.draft);
+  update_drawdown(cells, data.drawn->draft, now.draft);
   int64_t changed = 0;
   for (int p = 0; p < cells.rows(); ++p) changed += differences(cells.row(p), data.cells.row(p));
   if (changed < kManyCrossings && !again) return false;

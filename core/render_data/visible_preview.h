@@ -8,8 +8,8 @@
 
 namespace weftlight::render_data {
 
-/// Bakes the preview if the maps of `before` are complete, `now` differs from it only in its crossings, and these are
-/// too many to wait for; `again`: the renderer shows a preview, which must be replaced however few they are. False: not
+/// Bakes the preview if `now` differs from `before`, which the renderer shows, only in its crossings, and these are too
+/// many to wait for; `again`: the renderer shows a preview, which must be replaced however few they are. False: not
 /// baked.
 bool preview_visible(const StageData& data, const Design& before, const Design& now, const VisiblePart& visible,
                      bool again, StageResult& result);

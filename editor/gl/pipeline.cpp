@@ -126,7 +126,7 @@ void Pipeline::submit(std::shared_ptr<const Design> design) {
     // A quick update is finished even if a newer design waits, so that a stroke shows while it is drawn.
     parts->compute(design, Effort::kQuick);
     parts->wait_for_picture(stop);
-    parts->compute(design, Effort::kFull, stop);
+    if (!stop.stop_requested()) parts->compute(design, Effort::kFull, stop);
   });
 }
 

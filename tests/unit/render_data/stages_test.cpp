@@ -203,6 +203,26 @@ TEST(Stages, AStoppedUpdateIsFinishedByTheNext) {
   }
 }
 
+TEST(Stages, AfterAStopALargeEditIsStillPreviewed) {
+  Stages stages;
+  const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2)),
+               later = with_tieup(after, 1, 1, !before.draft.tieup.get(1, 1));
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  stages.update(keep(before));
+  stages.set_visible_part({0, 0, 1e6f, 1e6f, 1.2f});
+  EXPECT_FALSE(stages.update(keep(after), Effort::kQuick).patches.empty());
+  std::stop_source stop;
+  const auto starts = [&](const char* stage, size_t, size_t) {
+    if (std::string_view(stage) == "front: threads") stop.request_stop();
+  };
+  EXPECT_TRUE(stages.update(keep(after), Effort::kFull, {stop.get_token(), starts}).stopped);
+  EXPECT_TRUE(stages_of(stages, later, Effort::kQuick).empty()) << "no stage of the cloth runs";
+  EXPECT_TRUE(stages.update(keep(later)).all_maps);
+  Stages fresh;
+  fresh.update(keep(later));
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
 TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
   Stages stages;
   const Design good = satin();

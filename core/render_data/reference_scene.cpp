@@ -9,7 +9,7 @@
 #include "light/formulas.h"
 #include "render_data/ambient.h"
 #include "render_data/cloth_block.h"
-#include "render_data/stages.h"
+#include "render_data/face_cloth.h"
 
 namespace weftlight::render_data {
 namespace {

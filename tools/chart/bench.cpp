@@ -19,6 +19,7 @@
 #include "files/files.h"
 #include "gl/shader_program.h"
 #include "light/formulas.h"
+#include "render_data/face_cloth.h"
 #include "render_data/method_weights.h"
 #include "render_data/shipped_lod_table.h"
 #include "render_data/stages.h"

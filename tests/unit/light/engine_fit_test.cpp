@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "light/measure_response.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::light {
@@ -18,7 +19,7 @@ struct Measured {
 Measured measured(const Design& design) {
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
   Maps maps = bake(cloth, {256, 256, 16});
-  ClothResponse response = cloth_response(cloth, maps, 512);
+  ClothResponse response = measure_response(cloth, maps, 512);
   return {cloth, std::move(maps), std::move(response)};
 }
 

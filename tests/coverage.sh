@@ -7,7 +7,7 @@ if ! command -v gcovr >/dev/null; then
   echo "gcovr is not installed (Debian: gcovr)" >&2
   exit 1
 fi
-gcovr --root "$root" --filter "$root/core/" --csv "$build" | awk -F, '
+gcovr --root "$root" --filter "$root/core/" --csv - "$build" | awk -F, '
   NR > 1 { split($1, path, "/"); lines[path[2]] += $2; run[path[2]] += $3 }
   END {
     for (folder in lines) {

@@ -12,12 +12,12 @@
 #include "base/caught.h"
 #include "cloth/cloth.h"
 #include "cloth/maps.h"
+#include "design/edits.h"
 #include "draft/drawdown.h"
-#include "draft/edits.h"
 #include "draft/factor.h"
-#include "draft/generators.h"
 #include "failing_new.h"
 #include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
 #include "wif/wif.h"
 
 namespace weftlight {
@@ -45,13 +45,13 @@ int at_each_allocation(const std::function<void()>& job, const std::function<voi
   return failures;
 }
 
-draft::Design sample() { return draft::twill({2, 2}, draft::Lean::kRight, {8, 8}); }
+design::Design sample() { return weaves::twill({2, 2}, weaves::Lean::kRight, {8, 8}); }
 
 class NthAllocation : public ScratchTest {};
 
 TEST_F(NthAllocation, OpeningFailsOrReadsTheDraft) {
   const std::string text = wif::write_new_wif(sample());
-  const draft::Design whole = wif::read_wif(text).file->design;
+  const design::Design whole = wif::read_wif(text).file->design;
   std::optional<wif::WifRead> read;
   const int failures = at_each_allocation([&] { read.reset(), read = wif::read_wif(text); },
                                           [&](int n) {
@@ -81,13 +81,13 @@ TEST_F(NthAllocation, SavingFailsOrWritesTheWholeFile) {
 }
 
 TEST_F(NthAllocation, EditsAndFactorsFailOrAreRight) {
-  const draft::Design design = sample();
-  const draft::Design edited = draft::with_size(draft::with_threading(design, 3, 1, true), 12, 12, 4, 4);
-  std::optional<draft::Design> now;
+  const design::Design design = sample();
+  const design::Design edited = design::with_size(design::with_threading(design, 3, 1, true), 12, 12, 4, 4);
+  std::optional<design::Design> now;
   EXPECT_GT(at_each_allocation(
                 [&] {
                   now.reset();
-                  now = draft::with_size(draft::with_threading(design, 3, 1, true), 12, 12, 4, 4);
+                  now = design::with_size(design::with_threading(design, 3, 1, true), 12, 12, 4, 4);
                 },
                 [&](int n) {
                   if (now) {
@@ -111,7 +111,7 @@ TEST_F(NthAllocation, EditsAndFactorsFailOrAreRight) {
 }
 
 TEST_F(NthAllocation, MapsFailOrAreWhole) {
-  const draft::Design design = sample();
+  const design::Design design = sample();
   const draft::BitMatrix cells = drawdown(design.draft);
   const auto baked = [&] {
     return cloth::bake(cloth::lay_out(design, cells, draft::Face::kFront, cloth::Period::kRepeat), {32, 32, 8});
@@ -138,7 +138,7 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
   texture_set::TextureSetOptions options;
   options.target = texture_set::ExportTarget::kGodot;
   options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
-  const draft::Design before = sample(), after = draft::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
+  const design::Design before = sample(), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
   ASSERT_EQ(texture_set::write_texture_set(path("old"), before, {}, options), "");
   ASSERT_EQ(texture_set::write_texture_set(path("new"), after, {}, options), "");
   const auto old_set = bytes_in(path("old")), new_set = bytes_in(path("new"));

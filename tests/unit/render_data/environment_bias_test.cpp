@@ -10,7 +10,7 @@
 #include "designs.h"
 #include "draft/drawdown.h"
 #include "reference/picture.h"
-#include "render_data/environment_light.h"
+#include "scene/environment_light.h"
 
 namespace weftlight::render_data {
 namespace {

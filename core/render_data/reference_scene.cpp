@@ -31,9 +31,10 @@ glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int 
 }  // namespace
 
 std::string ReferenceScene::update(const Design& design, const TubeOptions& options) {
-  if (std::string error = update_threads(design, options); !error.empty()) return error;
+  // Files that may be unreadable come before the threads, which take long.
   if (std::string error = update_lights(design.scene.lights); !error.empty()) return error;
-  return update_drape(design);
+  if (std::string error = update_drape(design); !error.empty()) return error;
+  return update_threads(design, options);
 }
 
 std::string ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {

@@ -1,6 +1,5 @@
 // The dialogs of the editor: new draft, weaves, sections, export, comparison, environment, print.
 
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -10,6 +9,7 @@
 #include "draft/lights.h"
 #include "draft/selection_edits.h"
 #include "files/environment.h"
+#include "platform/folders.h"
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
@@ -102,8 +102,8 @@ void Editor::ask_closest_weave() {
 void Editor::export_textures() {
   if (export_plan_->folder.empty()) {
     const std::filesystem::path beside = std::filesystem::path(document().path()).parent_path();
-    const char* home = std::getenv("HOME");
-    export_plan_->folder = ((beside.empty() ? std::filesystem::path(home ? home : ".") : beside) / "textures").string();
+    const std::string home = platform::home_folder(), from = beside.empty() ? home : beside.string();
+    export_plan_->folder = (std::filesystem::path(from.empty() ? "." : from) / "textures").string();
   }
   ExportPrompt prompt;
   prompt.plan = export_plan_;

@@ -27,7 +27,7 @@ TEST(SrgbTable, is_within_a_tenth_of_a_byte_of_the_curve) {
     EXPECT_NEAR(table.encoded(linear), srgb_encoded(linear), 0.0004f) << linear;
     EXPECT_NEAR(table.encoded_byte(linear), 255 * srgb_encoded(linear), 0.6f) << linear;
   }
-  EXPECT_EQ(table.encoded(2.0f), 1.0f);
+  EXPECT_FLOAT_EQ(table.encoded(2.0f), 1.0f);
   EXPECT_EQ(table.encoded_byte(-1.0f), 0);
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "draft/methods.h"
+#include "design/methods.h"
 #include "light/formulas.h"
 #include "light/names.h"
 

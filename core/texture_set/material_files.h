@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "drape/mesh.h"
 #include "texture_set/face_source.h"
 #include "texture_set/names.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "drape/mesh.h"
 #include "files/mip_file.h"
 #include "texture_set/face_source.h"

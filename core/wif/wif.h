@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {

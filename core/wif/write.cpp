@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "wif/line_edits.h"
 #include "wif/numbers.h"
 

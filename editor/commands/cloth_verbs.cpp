@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "base/text.h"
-#include "commands/chart/scene.h"
+#include "chart/scene.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
-#include "draft/lights.h"
-#include "draft/methods.h"
+#include "design/lights.h"
+#include "design/methods.h"
 #include "drape/mesh.h"
 #include "light/formulas.h"
 

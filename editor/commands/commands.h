@@ -7,9 +7,9 @@
 
 #include "analysis/floats.h"
 #include "analysis/threads.h"
-#include "commands/chart/rows.h"
+#include "chart/rows.h"
 #include "commands/names.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
 #include "files/picture_draft.h"

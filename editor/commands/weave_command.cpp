@@ -5,8 +5,8 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
-#include "draft/edits.h"
-#include "draft/generators/table.h"
+#include "design/edits.h"
+#include "weaves/table.h"
 
 namespace weftlight::commands {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "gl/names.h"
 #include "gl/renderer.h"
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "cloth/cloth.h"
-#include "draft/generators.h"
 #include "files/files.h"
 #include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
 namespace {

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <string_view>
 
-#include "draft/thread_text.h"
+#include "design/thread_text.h"
 #include "require.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const ThreadPropertiesRead read = read_thread_properties({reinterpret_cast<const char*>(data), size});

@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "../scratch.h"
-#include "draft/generators.h"
-#include "session/export_plan.h"
-#include "session/export_preview.h"
-#include "session/exporter.h"
+#include "session/jobs/export_plan.h"
+#include "session/jobs/export_preview.h"
+#include "session/jobs/exporter.h"
 #include "texture_set/set_folder.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::session {
 namespace {

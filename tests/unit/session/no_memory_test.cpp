@@ -11,18 +11,18 @@
 
 #include "../scratch_fixture.h"
 #include "draft/drawdown.h"
-#include "draft/generators.h"
 #include "paths.h"
 #include "scarce_memory.h"
-#include "session/background_writer.h"
-#include "session/draft_thumbnails.h"
-#include "session/export_plan.h"
-#include "session/export_preview.h"
-#include "session/exporter.h"
-#include "session/journal.h"
-#include "session/recovery.h"
-#include "session/reference_tracer.h"
+#include "session/jobs/background_writer.h"
+#include "session/jobs/draft_thumbnails.h"
+#include "session/jobs/export_plan.h"
+#include "session/jobs/export_preview.h"
+#include "session/jobs/exporter.h"
+#include "session/jobs/reference_tracer.h"
+#include "session/recovery/journal.h"
+#include "session/recovery/recovery.h"
 #include "session/report.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::session {
 namespace {

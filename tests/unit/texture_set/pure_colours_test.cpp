@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "draft/generators.h"
 #include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
 namespace {

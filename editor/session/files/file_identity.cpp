@@ -1,0 +1,54 @@
+#include "session/files/file_identity.h"
+
+#include <filesystem>
+
+#include "platform/file.h"
+#include "wif/wif.h"
+
+namespace weftlight::session {
+namespace fs = std::filesystem;
+
+FileIdentity facts_of(const std::string& path) {
+  const platform::FileFacts facts = platform::file_facts(path);
+  if (facts.kind != platform::FileKind::kRegular) return {};
+  FileIdentity id;
+  id.there = true;
+  id.device = facts.volume;
+  id.inode = facts.number;
+  id.size = facts.size;
+  id.modified_ns = facts.modified_ns;
+  return id;
+}
+
+FileIdentity identify(const std::string& path, std::string_view bytes) {
+  FileIdentity id = facts_of(path);
+  if (id.there) id.hash = content_hash(bytes);
+  return id;
+}
+
+FileIdentity identify(const std::string& path) {
+  if (!facts_of(path).there) return {};
+  const FileBytes file = read_file(path);
+  return file.error.empty() ? identify(path, file.bytes) : FileIdentity{};
+}
+
+FileChange changed_since(const std::string& path, FileIdentity& known) {
+  FileIdentity now = facts_of(path);
+  now.hash = known.hash;
+  if (now == known) return FileChange::kNone;
+  if (!now.there) return FileChange::kGone;
+  now = identify(path);
+  if (!known.there || now.size != known.size || now.hash != known.hash) return FileChange::kContent;
+  known = now;
+  return FileChange::kNone;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path full_a = fs::weakly_canonical(a, error), full_b = fs::weakly_canonical(b, error);
+  return !error && full_a == full_b;
+}
+
+}  // namespace weftlight::session

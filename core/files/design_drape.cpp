@@ -84,7 +84,7 @@ std::string drape_cloth(const Design& design, const std::function<bool(double pr
   fs::create_directories(folder, ec);
   if (ec)
     return fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", folder.string()),
-                arg("cause", cause_of(ec.value())));
+                arg("cause", cause_of(ec)));
   const Mesh mesh = simulate_design_drape(design, keep_going);
   if (mesh.position_mm.empty()) return {};
   std::string problem = write_mesh(path, mesh, nullptr);

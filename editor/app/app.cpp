@@ -1,6 +1,5 @@
 #include "app/app.h"
 
-#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -8,6 +7,7 @@
 #include "app/window.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "platform/file.h"
 #include "session/files/file_identity.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
@@ -41,8 +41,7 @@ int run_editor(const EditorOptions& options) {
     std::fprintf(stderr, "weftlight: %s\n", refused.c_str());
     return kUsage;
   }
-  // Exceeding the file size limit becomes a write error instead of killing the program.
-  std::signal(SIGXFSZ, SIG_IGN);
+  platform::survive_size_limit();
   const Settings settings = load_settings();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   std::string error;

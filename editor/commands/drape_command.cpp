@@ -110,7 +110,7 @@ int drape_command(const DrapeOptions& options) {
   std::filesystem::create_directories(options.out, problem);
   if (problem) {
     const std::string line = fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", options.out),
-                                  arg("cause", cause_of(problem.value())));
+                                  arg("cause", cause_of(problem)));
     std::fprintf(stderr, "%s\n", line.c_str());
     return kNotWritten;
   }

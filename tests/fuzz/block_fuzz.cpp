@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string_view>
 
+#include "design/selection_edits.h"
 #include "draft/block_text.h"
 #include "require.h"
 
 using namespace weftlight::draft;
 using namespace weftlight::design;
-using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const BlockRead read = read_block_text({reinterpret_cast<const char*>(data), size});

@@ -111,13 +111,13 @@ void add_cubes(PackedFace& face, const Cloth& cloth) {
   face.difference_cube = cube_texels(separable.second);
 }
 
-ReadMesh find_mesh(const Design& design) {
+base::Result<Mesh> find_mesh(const Design& design) {
   const std::string& name = design.scene.mesh;
-  ReadMesh read = load_design_drape(design);
+  base::Result<Mesh> read = load_design_drape(design);
   const std::vector<std::string>& shipped = drape_names();
   const bool is_shipped = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
-  if (!read.mesh && is_shipped) read = {simulate_drape(name), {}};
-  if (read.mesh && is_shipped) read.mesh->name = name;
+  if (!read && is_shipped) read = simulate_drape(name);
+  if (read && is_shipped) read->name = name;
   return read;
 }
 
@@ -394,16 +394,16 @@ void Stages::update_scene(const Design& design, Effort effort, StageResult& resu
   const Scene& scene = design.scene;
   const bool more_rays = few_rays_ && effort != Effort::kQuick;
   if (const std::string key = drape_key(design); key != mesh_name_ || more_rays) {
-    ReadMesh read = find_mesh(design);
+    const base::Result<Mesh> read = find_mesh(design);
     few_rays_ = effort == Effort::kQuick;
-    if (read.mesh) result.mesh = prepare_mesh(*read.mesh, few_rays_ ? SkyRays::kFew : SkyRays::kAll);
-    mesh_problem_ = read.mesh ? std::string() : read.error;
+    if (read) result.mesh = prepare_mesh(*read, few_rays_ ? SkyRays::kFew : SkyRays::kAll);
+    mesh_problem_ = problem_of(read);
     mesh_name_ = key;
   }
   if (scene.lights != lights_name_) {
-    lights_problem_.clear();
-    LightRig read = load_light_rig(scene.lights, lights_problem_);
-    if (lights_problem_.empty()) result.lights = std::move(read);
+    base::Result<LightRig> read = load_light_rig(scene.lights);
+    lights_problem_ = problem_of(read);
+    if (read) result.lights = std::move(*read);
     lights_name_ = scene.lights;
   }
   result.problem = mesh_problem_.empty() ? lights_problem_ : mesh_problem_;

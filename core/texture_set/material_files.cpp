@@ -13,7 +13,7 @@ namespace {
 constexpr float kQuadMm = 100;
 
 std::string write_quad(const SetFacts& set) {
-  return write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr);
+  return problem_of(write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr));
 }
 
 std::string first_problem(std::initializer_list<std::string> problems) {

@@ -44,7 +44,7 @@ GltfMaterial material_of(const SetFacts& set, Face face) {
 
 std::string write_gltf_material(const SetFacts& set, const std::string& extension) {
   const GltfMaterial front = material_of(set, Face::kFront), back = material_of(set, Face::kBack);
-  return write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back);
+  return problem_of(write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back));
 }
 
 }  // namespace weftlight::texture_set

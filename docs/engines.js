@@ -8,7 +8,7 @@ const { shown } = require('../tests/engines/three_js.js');
 
 const kWidth = 320, kHeight = 260, kMesh = 'sphere', kView = [20, 30], kLight = [-40, 50];
 const kSky = 0.3, kIrradiance = 3.2, kDiscDeg = 3;  // radiance; irradiance at normal incidence; half angle of the light
-const kFieldDeg = 26, kGirth = 0.86, kMargin = 1.14;  // as in core/render_data/camera.cpp
+const kFieldDeg = 26, kGirth = 0.86, kMargin = 1.14;  // as in core/scene/camera.cpp
 
 const towards = ([azimuth, elevation]) => {
   const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;

@@ -6,7 +6,7 @@
 #define FORMULA
 #endif
 
-// method: 0 yarn, 1 cell, 2 repeat, 3 cloth (kShadedMethods of core/draft/methods.h).
+// method: 0 yarn, 1 cell, 2 repeat, 3 cloth (kShadedMethods of core/design/methods.h).
 FORMULA vec3 method_color(int method) {
   if (method == 0) return vec3(0.84f, 0.37f, 0.0f);
   if (method == 1) return vec3(0.94f, 0.89f, 0.26f);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/names.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::analysis {

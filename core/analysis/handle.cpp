@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "draft/fibre.h"
-#include "draft/finish.h"
+#include "design/fibre.h"
+#include "design/finish.h"
 
 namespace weftlight::analysis {
 namespace {

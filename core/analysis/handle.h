@@ -2,7 +2,7 @@
 // The handle of a cloth: its weight and bending stiffness, computed from its yarns and its sett alone.
 
 #include "analysis/names.h"
-#include "draft/design.h"
+#include "design/design.h"
 
 namespace weftlight::analysis {
 

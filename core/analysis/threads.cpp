@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "design/fibre.h"
 #include "draft/drawdown.h"
-#include "draft/fibre.h"
 
 namespace weftlight::analysis {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/names.h"
-#include "draft/design.h"
+#include "design/design.h"
 
 namespace weftlight::analysis {
 

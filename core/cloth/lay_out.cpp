@@ -13,7 +13,7 @@
 #include "cloth/srgb.h"
 #include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
-#include "draft/repeat.h"
+#include "design/repeat.h"
 
 namespace weftlight::cloth {
 namespace {

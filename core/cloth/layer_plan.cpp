@@ -13,7 +13,7 @@
 #include "analysis/weave_layers.h"
 #include "cloth/centre_line.h"
 #include "cloth/thread_scene.h"
-#include "draft/repeat.h"
+#include "design/repeat.h"
 
 namespace weftlight::cloth {
 namespace {

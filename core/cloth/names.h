@@ -5,8 +5,12 @@
 
 namespace weftlight {
 namespace draft {}
+namespace design {}
+namespace weaves {}
 namespace cloth {
 using namespace base;
 using namespace draft;
+using namespace design;
+using namespace weaves;
 }  // namespace cloth
 }  // namespace weftlight

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "draft/design.h"
-
 namespace weftlight::draft {
 
 void Threads::resize(int n, int new_color) {
@@ -43,20 +41,14 @@ bool is_consistent(const Threads& t, size_t colors, size_t yarns) {
          t.yarn.size() == n && in_range(t.color, colors) && in_range(t.yarn, yarns);
 }
 
+}  // namespace
+
 bool is_consistent(const Draft& d, size_t yarns) {
   const bool counts = d.shafts >= 0 && d.shafts <= kMaxShafts && d.treadles >= 0 && d.treadles <= kMaxShafts &&
                       d.palette.size() <= static_cast<size_t>(kMaxColors) && int64_t{d.ends()} * d.picks() <= kMaxCells;
   return counts && has_size(d.threading, d.ends(), d.shafts) && has_size(d.tieup, d.treadles, d.shafts) &&
          has_size(d.treadling, d.picks(), d.treadles) && has_size(d.liftplan, d.picks(), d.shafts) &&
          is_consistent(d.warp, d.palette.size(), yarns) && is_consistent(d.weft, d.palette.size(), yarns);
-}
-
-}  // namespace
-
-bool is_consistent(const Draft& draft) { return is_consistent(draft, ~size_t{0}); }
-
-bool is_consistent(const Design& design) {
-  return !design.yarns.empty() && is_consistent(design.draft, design.yarns.size());
 }
 
 }  // namespace weftlight::draft

@@ -66,7 +66,7 @@ struct Draft {
 /// A draft of the given size with empty grids, palette black and white, warp colour 0, weft colour 1.
 Draft blank_draft(int ends, int picks, int shafts, int treadles);
 
-/// True when all the invariants above hold (used in asserts and by the fuzzers).
-bool is_consistent(const Draft& draft);
+/// True when all the invariants above hold for that many yarns (used in asserts and by the fuzzers).
+bool is_consistent(const Draft& draft, size_t yarns = ~size_t{0});
 
 }  // namespace weftlight::draft

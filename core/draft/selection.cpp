@@ -4,9 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "draft/crossings.h"
 #include "draft/drawdown.h"
-#include "draft/edits.h"
 
 namespace weftlight::draft {
 namespace {
@@ -48,11 +46,6 @@ BitMatrix crossings(const Draft& d, const Selection& s) {
   part.warp.resize(s.columns());
   part.weft.resize(s.rows());
   return drawdown(part);
-}
-
-/// The part of a block at (a, b) that lies inside the grid.
-Selection target_of(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
-  return clipped({grid, a, a + cells.cols(), b, b + cells.rows()}, d);
 }
 
 void clear_marked_threads(BitMatrix& m, const Selection& s, int a, int b, const BitMatrix& cells) {
@@ -114,18 +107,18 @@ BitMatrix cells_of(const Draft& d, const Selection& selection) {
   return out;
 }
 
-Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write) {
-  const Selection s = target_of(design.draft, grid, a, b, cells);
-  if (s.empty()) return design;
-  if (grid == BitGrid::kDrawdown) return painted_crossings(std::move(design), s, a, b, cells, write).design;
-  if (!may_paint(design, grid)) return design;
-  if (grid == BitGrid::kLiftplan) design = to_liftplan(std::move(design));
-  write_bits(stored(design.draft, grid), s, a, b, cells, write);
-  return design;
+Selection covered(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
+  return clipped({grid, a, a + cells.cols(), b, b + cells.rows()}, d);
+}
+
+Draft with_cells(Draft draft, BitGrid grid, int a, int b, const BitMatrix& cells, Write write) {
+  const Selection s = covered(draft, grid, a, b, cells);
+  if (!s.empty() && grid != BitGrid::kDrawdown) write_bits(stored(draft, grid), s, a, b, cells, write);
+  return draft;
 }
 
 int64_t missed_cells(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
-  const Selection s = target_of(d, grid, a, b, cells);
+  const Selection s = covered(d, grid, a, b, cells);
   const BitMatrix shown = cells_of(d, s);
   int64_t missed = 0;
   for (int y = s.b0; y < s.b1; ++y)

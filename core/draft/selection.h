@@ -1,8 +1,8 @@
 #pragma once
 // A rectangle of cells of one grid, and a block of cells that is copied, moved or pasted. Edits of a whole selection
-// are in selection_edits.h, those of whole threads in thread_order.h.
+// are in design/selection_edits.h, those of whole threads in design/thread_order.h.
 
-#include "draft/design.h"
+#include "draft/draft.h"
 
 namespace weftlight::draft {
 
@@ -43,9 +43,10 @@ Selection clipped(const Selection& selection, const Draft& draft);
 
 /// The cells of the clipped selection. In the drawdown only those crossings are computed.
 BitMatrix cells_of(const Draft& draft, const Selection& selection);
-/// Puts a block with its first cell at (a, b), clipped to the grid. A block in the liftplan makes the liftplan the shed
-/// control; crossings are painted as in crossings.h. A locked grid is unchanged.
-Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write);
+/// The block written at (a, b) into the stored grid (not the drawdown), clipped to it.
+Draft with_cells(Draft draft, BitGrid grid, int a, int b, const BitMatrix& cells, Write write);
+/// The part of a block at (a, b) that lies inside the grid; may be empty.
+Selection covered(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
 
 /// Number of cells of a block at (a, b), inside the grid, that differ from the draft.
 int64_t missed_cells(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);

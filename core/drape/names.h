@@ -3,7 +3,11 @@
 
 namespace weftlight {
 namespace draft {}
+namespace design {}
+namespace weaves {}
 namespace drape {
 using namespace draft;
+using namespace design;
+using namespace weaves;
 }  // namespace drape
 }  // namespace weftlight

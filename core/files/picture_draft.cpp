@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "draft/generators/families.h"
 #include "files/files.h"
+#include "weaves/families.h"
 
 namespace weftlight::files {
 

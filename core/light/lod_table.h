@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "draft/methods.h"
+#include "design/methods.h"
 #include "light/formulas.h"
 #include "light/names.h"
 

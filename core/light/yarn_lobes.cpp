@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "draft/yarn_fields.h"
+#include "design/yarn_fields.h"
 
 namespace weftlight::light {
 namespace {

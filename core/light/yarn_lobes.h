@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "draft/yarn.h"
+#include "design/yarn.h"
 #include "light/formulas.h"
 #include "light/names.h"
 

@@ -3,7 +3,11 @@
 
 namespace weftlight {
 namespace draft {}
+namespace design {}
+namespace weaves {}
 namespace loom {
 using namespace draft;
+using namespace design;
+using namespace weaves;
 }  // namespace loom
 }  // namespace weftlight

@@ -9,7 +9,7 @@
 #include "analysis/threads.h"
 #include "base/mark.h"
 #include "base/result.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "print/names.h"
 
 namespace weftlight::print {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "drape/mesh.h"
-#include "render_data/camera.h"
 #include "render_data/names.h"
+#include "scene/camera.h"
 
 namespace weftlight::render_data {
 

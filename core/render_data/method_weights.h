@@ -6,8 +6,8 @@
 
 #include "light/lod_table.h"
 #include "render_data/ambient.h"
-#include "render_data/camera.h"
 #include "render_data/names.h"
+#include "scene/camera.h"
 
 namespace weftlight::render_data {
 

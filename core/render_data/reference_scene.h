@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "files/files.h"
 #include "reference/picture.h"
-#include "render_data/camera.h"
-#include "render_data/light_rig.h"
 #include "render_data/names.h"
+#include "scene/camera.h"
+#include "scene/light_rig.h"
 
 namespace weftlight::render_data {
 

@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "cloth/coarse_cloth.h"
 #include "cloth/thread_scene.h"
-#include "draft/repeat.h"
+#include "design/repeat.h"
 #include "drape/mesh.h"
 #include "files/design_drape.h"
 #include "light/separable.h"

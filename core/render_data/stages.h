@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "cloth/maps.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "render_data/ambient.h"
-#include "render_data/light_rig.h"
 #include "render_data/method_weights.h"
 #include "render_data/names.h"
 #include "render_data/packed_maps.h"
+#include "scene/light_rig.h"
 
 namespace weftlight::render_data {
 

@@ -5,23 +5,11 @@
 #include <cstdio>
 
 #include "files/files.h"
-#include "texture_set/set_images.h"
 
 namespace weftlight::texture_set {
 namespace {
 
 constexpr float kQuadMm = 100;
-
-std::string write_quad(const SetFacts& set) {
-  return problem_of(write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr));
-}
-
-std::string first_problem(std::initializer_list<std::string> problems) {
-  for (const std::string& p : problems) {
-    if (!p.empty()) return p;
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -41,12 +29,20 @@ std::string fill_template(std::string text, const std::vector<std::pair<std::str
   return text;
 }
 
+std::string face_suffix(const ExportTarget& target, Face face) { return face == Face::kBack ? "_back" : target.front; }
+
+std::string image_file(const ExportTarget& target, const ImageRow& row, const std::string& name, Face face) {
+  return row.prefix + name + face_suffix(target, face) + row.suffix + row.extension;
+}
+
 std::string image_named(const SetFacts& set, const std::string& suffix, Face face) {
-  for (const ImageRow& row : image_rows(set.target)) {
-    if (row.suffix == suffix) return image_file(row, set.name, face);
+  for (const ImageRow& row : set.target.images) {
+    if (row.suffix == suffix) return image_file(set.target, row, set.name, face);
   }
   return {};
 }
+
+std::string material_name(const SetFacts& set, Face face) { return set.name + (face == Face::kBack ? "_back" : ""); }
 
 float mean_transmission(const SetFacts& set) {
   constexpr float kMin = 0.005f;
@@ -85,29 +81,8 @@ Mesh scale_quad() {
   return mesh;
 }
 
-bool needs_mesh(ExportTarget target) { return target == ExportTarget::kGltf || target == ExportTarget::kBlender; }
-
-MaterialFile write_materials(const SetFacts& set) {
-  switch (set.target) {
-    case ExportTarget::kGltf:
-      return {set.name + ".glb", first_problem({write_gltf_material(set, ".glb"), write_gltf_material(set, ".gltf")})};
-    case ExportTarget::kBlender:
-      return {set.name + ".py", first_problem({write_gltf_material(set, ".glb"), write_blender_script(set)})};
-    case ExportTarget::kGodot:
-      return {set.name + ".tres", first_problem({write_godot_material(set), write_quad(set)})};
-    case ExportTarget::kUnreal:
-      return {set.name + "_import.py", first_problem({write_unreal_script(set), write_quad(set)})};
-    case ExportTarget::kUnityHdrp:
-    case ExportTarget::kUnityUrp:
-      return {set.name + ".mat", write_unity_material(set)};
-    case ExportTarget::kU3m:
-      return {set.name + ".u3m", write_u3m(set)};
-    case ExportTarget::kMaterialX:
-      return {set.name + ".mtlx", write_materialx(set)};
-    case ExportTarget::kRaw:
-      break;
-  }
-  return {};
+std::string write_scale_quad(const SetFacts& set) {
+  return problem_of(write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr));
 }
 
 }  // namespace weftlight::texture_set

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "files/mip_file.h"
+#include "texture_set/channels.h"
 #include "texture_set/face_source.h"
 #include "texture_set/names.h"
-#include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 

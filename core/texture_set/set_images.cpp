@@ -6,6 +6,7 @@
 
 #include "base/loops.h"
 #include "files/image_rows.h"
+#include "texture_set/material_files.h"
 #include "texture_set/texture_set.h"
 
 namespace weftlight::texture_set {
@@ -107,8 +108,8 @@ class RawMips {
   static void append(Image& to, const SurfaceTexels& level) {
     constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
     constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
-    const Image a = pack({ExportTarget::kRaw, "", "", "", PixelType::kHalf, false, kNormal}, level);
-    const Image b = pack({ExportTarget::kRaw, "", "", "", PixelType::kHalf, false, kRough}, level);
+    const Image a = pack({"", "", "", PixelType::kHalf, false, kNormal}, level);
+    const Image b = pack({"", "", "", PixelType::kHalf, false, kRough}, level);
     to.width = a.width, to.height += a.height, to.channels = 5;
     for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
       to.texels.insert(to.texels.end(), {a.texels[3 * i], a.texels[3 * i + 1], a.texels[3 * i + 2], b.texels[2 * i],
@@ -173,10 +174,10 @@ PackedBand packed_band(std::span<const ImageRow> rows, const FaceSource& source,
 
 /// Writes the images of the table and collects the mip levels.
 void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, RawMips& mips, MipImages& own) {
-  const std::span<const ImageRow> rows = image_rows(set.target);
+  const std::span<const ImageRow> rows = set.target.images;
   std::vector<std::unique_ptr<ImageRows>> images;
   for (const ImageRow& row : rows) {
-    const std::string path = set.folder + "/" + image_file(row, set.name, face);
+    const std::string path = set.folder + "/" + image_file(set.target, row, set.name, face);
     auto opened = ImageRows::open(path, size.width, size.height, channels_of(row), row.type, channel_names(row));
     if (!opened) set.problem = message(opened.error());
     if (!opened) return;
@@ -218,15 +219,15 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
 /// Paths of a face's images without their extensions.
 std::vector<std::string> stems_of(const SetImages& set, Face face) {
   std::vector<std::string> out;
-  for (const ImageRow& row : image_rows(set.target)) {
-    const std::string file = image_file(row, set.name, face);
+  for (const ImageRow& row : set.target.images) {
+    const std::string file = image_file(set.target, row, set.name, face);
     out.push_back(set.folder + "/" + file.substr(0, file.size() - std::string_view(row.extension).size()));
   }
   return out;
 }
 
 void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face face) {
-  const std::span<const ImageRow> rows = image_rows(set.target);
+  const std::span<const ImageRow> rows = set.target.images;
   for (size_t i = 0; i < own.names().size(); ++i) {
     if (own.names()[i].empty()) continue;
     record(set, own.names()[i], face, rows[i].srgb, PixelType::kU8, size, channel_list(rows[i]));
@@ -236,28 +237,19 @@ void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face fa
 
 }  // namespace
 
-std::string face_suffix(ExportTarget target, Face face) {
-  if (face == Face::kBack) return "_back";
-  return target == ExportTarget::kRaw ? "_front" : "";
-}
-
-std::string image_file(const ImageRow& row, const std::string& name, Face face) {
-  return row.prefix + name + face_suffix(row.target, face) + row.suffix + row.extension;
-}
-
 void write_face(SetImages& set, const FaceSource& source, Face face) {
   if (!set.problem.empty()) return;
   const TextureSize size = source.size();
-  RawMips mips(set.target == ExportTarget::kRaw);
+  RawMips mips(set.target.raw);
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
-  MipImages own(image_rows(set.target), source, set.mips, cut_out);
+  MipImages own(set.target.images, source, set.mips, cut_out);
   set.problem = problem_of(own.open(stems_of(set, face)));
   if (!set.problem.empty()) return;
   write_rows(set, source, size, face, mips, own);
   if (!set.problem.empty()) return;
   record_mips(set, own, size, face);
-  for (const ImageRow& row : image_rows(set.target)) {
-    record(set, image_file(row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
+  for (const ImageRow& row : set.target.images) {
+    record(set, image_file(set.target, row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
     set.sheet.push_back(
         {std::string(row.suffix + 1) + face_suffix(set.target, face), thumbnail_of(row, source.small())});
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The images of a set: the rows of a target's table are packed band by band and recorded for the list and the contact
+// The images of a set: the rows of its target are packed band by band and recorded for the list and the contact
 // sheet.
 
 #include <functional>
@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "texture_set/contact_sheet.h"
+#include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
 #include "texture_set/mip_images.h"
 #include "texture_set/names.h"
-#include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 
 /// A set while it is written, with the records for the contact sheet and the list.
 struct SetImages {
   std::string folder, name;
-  ExportTarget target = ExportTarget::kGltf;
+  const ExportTarget& target;
   nlohmann::json maps = nlohmann::json::array();
   std::vector<SheetEntry> sheet;
   std::string problem;  // empty until an error; after that nothing more is written
@@ -27,11 +27,6 @@ struct SetImages {
   std::optional<MipContainer> mips{};
   Alpha alpha = Alpha::kAuto;  // as requested
 };
-
-/// The part between the name and the suffix of a file: "" or "_front" for the front, "_back" for the back.
-std::string face_suffix(ExportTarget target, Face face);
-/// The file name of the image of a row.
-std::string image_file(const ImageRow& row, const std::string& name, Face face);
 
 /// Writes all images of a face.
 void write_face(SetImages& set, const FaceSource& source, Face face);

@@ -38,16 +38,6 @@ std::string rounded(float v) {
 
 std::string size_text(const SurfaceTexels& s) { return rounded(s.width_mm) + " x " + rounded(s.depth_mm) + " mm"; }
 
-/// A note for targets whose images do not all belong to one material.
-const char* target_note(ExportTarget target) {
-  if (target == ExportTarget::kUnityHdrp)
-    return tr(
-        " BaseMap, MaskMap and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for the thread slot of HDRP/Fabric "
-        "over "
-        "a base of your own, never together with them.");
-  return "";
-}
-
 std::string readme(const FaceSource& face, const TextureSetOptions& o) {
   const SurfaceTexels& s = face.small();
   return fill(
@@ -57,8 +47,8 @@ std::string readme(const FaceSource& face, const TextureSetOptions& o) {
          "{normal}; end 1 is at the right, pick 1 at the top.{note}\n"
          "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n"),
       arg("name", o.name), arg("source", o.source), arg("size", size_text(s)), arg("width", face.size().width),
-      arg("height", face.size().height), arg("target", target_name(o.target)),
-      arg("normal", normal_convention(o.target)), arg("note", target_note(o.target)));
+      arg("height", face.size().height), arg("target", o.target->id), arg("normal", o.target->normal),
+      arg("note", *o.target->note ? tr(o.target->note) : ""));
 }
 
 /// The files of the set, without its list.
@@ -107,7 +97,7 @@ json fit_json(const FaceSource& face) {
 }
 
 std::string set_json(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
-                     const SetIdentity& identity, const std::string& material) {
+                     const SetIdentity& identity) {
   const SurfaceTexels& s = set.front.small();
   const Cloth& cloth = set.front.cloth();
   json root{{"format", "weftlight texture set"},
@@ -118,7 +108,7 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"title", set.design.title},
             {"name", set.name},
             {"target", identity.target},
-            {"normal", normal_convention(set.target)},
+            {"normal", set.target.normal},
             {"orientation", "end 1 right, pick 1 top"},
             {"texture_coordinates", "millimetres"},
             {"size_mm", {s.width_mm, s.depth_mm}},
@@ -129,7 +119,7 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"distance_m", options.distance_m},
             {"fit", {{"front", fit_json(set.front)}, {"back", fit_json(set.back)}}},
             {"maps", images.maps}};
-  if (!material.empty()) root["material"] = material;
+  if (*set.target.material) root["material"] = set.name + set.target.material;
   if (!options.key.empty()) root["key"] = options.key;
   if (options.archived) root["archived"] = true;
   root["files"] = files_in(set.folder);
@@ -147,7 +137,7 @@ std::string write_sheet(const SetImages& images, const SetFacts& set) {
   const std::string title = set.design.title.empty() ? set.name : printable(set.design.title);
   const Cloth& cloth = set.front.cloth();
   const std::string facts = fill(tr("{target}   {size}   {ends} ends x {picks} picks   {width} x {height} texels"),
-                                 arg("target", target_name(set.target)), arg("size", size_text(set.front.small())),
+                                 arg("target", set.target.id), arg("size", size_text(set.front.small())),
                                  arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()),
                                  arg("width", set.front.size().width), arg("height", set.front.size().height));
   return problem_of(write_image(set.folder + "/contact_sheet.png",
@@ -155,7 +145,7 @@ std::string write_sheet(const SetImages& images, const SetFacts& set) {
 }
 
 SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options) {
-  return {draft_from(folder, options.draft_path), options.source, target_name(options.target)};
+  return {draft_from(folder, options.draft_path), options.source, options.target->id};
 }
 
 int repeats_for(float mm, float tile_mm, size_t threads) {
@@ -186,26 +176,18 @@ float estimated_cover(const Cloth& cloth) {
   return 1 - (1 - cover(cloth.ends, cloth.width_mm)) * (1 - cover(cloth.picks, cloth.depth_mm));
 }
 
-/// Targets whose importer preserves coverage in mipmaps, or that have none.
-bool keeps_masks(ExportTarget target) {
-  return target == ExportTarget::kUnreal || target == ExportTarget::kUnityHdrp || target == ExportTarget::kUnityUrp ||
-         target == ExportTarget::kBlender || target == ExportTarget::kRaw;
-}
-
 bool has_metal(const Cloth& cloth) {
   return std::any_of(cloth.yarns.begin(), cloth.yarns.end(), [](const Yarn& y) { return y.lobes.metallic; });
 }
 
 FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
   Cloth cloth = cloth_of(design, cells, face, options.tile_mm);
-  const bool raw = options.target == ExportTarget::kRaw;
+  const ExportTarget& target = *options.target;
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
-  of.horizon = raw, of.fitted = !raw, of.model = engine_model(options.target, has_metal(cloth)),
-  of.older = older_model(options.target);
-  // A path tracer averages the radiance of texels, so each texel keeps its own microfacets.
-  const bool traced = options.target == ExportTarget::kBlender;
-  of.footprint_mm = raw || traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
+  of.horizon = target.raw, of.fitted = !target.raw;
+  of.model = engine_model(target, has_metal(cloth)), of.older = target.older_model;
+  of.footprint_mm = target.raw || target.path_traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(cloth), of};
 }
 
@@ -226,7 +208,7 @@ std::string write_into(const std::string& folder, const std::string& destination
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return tr("the draft has no cloth; it needs at least one end and one pick");
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder,       options.name, options.target, json::array(), {}, {}, face_progress(progress, 0),
+  SetImages images{folder,       options.name, *options.target, json::array(), {}, {}, face_progress(progress, 0),
                    options.mips, options.alpha};
   write_face(images, front, Face::kFront);
   if (!images.problem.empty()) return images.problem;
@@ -236,20 +218,20 @@ std::string write_into(const std::string& folder, const std::string& destination
   if (!images.problem.empty()) return images.problem;
   const SetFacts set{folder,
                      options.name,
-                     options.target,
-                     alpha_for(options.target, options.alpha, front.coverage()),
+                     *options.target,
+                     alpha_for(*options.target, options.alpha, front.coverage()),
                      options.modified,
                      design,
                      front,
                      back,
                      mesh};
-  const MaterialFile material = write_materials(set);
-  std::string problem = progress.stop.stop_requested() ? std::string(kStopped) : material.error;
+  std::string problem = set.target.write_material ? set.target.write_material(set) : std::string{};
+  if (progress.stop.stop_requested()) problem = kStopped;
   if (problem.empty()) problem = write_sheet(images, set);
   if (problem.empty()) problem = write_file_atomically(folder + "/README.md", readme(front, options));
   if (problem.empty())
     problem = write_file_atomically(folder + "/texture_set.json",
-                                    set_json(images, set, options, identity_of(destination, options), material.file));
+                                    set_json(images, set, options, identity_of(destination, options)));
   return problem;
 }
 
@@ -268,7 +250,7 @@ std::string file_name_of(const std::string& text) {
 }
 
 std::string key_of(const TextureSetOptions& o) {
-  return o.program_version + " " + target_name(o.target) + " " + o.name + " " + std::to_string(o.size) + " " +
+  return o.program_version + " " + o.target->id + " " + o.name + " " + std::to_string(o.size) + " " +
          alpha_name(o.alpha) + " " + number(static_cast<double>(o.distance_m)) + " " +
          number(static_cast<double>(o.tile_mm)) + (o.mips ? extension_of(*o.mips) : "");
 }
@@ -344,7 +326,7 @@ SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
                  0,
                  0};
   const int64_t texels = int64_t{out.size.width} * out.size.height;
-  for (const ImageRow& row : image_rows(options.target)) {
+  for (const ImageRow& row : options.target->images) {
     // Graphics cards store one, two or four channels.
     const int channels = channels_of(row), held = channels == 3 ? 4 : channels;
     out.images += 2;
@@ -370,7 +352,7 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   if (each < kMinTexelsPerThread)
     out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
                        arg("texels", rounded(each))));
-  if (options.alpha == Alpha::kMask && !options.mips && !keeps_masks(options.target) &&
+  if (options.alpha == Alpha::kMask && !options.mips && !options.target->keeps_masks &&
       estimated_cover(cloth) < kOpenCover)
     out.emplace_back(tr(
         "the gaps of a mask close in the distance if the program makes the mipmaps; use --alpha auto or --mips ktx2"));

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "drape/mesh.h"
 #include "files/mip_file.h"
 #include "texture_set/face_source.h"
@@ -18,10 +18,10 @@
 namespace weftlight::texture_set {
 
 struct TextureSetOptions {
-  ExportTarget target = ExportTarget::kGltf;
-  std::string name;        // of the files; see file_name_of()
-  std::string source;      // file name of the draft, for texture_set.json
-  std::string draft_path;  // path of the draft; empty: never saved
+  const ExportTarget* target = &targets::kGltf;  // never null
+  std::string name;                              // of the files; see file_name_of()
+  std::string source;                            // file name of the draft, for texture_set.json
+  std::string draft_path;                        // path of the draft; empty: never saved
   std::string program_version;
   int size = 1024;     // texels of the longer side, a power of two 16..8192
   bool force = false;  // writes into a folder with other files, and replaces those of the same names

@@ -5,8 +5,12 @@
 
 namespace weftlight {
 namespace draft {}
+namespace design {}
+namespace weaves {}
 namespace wif {
 using namespace base;
 using namespace draft;
+using namespace design;
+using namespace weaves;
 }  // namespace wif
 }  // namespace weftlight

@@ -56,6 +56,8 @@ struct WifDialect {
   int treadle_base = 1;                 // number of the first treadle in [TREADLING]
   bool has_liftplan = false;            // the file has a liftplan besides the treadling
   std::vector<std::string> zero_based;  // sections whose rows count from 0
+  bool has_yarns = false;               // the file states its yarns, even if it has only the default one
+  bool leaves_out_defaults = false;     // private numbers that are the default are not written
 
   int base_of(std::string_view section) const;
 };

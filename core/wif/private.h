@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "draft/design.h"
-#include "draft/methods.h"
-#include "draft/yarn_fields.h"
+#include "design/design.h"
+#include "design/methods.h"
+#include "design/yarn_fields.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "draft/drawdown.h"
+#include "wif/private.h"
 #include "wif/rows.h"
 
 namespace weftlight::wif {
@@ -395,6 +396,7 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
   note_empty_tail(r, draft.shed_control == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, System::kWeft);
   read_threads(r.text, diagnostics, r.dialect, draft, info);
   read_notes(r);
+  r.dialect.has_yarns = r.text.find(std::string(kPrivate) + "YARNS") != nullptr;
   read_private_sections(r.text, r.dialect, diagnostics, r.design);
   return parsed;
 }

@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "base/text.h"
-#include "draft/lights.h"
+#include "design/lights.h"
 #include "wif/private.h"
 #include "wif/rows.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {
@@ -52,8 +52,11 @@ WifRead read_wif(std::string_view bytes);
 /// again if `now` is consistent, has at least one end, pick, shaft and treadle, and its yarns are within their ranges.
 std::string write_wif(const WifFile& opened, const Design& now);
 
-/// A new file.
+/// A new file. It states every number of its yarns, so that its cloth stays if a later version has other defaults.
 std::string write_new_wif(const Design& design);
+/// A new file for presets/, which leaves out the numbers of yarns, look and scene that are the default and so follows
+/// it. Not for a user's cloth.
+std::string write_preset_wif(const Design& design);
 
 enum class PlainShedControl { kAsIs, kLiftplan, kTreadling };
 /// "Save for other programs": ASCII, CRLF, one-pass section order, no private sections, both a tie-up

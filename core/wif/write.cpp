@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "wif/line_edits.h"
 #include "wif/numbers.h"
 
@@ -56,6 +56,7 @@ std::string whole_file(const std::vector<WifEntries>& sections) {
 
 WifDialect new_dialect(const Draft& draft) {
   WifDialect dialect;
+  dialect.has_yarns = true;
   for (const System system : {System::kWarp, System::kWeft}) {
     const Threads& threads = draft.threads(system);
     ColumnDialect& color = system == System::kWarp ? dialect.warp.color : dialect.weft.color;
@@ -133,6 +134,12 @@ std::string write_wif(const WifFile& opened, const Design& now) {
 }
 
 std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_dialect(design.draft))); }
+
+std::string write_preset_wif(const Design& design) {
+  WifDialect dialect = new_dialect(design.draft);
+  dialect.leaves_out_defaults = true;
+  return whole_file(sections_of(design, dialect));
+}
 
 std::string write_plain_wif(const Design& design, PlainShedControl shed_control) {
   Design plain = shed_control == PlainShedControl::kLiftplan    ? to_liftplan(design)

@@ -38,20 +38,35 @@ void add_fields(WifEntries& section, const std::string& prefix, const std::array
       add(section, prefix + field.facts.key, shortest(value.*field.member));
 }
 
-WifEntries yarns_of(const Design& design) {
+/// Without the numbers that are the default, which the reader takes for them. Texts stay: an absent one is empty.
+WifEntries without_defaults(WifEntries section, const WifEntries& defaults) {
+  std::erase_if(section.entries, [&](const WifEntry& e) {
+    return !e.is_text && std::ranges::find(defaults.entries, e) != defaults.entries.end();
+  });
+  return section;
+}
+
+WifEntries yarn_entries(const Yarn& yarn, const std::string& prefix) {
+  WifEntries out;
+  if (!yarn.name.empty()) add(out, prefix + "Name", escaped(yarn.name), true);
+  add(out, prefix + "Twist", kTwistNames[static_cast<size_t>(yarn.twist)]);
+  add(out, prefix + kPliesFacts.key, std::to_string(yarn.plies));
+  add_fields(out, prefix, kYarnFields, yarn);
+  add_fields(out, prefix, kLobeFields, yarn.lobes);
+  add(out, prefix + "Tint", color_text(yarn.lobes.specular_tint));
+  add(out, prefix + "Metallic", yarn.lobes.metallic ? "true" : "false");
+  return out;
+}
+
+WifEntries yarns_of(const std::vector<Yarn>& yarns, const WifDialect& dialect) {
   WifEntries section{"YARNS", {}};
-  if (design.yarns == std::vector<Yarn>{Yarn{}}) return section;
-  add(section, "Yarns", std::to_string(design.yarns.size()));
-  for (size_t i = 0; i < design.yarns.size(); ++i) {
-    const Yarn& yarn = design.yarns[i];
+  if (!dialect.has_yarns && yarns == std::vector<Yarn>{Yarn{}}) return section;
+  add(section, "Yarns", std::to_string(yarns.size()));
+  for (size_t i = 0; i < yarns.size(); ++i) {
     const std::string prefix = std::to_string(i + 1) + " ";
-    if (!yarn.name.empty()) add(section, prefix + "Name", escaped(yarn.name), true);
-    add(section, prefix + "Twist", kTwistNames[static_cast<size_t>(yarn.twist)]);
-    add(section, prefix + kPliesFacts.key, std::to_string(yarn.plies));
-    add_fields(section, prefix, kYarnFields, yarn);
-    add_fields(section, prefix, kLobeFields, yarn.lobes);
-    add(section, prefix + "Tint", color_text(yarn.lobes.specular_tint));
-    add(section, prefix + "Metallic", yarn.lobes.metallic ? "true" : "false");
+    WifEntries yarn = yarn_entries(yarns[i], prefix);
+    if (dialect.leaves_out_defaults) yarn = without_defaults(std::move(yarn), yarn_entries(Yarn{}, prefix));
+    std::ranges::move(yarn.entries, std::back_inserter(section.entries));
   }
   return section;
 }
@@ -71,18 +86,21 @@ WifEntries thread_yarns_of(const char* name, const Threads& threads) {
   return section;
 }
 
-WifEntries look_of(const Look& look) {
+WifEntries look_entries(const Look& look) {
   WifEntries section{"LOOK", {}};
-  if (look == Look{}) return section;
   add(section, "Method", std::string(method_name(look.method)));
   add_fields(section, "", kLookFloats, look);
   if (!look.automatic_exposure) add(section, "Automatic Exposure", "false");
   return section;
 }
 
-WifEntries scene_of(const Scene& scene) {
+WifEntries look_of(const Look& look, const WifDialect& dialect) {
+  if (look == Look{}) return {"LOOK", {}};
+  return dialect.leaves_out_defaults ? without_defaults(look_entries(look), look_entries({})) : look_entries(look);
+}
+
+WifEntries scene_entries(const Scene& scene) {
   WifEntries section{"SCENE", {}};
-  if (scene == Scene{}) return section;
   if (!scene.mesh.empty()) add(section, "Mesh", escaped(scene.mesh), true);
   if (scene.simulated_drape) add(section, "Own Drape", "true");
   add_fields(section, "", kSceneFloats, scene);
@@ -92,8 +110,13 @@ WifEntries scene_of(const Scene& scene) {
   return section;
 }
 
+WifEntries scene_of(const Scene& scene, const WifDialect& dialect) {
+  if (scene == Scene{}) return {"SCENE", {}};
+  return dialect.leaves_out_defaults ? without_defaults(scene_entries(scene), scene_entries({})) : scene_entries(scene);
+}
+
 WifEntries view_of(const NamedView& view, size_t number) {
-  WifEntries section = scene_of(view.scene);
+  WifEntries section = view.scene == Scene{} ? WifEntries{} : scene_entries(view.scene);
   section.name = "VIEW " + std::to_string(number);
   add(section, "Name", escaped(view.name), true);
   if (view.flat) add(section, "Flat", "true");
@@ -216,12 +239,12 @@ WifEntries inactive_grid(const char* name, const BitMatrix& bits) {
 
 void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifDialect& dialect) {
   const Draft& draft = design.draft;
-  push_if_any(out, yarns_of(design));
+  push_if_any(out, yarns_of(design.yarns, dialect));
   push_if_any(out, finish_of(design.finish));
   push_if_any(out, thread_yarns_of("WARP YARNS", draft.warp));
   push_if_any(out, thread_yarns_of("WEFT YARNS", draft.weft));
-  push_if_any(out, look_of(design.look));
-  push_if_any(out, scene_of(design.scene));
+  push_if_any(out, look_of(design.look, dialect));
+  push_if_any(out, scene_of(design.scene, dialect));
   for (size_t i = 0; i < design.views.size(); ++i) push_if_any(out, view_of(design.views[i], i + 1));
   push_if_any(out, loom_of(design.loom));
   push_if_any(out, weaves_of(design.weaves));

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "actions/names.h"
-#include "session/document.h"
-#include "session/document_view.h"
-#include "session/draper.h"
+#include "session/document/document.h"
+#include "session/editing/document_view.h"
+#include "session/files/user_files.h"
+#include "session/jobs/draper.h"
 #include "session/report.h"
-#include "session/user_files.h"
 
 namespace weftlight::actions {
 

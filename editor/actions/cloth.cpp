@@ -1,7 +1,7 @@
 // The Cloth menu: drape, light, picture quality and comparison.
 
 #include "actions/action_parts.h"
-#include "draft/lights.h"
+#include "design/lights.h"
 #include "drape/mesh.h"
 #include "files/design_drape.h"
 

@@ -3,8 +3,9 @@
 #include <utility>
 
 #include "actions/action_parts.h"
-#include "draft/crossings.h"
-#include "draft/edits.h"
+#include "design/crossings.h"
+#include "design/edits.h"
+#include "design/loom.h"
 
 namespace weftlight::actions {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "actions/action_parts.h"
-#include "draft/generators/table.h"
-#include "session/library.h"
+#include "session/library/library.h"
+#include "weaves/table.h"
 
 namespace weftlight::actions {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Imports the namespaces that this folder uses without qualification.
 
-#include "session/names.h"
+#include "session/files/names.h"
 
 namespace weftlight {
 namespace actions {

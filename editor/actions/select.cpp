@@ -4,8 +4,8 @@
 
 #include "actions/action_parts.h"
 #include "draft/block_text.h"
-#include "session/selection_state.h"
-#include "session/typing.h"
+#include "session/editing/selection_state.h"
+#include "session/editing/typing.h"
 
 namespace weftlight::actions {
 namespace {

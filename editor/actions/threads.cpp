@@ -4,8 +4,8 @@
 #include <span>
 
 #include "actions/action_parts.h"
-#include "draft/edits.h"
-#include "draft/thread_text.h"
+#include "design/edits.h"
+#include "design/thread_text.h"
 
 namespace weftlight::actions {
 namespace {

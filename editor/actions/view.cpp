@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "actions/action_parts.h"
-#include "render_data/named_views.h"
+#include "scene/named_views.h"
 
 namespace weftlight::actions {
 namespace {

@@ -8,9 +8,9 @@
 #include "app/window.h"
 #include "base/text.h"
 #include "base/user_folders.h"
-#include "session/file_identity.h"
-#include "session/own_output.h"
-#include "session/stale_files.h"
+#include "session/files/file_identity.h"
+#include "session/files/own_output.h"
+#include "session/files/stale_files.h"
 
 namespace weftlight::app {
 

@@ -6,11 +6,11 @@
 
 #include "base/text.h"
 #include "base/user_folders.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "files/files.h"
-#include "session/file_names.h"
-#include "session/gallery.h"
-#include "session/stale_files.h"
+#include "session/files/file_names.h"
+#include "session/files/stale_files.h"
+#include "session/library/gallery.h"
 
 namespace weftlight::app {
 
@@ -48,7 +48,7 @@ std::vector<std::string> split_lines(const std::string& text) {
 
 Document Editor::first_document() {
   OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
-  if (!starter.document) return Document(draft::new_draft(*find_weave("straight"), {}, {48, 48}).design);
+  if (!starter.document) return Document(weaves::new_draft(*find_weave("straight"), {}, {48, 48}).design);
   // Unnamed, so that saving asks where.
   Document& d = *starter.document;
   return Document(d.now());

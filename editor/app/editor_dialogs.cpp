@@ -6,11 +6,11 @@
 
 #include "app/editor.h"
 #include "base/text.h"
-#include "draft/generators/sections.h"
-#include "draft/lights.h"
-#include "draft/selection_edits.h"
+#include "design/lights.h"
+#include "design/selection_edits.h"
 #include "files/environment.h"
 #include "views/analysis/yarn_need_panel.h"
+#include "weaves/sections.h"
 
 namespace weftlight::app {
 
@@ -32,7 +32,7 @@ void Editor::new_draft_of(int weave) {
   ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
     const WeavePrompt p = std::get<WeavePrompt>(dialog_);
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
-    open_beside(Document(draft::new_draft(kind, p.values, {p.ends, p.picks}).design), Origin::kOwn);
+    open_beside(Document(weaves::new_draft(kind, p.values, {p.ends, p.picks}).design), Origin::kOwn);
   });
 }
 

@@ -8,8 +8,8 @@
 #include "app/editor.h"
 #include "base/text.h"
 #include "base/user_folders.h"
-#include "session/bring_back.h"
-#include "session/gallery.h"
+#include "session/document/bring_back.h"
+#include "session/library/gallery.h"
 
 namespace weftlight::app {
 

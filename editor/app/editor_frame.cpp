@@ -8,7 +8,7 @@
 #include "actions/keys.h"
 #include "app/editor.h"
 #include "base/text.h"
-#include "session/scene_views.h"
+#include "session/editing/scene_views.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/analysis/comparison_panel.h"

@@ -5,7 +5,7 @@
 
 #include "app/editor.h"
 #include "base/text.h"
-#include "session/scene_views.h"
+#include "session/editing/scene_views.h"
 
 namespace weftlight::app {
 

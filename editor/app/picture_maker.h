@@ -11,8 +11,8 @@
 #include "app/names.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
-#include "session/reference_tracer.h"
-#include "session/user_files.h"
+#include "session/files/user_files.h"
+#include "session/jobs/reference_tracer.h"
 
 namespace weftlight::app {
 

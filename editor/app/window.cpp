@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "session/input_queue.h"
+#include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
 

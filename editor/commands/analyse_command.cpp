@@ -13,9 +13,9 @@
 #include "analysis/weave_layers.h"
 #include "base/text.h"
 #include "commands/commands.h"
+#include "design/fibre.h"
+#include "design/repeat.h"
 #include "draft/factor.h"
-#include "draft/fibre.h"
-#include "draft/repeat.h"
 
 namespace weftlight::commands {
 namespace {

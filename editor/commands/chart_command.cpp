@@ -13,9 +13,9 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "commands/chart/bench.h"
-#include "commands/chart/drapes.h"
-#include "commands/chart/figures.h"
+#include "chart/bench.h"
+#include "chart/drapes.h"
+#include "chart/figures.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
 

@@ -6,14 +6,15 @@
 #include <memory>
 
 #include "base/text.h"
-#include "commands/chart/scene.h"
+#include "chart/scene.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
-#include "draft/lights.h"
-#include "draft/methods.h"
+#include "design/lights.h"
+#include "design/methods.h"
 #include "drape/mesh.h"
 #include "light/formulas.h"
+#include "texture_set/targets.h"
 
 namespace weftlight::commands {
 namespace {
@@ -31,6 +32,12 @@ std::vector<std::string> method_names(bool drawn) {
   for (const MethodFacts& m : kMethods)
     if (m.drawn || !drawn) names.emplace_back(m.name);
   return names;
+}
+
+std::vector<std::string> target_ids() {
+  std::vector<std::string> out;
+  for (const ExportTarget* target : kTargets) out.emplace_back(target->id);
+  return out;
 }
 
 std::vector<std::string> light_names() {
@@ -182,8 +189,7 @@ RunVerb add_export(CLI::App& verb) {
   verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft
-      ->check(
-          CLI::IsMember({"gltf", "unreal", "unity-hdrp", "unity-urp", "godot", "blender", "u3m", "materialx", "raw"}));
+      ->check(CLI::IsMember(target_ids()));
   verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path());
   add_texture_options(verb, o);
   verb.add_option("--name", o.name, tr("Template for the folder of a set; {name}, {target} and {size} are filled in"));

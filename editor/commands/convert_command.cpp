@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "draft/factor.h"
 #include "files/written.h"
 

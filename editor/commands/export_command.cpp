@@ -87,16 +87,16 @@ std::string changed(const std::string& path) {
 }
 
 /// The path of a set below the output folder, from the template. Parts that would leave the output are dropped.
-std::string folder_name(const std::string& form, const std::string& name, ExportTarget target, int size) {
+std::string folder_name(const std::string& form, const std::string& name, const ExportTarget& target, int size) {
   fs::path out;
   for (const fs::path& part :
-       fs::path(fill_template(form, {{"name", name}, {"target", target_name(target)}, {"size", std::to_string(size)}})))
+       fs::path(fill_template(form, {{"name", name}, {"target", target.id}, {"size", std::to_string(size)}})))
     if (part != "." && part != ".." && part != "/") out /= file_name_of(part.string());
   return out.string();
 }
 
 std::string folder_of(const std::string& out, const std::string& form, const TextureSetOptions& o) {
-  return (fs::path(out) / folder_name(form, o.name, o.target, o.size)).string();
+  return (fs::path(out) / folder_name(form, o.name, *o.target, o.size)).string();
 }
 
 /// A name for each draft's set. Of drafts that differ only in their format, the WIF takes the name and the others
@@ -118,13 +118,13 @@ std::vector<std::string> set_names(const std::vector<std::string>& files) {
 }
 
 /// One folder for each draft and target.
-std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<ExportTarget>& targets) {
+std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const ExportTarget*>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
   const std::vector<std::string> files = drafts_of(options.files), names = set_names(files);
   for (size_t i = 0; i < files.size(); ++i) {
     const std::string &file = files[i], &name = names[i];
-    for (const ExportTarget target : targets) {
+    for (const ExportTarget* target : targets) {
       TextureSetOptions o;
       o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
       o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
@@ -239,17 +239,17 @@ void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh
 }  // namespace
 
 int export_command(const ExportOptions& options) {
-  std::vector<ExportTarget> targets;
+  std::vector<const ExportTarget*> targets;
   for (const std::string& name : options.targets) {
-    const std::optional<ExportTarget> target = target_named(name);
+    const ExportTarget* const target = target_named(name);
     if (!target) return refuse(fill(tr("there is no target '{name}'"), arg("name", name)));
-    if (std::find(targets.begin(), targets.end(), *target) == targets.end()) targets.push_back(*target);
+    if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
   }
   if (!is_power_of_two(options.size) || options.size < 16 || options.size > 8192)
     return refuse(fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
     return refuse(fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
-  const bool mesh_wanted = std::any_of(targets.begin(), targets.end(), needs_mesh);
+  const bool mesh_wanted = std::ranges::any_of(targets, &ExportTarget::wears_mesh);
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
   if (!mesh)
     return fail({base::ErrorKind::kInput, fill(tr("--mesh: {problem}"), arg("problem", message(mesh.error())))});

@@ -6,7 +6,7 @@
 #include "analysis/floats.h"
 #include "base/text.h"
 #include "commands/commands.h"
-#include "draft/repeat.h"
+#include "design/repeat.h"
 
 namespace weftlight::commands {
 namespace {

@@ -2,7 +2,7 @@
 // The namespaces whose names this folder uses unqualified; the namespaces that those use come with them.
 
 #include "analysis/names.h"
-#include "commands/chart/names.h"
+#include "chart/names.h"
 #include "texture_set/names.h"
 
 namespace weftlight {

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/utf8.h"
 #include "commands/names.h"
-#include "draft/lights.h"
+#include "design/lights.h"
 
 namespace weftlight::commands {
 namespace {

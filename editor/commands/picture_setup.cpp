@@ -5,13 +5,13 @@
 #include <filesystem>
 
 #include "base/text.h"
-#include "draft/lights.h"
+#include "design/lights.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/written.h"
 #include "gl/pipeline.h"
 #include "light/lod_table.h"
-#include "render_data/named_views.h"
+#include "scene/named_views.h"
 
 namespace weftlight::commands {
 namespace {

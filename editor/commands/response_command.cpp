@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
-#include "draft/methods.h"
+#include "design/methods.h"
 #include "files/files.h"
 #include "files/written.h"
 #include "gl/context.h"

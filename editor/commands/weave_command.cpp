@@ -5,9 +5,9 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
-#include "draft/edits.h"
-#include "draft/generators/table.h"
+#include "design/edits.h"
 #include "files/written.h"
+#include "weaves/table.h"
 
 namespace weftlight::commands {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "gl/names.h"
 #include "gl/renderer.h"
 

@@ -19,10 +19,10 @@
 #include "gl/sun_shadow.h"
 #include "light/formulas.h"
 #include "light/lod_table.h"
-#include "render_data/camera.h"
-#include "render_data/exposure.h"
 #include "render_data/method_weights.h"
 #include "render_data/shipped_lod_table.h"
+#include "scene/camera.h"
+#include "scene/exposure.h"
 
 namespace weftlight::gl {
 namespace {

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "base/result.h"
-#include "draft/design.h"
+#include "design/design.h"
 #include "drape/mesh.h"
 #include "files/files.h"
 #include "gl/names.h"
 #include "light/formulas.h"
 #include "light/lod_table.h"
 #include "render_data/ambient.h"
-#include "render_data/light_rig.h"
 #include "render_data/map_patch.h"
 #include "render_data/method_weights.h"
 #include "render_data/packed_maps.h"
+#include "scene/light_rig.h"
 
 namespace weftlight::gl {
 

@@ -11,7 +11,7 @@
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
 #include "gl/names.h"
-#include "render_data/environment_light.h"
+#include "scene/environment_light.h"
 
 namespace weftlight::gl {
 

@@ -7,7 +7,7 @@ out=${1:-$here/weftlight.pot}
 cd "$here/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-find core editor -name '*.cpp' -o -name '*.h' | LC_ALL=C sort |
+find core editor tools -name '*.cpp' -o -name '*.h' | LC_ALL=C sort |
   xgettext --files-from=- --language=C++ --from-code=UTF-8 --keyword --keyword=tr --keyword=tr_n:1,2 \
            --keyword=tr_in:1c,2 --keyword=mark --add-location=file --package-name=Weftlight --output="$work/all.pot"
 # Without the date, so that the same sources give the same file.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "session/names.h"
+#include "session/files/names.h"
 
 namespace weftlight::session {
 

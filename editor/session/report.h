@@ -14,9 +14,9 @@
 #include "analysis/floats.h"
 #include "analysis/threads.h"
 #include "analysis/weave_layers.h"
-#include "draft/repeat.h"
-#include "session/names.h"
-#include "session/other_draft.h"
+#include "design/repeat.h"
+#include "session/document/other_draft.h"
+#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "session/bring_back.h"
-#include "session/document.h"
-#include "session/document_view.h"
-#include "session/journal.h"
-#include "session/names.h"
-#include "session/recovery.h"
+#include "session/document/bring_back.h"
+#include "session/document/document.h"
+#include "session/editing/document_view.h"
+#include "session/files/names.h"
+#include "session/recovery/journal.h"
+#include "session/recovery/recovery.h"
 
 namespace weftlight::session {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "cloth/maps.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 
 namespace weftlight::cloth {
 namespace {

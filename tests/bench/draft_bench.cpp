@@ -7,15 +7,17 @@
 
 #include "analysis/floats.h"
 #include "analysis/weave_layers.h"
+#include "design/edits.h"
+#include "design/repeat.h"
 #include "draft/drawdown.h"
-#include "draft/edits.h"
 #include "draft/factor.h"
-#include "draft/generators.h"
-#include "draft/repeat.h"
+#include "weaves/weaves.h"
 
 namespace {
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 using namespace weftlight::analysis;
 
 constexpr int kLarge = 10000;
@@ -117,7 +119,7 @@ BENCHMARK(float_overlay_10000)->Unit(benchmark::kMillisecond);
 
 void layers_10000(benchmark::State& state) {
   const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
-  for (auto _ : state) benchmark::DoNotOptimize(layers(cells));
+  for (auto _ : state) benchmark::DoNotOptimize(weave_layers(cells));
 }
 BENCHMARK(layers_10000)->Unit(benchmark::kMillisecond);
 

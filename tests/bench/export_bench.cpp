@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "cloth/cloth.h"
-#include "draft/generators.h"
 #include "files/files.h"
 #include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -35,7 +35,7 @@ BENCHMARK(SurfaceFromMaps)->Unit(benchmark::kMillisecond);
 void PackOrm(benchmark::State& state) {
   const Cloth cloth = sample_cloth();
   const SurfaceTexels surface = make_surface(cloth, bake(cloth, {1024, 1024, 0}), 1024, 1024);
-  for (auto _ : state) benchmark::DoNotOptimize(pack(image_rows(ExportTarget::kGltf)[1], surface));
+  for (auto _ : state) benchmark::DoNotOptimize(pack(targets::kGltf.images[1], surface));
 }
 BENCHMARK(PackOrm)->Unit(benchmark::kMillisecond);
 
@@ -51,7 +51,7 @@ void WriteExrHalf(benchmark::State& state) {
 }
 BENCHMARK(WriteExrHalf)->Unit(benchmark::kMillisecond);
 
-void WholeSet(benchmark::State& state, ExportTarget target) {
+void WholeSet(benchmark::State& state, const ExportTarget* target) {
   const Design design = twill({2, 2}, Lean::kRight, {16, 16});
   const Mesh mesh = simulate_drape("plane");
   const std::string folder = scratch("weftlight_bench_set");
@@ -62,8 +62,8 @@ void WholeSet(benchmark::State& state, ExportTarget target) {
   }
   std::filesystem::remove_all(folder);
 }
-BENCHMARK_CAPTURE(WholeSet, gltf, ExportTarget::kGltf)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(WholeSet, raw, ExportTarget::kRaw)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(WholeSet, gltf, &targets::kGltf)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(WholeSet, raw, &targets::kRaw)->Unit(benchmark::kMillisecond);
 
 void ReadMeshFile(benchmark::State& state) {
   const std::string path = scratch("weftlight_bench.glb");

@@ -7,14 +7,16 @@
 #include <memory>
 #include <random>
 
-#include "draft/edits.h"
-#include "draft/generators.h"
+#include "design/edits.h"
 #include "files/files.h"
 #include "render_data/stages.h"
+#include "weaves/weaves.h"
 
 namespace {
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 using weftlight::render_data::Effort;
 using weftlight::render_data::Stages;
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <variant>
 
-#include "draft/edits.h"
-#include "draft/generators.h"
+#include "design/edits.h"
 #include "gl/context.h"
-#include "session/document.h"
+#include "session/document/document.h"
 #include "ui/fonts.h"
 #include "ui/style.h"
 #include "views/common/panel.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::bench {
 

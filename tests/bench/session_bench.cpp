@@ -6,11 +6,11 @@
 
 #include <string>
 
-#include "draft/edits.h"
-#include "draft/selection_edits.h"
+#include "design/edits.h"
+#include "design/selection_edits.h"
 #include "screen.h"
-#include "session/document.h"
-#include "session/paint.h"
+#include "session/document/document.h"
+#include "session/editing/paint.h"
 #include "views/draft/draft_panel.h"
 #include "wif/other_formats.h"
 #include "wif/wif.h"

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "wif/wif.h"
 
 namespace weftlight::wif {

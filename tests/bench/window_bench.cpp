@@ -48,7 +48,7 @@ class WholeWindow {
   /// Counts what has to be redrawn.
   size_t frame(Screen& screen, Tab tab) {
     screen.frame(desk_.document(), desk_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
-    return damage_.of(screen.drawn()).size();
+    return damage_.changed_areas(screen.drawn()).size();
   }
 
  private:

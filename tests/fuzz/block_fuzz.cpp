@@ -8,6 +8,8 @@
 #include "require.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<CellBlock> read = read_block_text({reinterpret_cast<const char*>(data), size});

@@ -7,6 +7,8 @@
 #include "wif/other_formats.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 using namespace weftlight::wif;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "require.h"
-#include "session/journal_format.h"
+#include "session/recovery/journal_format.h"
 
 using namespace weftlight::session;
 

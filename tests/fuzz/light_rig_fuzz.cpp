@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "render_data/light_rig.h"
 #include "require.h"
+#include "scene/light_rig.h"
 
 using namespace weftlight::render_data;
 

@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <string_view>
 
-#include "draft/edits.h"
-#include "draft/generators/sections.h"
+#include "design/edits.h"
 #include "require.h"
+#include "weaves/sections.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

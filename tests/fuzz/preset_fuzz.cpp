@@ -6,14 +6,16 @@
 #include <string>
 
 #include "../unit/straight_draft.h"
-#include "draft/edits.h"
-#include "draft/fibre.h"
-#include "draft/yarn_presets.h"
+#include "design/edits.h"
+#include "design/fibre.h"
+#include "design/yarn_presets.h"
 #include "require.h"
 #include "wif/wif.h"
 
 using namespace weftlight;
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 using namespace weftlight::wif;
 
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "require.h"
-#include "session/recovery.h"
+#include "session/recovery/recovery.h"
 
 using namespace weftlight::session;
 namespace fs = std::filesystem;

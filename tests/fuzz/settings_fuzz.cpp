@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "require.h"
-#include "session/user_files.h"
+#include "session/files/user_files.h"
 
 using namespace weftlight::session;
 

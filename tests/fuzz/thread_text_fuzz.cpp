@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <string_view>
 
-#include "draft/thread_text.h"
+#include "design/thread_text.h"
 #include "require.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<ThreadProperties> read =

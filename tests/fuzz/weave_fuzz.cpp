@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <string_view>
 
-#include "draft/generators/table.h"
 #include "require.h"
+#include "weaves/table.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 3) return 0;

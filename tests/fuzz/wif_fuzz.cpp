@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <string_view>
 
+#include "design/edits.h"
 #include "draft/drawdown.h"
-#include "draft/edits.h"
 #include "require.h"
 #include "wif/wif.h"
 
 using namespace weftlight::draft;
+using namespace weftlight::design;
+using namespace weftlight::weaves;
 using namespace weftlight::wif;
 
 namespace {

@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "draft/crossings.h"
+#include "design/crossings.h"
+#include "draft/factor.h"
 #include "on_display.h"
 
 namespace weftlight::gui {
 namespace {
 
-using draft::Leading;
+using design::Leading;
 
 /// Where the grids begin, and what leads.
 struct Way {
@@ -24,8 +25,8 @@ struct Way {
 
 void PrintTo(const Way& way, std::ostream* out) { *out << way.name; }
 
-draft::Design twill(Leading leading) {
-  draft::Design d;
+design::Design twill(Leading leading) {
+  design::Design d;
   d.draft = draft::blank_draft(48, 48, 4, 4);
   for (int i = 0; i < 48; ++i) {
     d.draft.threading.set(i, i % 4, true);
@@ -36,7 +37,7 @@ draft::Design twill(Leading leading) {
   d.draft.palette = {{0.2f, 0.3f, 0.25f}, {0.7f, 0.65f, 0.5f}, {1, 0, 0}};
   d.draft.warp.color[6] = 2;
   d.scene.mesh = "plane";
-  return draft::with_leading(std::move(d), leading);
+  return design::with_leading(std::move(d), leading);
 }
 
 class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
@@ -61,7 +62,7 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     return w.cell(grid, a, b);
   }
   /// The draft after what the hand did: all of it is there once one undo has taken it back, and redo brings it whole.
-  draft::Design after(const Window& w, const std::string& before, const std::string& what) const {
+  design::Design after(const Window& w, const std::string& before, const std::string& what) const {
     EXPECT_TRUE(comes_true([&] { return w.live() != before; })) << what << " changed nothing";
     display_.key("ctrl+z");
     EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << what << " is not one step of undo";
@@ -69,7 +70,7 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     EXPECT_TRUE(comes_true([&] { return w.live() != before; })) << what;
     return design_of(w.live());
   }
-  void expect_click(const Window& w, const std::string& grid, int a, int b, const draft::Design& wanted) const {
+  void expect_click(const Window& w, const std::string& grid, int a, int b, const design::Design& wanted) const {
     const std::string before = w.live();
     const Point at = cell(w, grid, a, b);
     display_.click(at);
@@ -77,14 +78,14 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     EXPECT_TRUE(after(w, before, what).draft == wanted.draft) << what << ": another cell changed, or none";
   }
   void expect_drag(const Window& w, const std::string& grid, const std::vector<Point>& along,
-                   const draft::Design& wanted, const std::string& then = {}) const {
+                   const design::Design& wanted, const std::string& then = {}) const {
     const std::string before = w.live();
     display_.drag(along, then);
     EXPECT_TRUE(after(w, before, grid).draft == wanted.draft) << grid << ": other cells changed";
   }
-  static draft::Design turned_crossing(const draft::Design& d, int end, int pick) {
+  static design::Design turned_crossing(const design::Design& d, int end, int pick) {
     const bool up = draft::drawdown(d.draft).get(pick - 1, end - 1);
-    draft::Design turned = draft::with_drawdown_cell(d, end - 1, pick - 1, !up);
+    design::Design turned = design::with_drawdown_cell(d, end - 1, pick - 1, !up);
     turned.draft = draft::without_spare(std::move(turned.draft), d.draft, {4, 4});
     return turned;
   }
@@ -95,7 +96,7 @@ class PressTest : public ClickTest {};
 TEST_P(ClickTest, IsOneCrossingThoughTheLoomGrowsUnderThePointer) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  const draft::Design first = design_of(w.live());
+  const design::Design first = design_of(w.live());
   expect_click(w, "drawdown", 3, 2, turned_crossing(first, 3, 2));
   expect_click(w, "drawdown", 3, 2, first);  // and another takes it back, with all that the first had added
   if (HasFailure()) return;
@@ -104,7 +105,7 @@ TEST_P(ClickTest, IsOneCrossingThoughTheLoomGrowsUnderThePointer) {
   for (const std::vector<Point>& tremor :
        {std::vector<Point>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {{0, 0}, {1, 0}, {0, 0}, {0, 1}, {-1, -1}, {0, 0}}})
     for (const auto& [end, pick] : {std::pair{20, 44}, {2, 20}, {36, 3}}) {
-      const draft::Design now = design_of(w.live());
+      const design::Design now = design_of(w.live());
       const Point at = cell(w, "drawdown", end, pick);
       std::vector<Point> along;
       for (const Point& p : tremor) along.push_back({at.x + p.x, at.y + p.y});
@@ -112,7 +113,7 @@ TEST_P(ClickTest, IsOneCrossingThoughTheLoomGrowsUnderThePointer) {
       if (HasFailure()) return;
     }
   // The right button clears.
-  const draft::Design now = design_of(w.live());
+  const design::Design now = design_of(w.live());
   const draft::BitMatrix cells = draft::drawdown(now.draft);
   for (int end = 10; end < 30; ++end) {
     if (!cells.get(19, end - 1)) continue;
@@ -126,28 +127,28 @@ TEST_P(ClickTest, IsOneCrossingThoughTheLoomGrowsUnderThePointer) {
 TEST_P(ClickTest, IsOneCellOnEveryOtherGrid) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  draft::Design now = design_of(w.live());
-  const auto expect = [&](const char* grid, int a, int b, const draft::Design& wanted) {
+  design::Design now = design_of(w.live());
+  const auto expect = [&](const char* grid, int a, int b, const design::Design& wanted) {
     expect_click(w, grid, a, b, wanted);
     now = design_of(w.live());
   };
-  expect("threading", 3, 1, draft::with_threading(now, 2, 0, true));
-  expect("threading", 47, 4, draft::with_threading(now, 46, 3, true));
+  expect("threading", 3, 1, design::with_threading(now, 2, 0, true));
+  expect("threading", 47, 4, design::with_threading(now, 46, 3, true));
   if (GetParam().leading == Leading::kLiftplan) {
-    expect("liftplan", 2, 5, draft::with_liftplan(now, 4, 1, !now.draft.liftplan.get(4, 1)));
+    expect("liftplan", 2, 5, design::with_liftplan(now, 4, 1, !now.draft.liftplan.get(4, 1)));
   } else {
-    expect("tieup", 1, 4, draft::with_tieup(now, 0, 3, true));
-    expect("treadling", 4, 6, draft::with_treadling(now, 5, 3, true));
+    expect("tieup", 1, 4, design::with_tieup(now, 0, 3, true));
+    expect("treadling", 4, 6, design::with_treadling(now, 5, 3, true));
   }
-  expect("warp_colors", 7, 1, draft::with_thread_color(now, draft::System::kWarp, 6, 0));
-  expect("weft_colors", 1, 9, draft::with_thread_color(now, draft::System::kWeft, 8, 0));
+  expect("warp_colors", 7, 1, design::with_thread_color(now, draft::System::kWarp, 6, 0));
+  expect("weft_colors", 1, 9, design::with_thread_color(now, draft::System::kWeft, 8, 0));
   // The number of a thread chooses that one: its colour goes to one pick.
   display_.click(cell(w, "warp_numbers", 5, 1));
   display_.key("ctrl+alt+c");
   display_.click(cell(w, "weft_numbers", 1, 30));
   const std::string before = w.live();
   display_.key("ctrl+alt+v");
-  EXPECT_TRUE(after(w, before, "numbers").draft == draft::with_thread_color(now, draft::System::kWeft, 29, 0).draft);
+  EXPECT_TRUE(after(w, before, "numbers").draft == design::with_thread_color(now, draft::System::kWeft, 29, 0).draft);
 }
 
 TEST_P(PressTest, IsOneCrossingThoughTheWindowOrThePitchChangesMeanwhile) {
@@ -156,7 +157,7 @@ TEST_P(PressTest, IsOneCrossingThoughTheWindowOrThePitchChangesMeanwhile) {
   for (const char* meanwhile : {"key ctrl+plus", "keydown ctrl click 4 click 4 keyup ctrl", "click 5 click 5",
                                 "key End", "search --onlyvisible --class weftlight windowsize 1100 700 sleep 0.6"}) {
     if (HasFailure()) return;
-    const draft::Design now = design_of(w.live());
+    const design::Design now = design_of(w.live());
     const Point at = cell(w, "drawdown", 24, 24);
     expect_drag(w, "drawdown", {at, at}, turned_crossing(now, 24, 24), meanwhile);
     display_.key("ctrl+z");
@@ -167,7 +168,7 @@ TEST_P(PressTest, IsOneCrossingThoughTheWindowOrThePitchChangesMeanwhile) {
 TEST_P(PressTest, AStrokeLeavesNoTreadleAndNoShaftThatItAddedOnItsWay) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  const draft::Design first = design_of(w.live());
+  const design::Design first = design_of(w.live());
   // Its first crossings ask for more than the loom has, all of them for less.
   const draft::BitMatrix cells = draft::drawdown(first.draft);
   const int from = cells.get(1, 2) ? 2 : 4, to = from + 1;
@@ -178,7 +179,7 @@ TEST_P(PressTest, AStrokeLeavesNoTreadleAndNoShaftThatItAddedOnItsWay) {
   const draft::Selection s{draft::BitGrid::kDrawdown, from - 1, to, 1, 2};
   const draft::Write write = cells.get(1, from - 1) ? draft::Write::kErase : draft::Write::kAdd;
   expect_drag(w, "drawdown", {a, {(a.x + b.x) / 2, a.y}, b, b},
-              draft::painted_crossings(first, s, s.a0, s.b0, both, write).design);
+              design::painted_crossings(first, s, s.a0, s.b0, both, write).design);
 }
 
 std::string name_of(const testing::TestParamInfo<Way>& way) { return way.param.name; }

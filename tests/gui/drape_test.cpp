@@ -29,7 +29,7 @@ class DrapeTest : public OnDisplay {
   }
   bool is_own(const Window& w) const { return design_of(w.live()).scene.simulated_drape; }
 
-  draft::Design design_;
+  design::Design design_;
   fs::path kept_;
 };
 

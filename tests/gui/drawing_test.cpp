@@ -25,7 +25,7 @@ class DrawingTest : public OnDisplay {
         << what << ": one undo did not restore the draft";
   }
 
-  draft::Design blank_;
+  design::Design blank_;
 };
 
 TEST_F(DrawingTest, LinesRectanglesAndFillsAreOneStepEach) {
@@ -105,7 +105,7 @@ TEST_F(DrawingTest, AnEditBeyondTheLoomOffersTheClosestWeave) {
   }
   for (int t = 0; t < 4; ++t)
     for (int s = 0; s < 4; ++s) blank_.draft.tieup.set(t, s, (t + s) % 4 < 2);
-  blank_.loom.leading = draft::Leading::kDrawdown;
+  blank_.loom.leading = design::Leading::kDrawdown;
   blank_.loom.shafts = blank_.loom.treadles = 4;
   put(draft_, wif::write_new_wif(blank_));
   Window w(display_, folder_, draft_, without_dialogs());

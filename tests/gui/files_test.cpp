@@ -7,6 +7,7 @@
 namespace weftlight::gui {
 
 using namespace draft;
+using namespace design;
 using namespace wif;
 namespace {
 

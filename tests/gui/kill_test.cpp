@@ -16,6 +16,7 @@
 namespace weftlight::gui {
 
 using namespace draft;
+using namespace design;
 using namespace wif;
 namespace {
 

@@ -5,6 +5,7 @@
 namespace weftlight::gui {
 
 using namespace draft;
+using namespace design;
 namespace {
 
 namespace fs = std::filesystem;

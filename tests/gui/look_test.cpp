@@ -56,7 +56,7 @@ class LookTest : public OnDisplay {
   void SetUp() override {
     OnDisplay::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    draft::Design overshot = design_of(bytes_of(WEFTLIGHT_DRAFTS "/overshot.wif"));
+    design::Design overshot = design_of(bytes_of(WEFTLIGHT_DRAFTS "/overshot.wif"));
     overshot.loom.shafts = overshot.draft.shafts, overshot.loom.treadles = overshot.draft.treadles;
     put(folder_ / "overshot.wif", wif::write_new_wif(overshot));
     fs::copy_file(WEFTLIGHT_DRAFTS "/summer_and_winter.wif", folder_ / "other.wif");

@@ -8,15 +8,15 @@
 #include <fstream>
 #include <string>
 
+#include "design/edits.h"
 #include "display.h"
-#include "draft/edits.h"
 #include "wif/wif.h"
 
 namespace weftlight::gui {
 
 /// A straight draw of that size on a flat cloth.
 inline std::string straight_draft(int threads = 24, int shafts = 8) {
-  draft::Design d;
+  design::Design d;
   d.draft = draft::blank_draft(threads, threads, shafts, shafts);
   for (int i = 0; i < threads; ++i) {
     d.draft.threading.set(i, i % shafts, true);
@@ -28,9 +28,9 @@ inline std::string straight_draft(int threads = 24, int shafts = 8) {
   return wif::write_new_wif(d);
 }
 
-inline draft::Design design_of(const std::string& bytes) {
+inline design::Design design_of(const std::string& bytes) {
   const wif::WifRead read = wif::read_wif(bytes);
-  return read.file ? read.file->design : draft::Design{};
+  return read.file ? read.file->design : design::Design{};
 }
 
 class OnDisplay : public testing::Test {

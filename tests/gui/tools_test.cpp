@@ -86,7 +86,7 @@ TEST_F(ToolsTest, ExportsThePreviewedSetAndFollowsTheDraft) {
 TEST_F(ToolsTest, ShowsTheDifferencesOfTwoDrafts) {
   Window w(display_, folder_, draft_, without_dialogs());
   const fs::path other = folder_ / "other.wif";
-  draft::Design changed = design_of(bytes_of(draft_));
+  design::Design changed = design_of(bytes_of(draft_));
   changed.draft.threading.set(4, 4, false);
   changed.draft.threading.set(4, 0, true);
   put(other, wif::write_new_wif(changed));

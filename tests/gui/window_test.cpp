@@ -6,13 +6,14 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "design/fibre.h"
 #include "draft/drawdown.h"
-#include "draft/fibre.h"
 #include "on_display.h"
 
 namespace weftlight::gui {
 
 using namespace draft;
+using namespace design;
 using namespace wif;
 namespace {
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <sstream>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "draft/drawdown.h"
 #include "sha256.h"
 #include "wif/wif.h"

@@ -1,13 +1,13 @@
 #pragma once
 // The smallest draft of n threads: a straight draw, each treadle one shaft, each pick the next treadle.
 
-#include "draft/design.h"
-#include "draft/edits.h"
+#include "design/design.h"
+#include "design/edits.h"
 
 namespace weftlight {
 
-inline draft::Design straight_draft(int n) {
-  draft::Design d;
+inline design::Design straight_draft(int n) {
+  design::Design d;
   d.draft = draft::blank_draft(n, n, n, n);
   for (int i = 0; i < n; ++i) {
     d.draft.threading.set(i, i, true);

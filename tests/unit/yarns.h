@@ -5,20 +5,20 @@
 #include <string_view>
 #include <utility>
 
-#include "draft/design.h"
-#include "draft/yarn_presets.h"
+#include "design/design.h"
+#include "design/yarn_presets.h"
 
 namespace weftlight {
 
 /// The first where there is none of that name.
-inline const draft::Yarn& yarn_preset(std::string_view name) {
-  const auto all = draft::yarn_presets();
-  const auto at = std::ranges::find(all, name, &draft::Yarn::name);
+inline const design::Yarn& yarn_preset(std::string_view name) {
+  const auto all = design::yarn_presets();
+  const auto at = std::ranges::find(all, name, &design::Yarn::name);
   return at != all.end() ? *at : all.front();
 }
 
 /// One yarn for the whole warp, one for the whole weft.
-inline draft::Design with_yarns(draft::Design design, const draft::Yarn& warp, const draft::Yarn& weft) {
+inline design::Design with_yarns(design::Design design, const design::Yarn& warp, const design::Yarn& weft) {
   design.yarns = {clamped(warp)};
   if (!(clamped(weft) == design.yarns[0])) design.yarns.push_back(clamped(weft));
   std::ranges::fill(design.draft.warp.yarn, 0);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "session/selection_state.h"
+#include "session/editing/selection_state.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 

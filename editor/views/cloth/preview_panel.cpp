@@ -5,10 +5,10 @@
 
 #include "base/text.h"
 #include "cloth/cloth.h"
-#include "draft/methods.h"
+#include "design/methods.h"
 #include "light/formulas.h"
-#include "render_data/named_views.h"
-#include "session/reference_tracer.h"
+#include "scene/named_views.h"
+#include "session/jobs/reference_tracer.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 

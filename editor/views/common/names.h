@@ -2,7 +2,7 @@
 // Namespaces that the views use unqualified, with what those use themselves. Of gl only the name: just the cloth view
 // includes its headers.
 
-#include "session/names.h"
+#include "session/files/names.h"
 #include "ui/names.h"
 
 namespace weftlight {

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "draft/drawdown.h"
-#include "session/document_view.h"
-#include "session/draper.h"
-#include "session/edit.h"
-#include "session/intent.h"
+#include "session/document/edit.h"
+#include "session/editing/document_view.h"
+#include "session/editing/intent.h"
+#include "session/jobs/draper.h"
 #include "session/report.h"
 #include "ui/context.h"
 #include "views/common/names.h"

@@ -6,12 +6,12 @@
 #include <variant>
 #include <vector>
 
-#include "draft/generators/table.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/dialogs/export_dialog.h"
 #include "views/dialogs/gallery.h"
 #include "views/dialogs/print_dialog.h"
+#include "weaves/table.h"
 
 namespace weftlight::views {
 

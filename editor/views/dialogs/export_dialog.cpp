@@ -34,9 +34,6 @@ namespace {
 // Pixels at 96 dpi.
 constexpr float kColumn = 360, kLabels = 104, kStageWidth = 520, kHeight = 532, kFoot = 44, kAround = 150;
 constexpr int kThumbnail = 84, kSwatchHeight = 150;
-constexpr ExportTarget kOrder[] = {ExportTarget::kGltf,      ExportTarget::kBlender,  ExportTarget::kUnreal,
-                                   ExportTarget::kUnityHdrp, ExportTarget::kUnityUrp, ExportTarget::kGodot,
-                                   ExportTarget::kMaterialX, ExportTarget::kU3m,      ExportTarget::kRaw};
 
 /// Sizes of the parts of the dialog, limited by the window.
 struct DialogSizes {
@@ -51,7 +48,7 @@ DialogSizes sizes_in(PanelContext& c) {
   return r;
 }
 
-bool has(const ExportPlan& plan, ExportTarget target) {
+bool has(const ExportPlan& plan, const ExportTarget* target) {
   return std::find(plan.targets.begin(), plan.targets.end(), target) != plan.targets.end();
 }
 
@@ -66,11 +63,11 @@ void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
             tr("Programs to export for. File names, channel packing and normals follow each one's rules"));
   ImGui::BeginGroup();
   int at = 0;
-  for (const ExportTarget target : kOrder) {
+  for (const ExportTarget* target : kTargets) {
     if (at++ % 2) ImGui::SameLine(width * 0.56f);
     bool on = has(*p.plan, target);
-    if (ImGui::Checkbox(tr(target_title(target)), &on)) toggle(*p.plan, target);
-    c.map.add_item(std::string("export.for:") + target_name(target));
+    if (ImGui::Checkbox(tr(target->title), &on)) toggle(*p.plan, target);
+    c.map.add_item(std::string("export.for:") + target->id);
   }
   ImGui::EndGroup();
   p.target = std::min(p.target, p.plan->targets.size() - 1);
@@ -268,10 +265,10 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const DialogSizes& room) {
   const float wide = room.stage - ImGui::GetStyle().ScrollbarSize - c.style.px(8);
   if (p.plan->targets.size() > 1) {
     ImGui::SetNextItemWidth(c.style.px(190));
-    if (begin_combo(c, "export.shown", tr(target_title(p.plan->targets[p.target])))) {
+    if (begin_combo(c, "export.shown", tr(p.plan->targets[p.target]->title))) {
       for (size_t i = 0; i < p.plan->targets.size(); ++i) {
-        if (ImGui::Selectable(tr(target_title(p.plan->targets[i])), i == p.target)) p.target = i;
-        c.map.add_item(std::string("export.shown:") + target_name(p.plan->targets[i]));
+        if (ImGui::Selectable(tr(p.plan->targets[i]->title), i == p.target)) p.target = i;
+        c.map.add_item(std::string("export.shown:") + p.plan->targets[i]->id);
       }
       end_combo();
     }

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "session/export_plan.h"
-#include "session/export_preview.h"
-#include "session/exporter.h"
+#include "session/jobs/export_plan.h"
+#include "session/jobs/export_preview.h"
+#include "session/jobs/exporter.h"
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"

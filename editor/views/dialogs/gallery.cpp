@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "session/bring_back.h"
+#include "session/document/bring_back.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "session/draft_thumbnails.h"
-#include "session/gallery.h"
+#include "session/jobs/draft_thumbnails.h"
+#include "session/library/gallery.h"
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"

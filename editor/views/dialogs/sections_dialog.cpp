@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/text.h"
-#include "draft/generators/sections.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
+#include "weaves/sections.h"
 
 namespace weftlight::views {
 

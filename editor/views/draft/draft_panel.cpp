@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "session/paint.h"
-#include "session/typing.h"
+#include "session/editing/paint.h"
+#include "session/editing/typing.h"
 #include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/drag_scroll.h"

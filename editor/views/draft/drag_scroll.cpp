@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session/mirror.h"
-#include "session/selection_state.h"
+#include "session/editing/mirror.h"
+#include "session/editing/selection_state.h"
 #include "views/draft/held_layout.h"
 
 namespace weftlight::views {

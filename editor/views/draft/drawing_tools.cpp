@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "session/mirror.h"
-#include "session/paint.h"
-#include "session/selection_state.h"
-#include "session/shapes.h"
+#include "session/editing/mirror.h"
+#include "session/editing/paint.h"
+#include "session/editing/selection_state.h"
+#include "session/editing/shapes.h"
 #include "ui/imgui_compat.h"
 #include "views/draft/held_layout.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "session/paint.h"
+#include "session/editing/paint.h"
 #include "ui/imgui_compat.h"
 #include "views/common/cell_image.h"
 

@@ -1,6 +1,6 @@
 #include "views/draft/select_input.h"
 
-#include "session/selection_state.h"
+#include "session/editing/selection_state.h"
 #include "views/draft/held_layout.h"
 
 namespace weftlight::views {

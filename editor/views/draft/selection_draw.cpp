@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "session/selection_state.h"
+#include "session/editing/selection_state.h"
 
 namespace weftlight::views {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "base/text.h"
-#include "draft/count.h"
-#include "draft/fibre.h"
+#include "design/count.h"
+#include "design/fibre.h"
 #include "ui/widgets.h"
 #include "views/inspector/words_row.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "session/paint.h"
+#include "session/editing/paint.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"

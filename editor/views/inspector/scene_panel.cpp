@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/text.h"
-#include "draft/lights.h"
-#include "draft/methods.h"
+#include "design/lights.h"
+#include "design/methods.h"
 #include "drape/mesh.h"
 #include "ui/widgets.h"
 #include "views/inspector/drape_stiffness_rows.h"

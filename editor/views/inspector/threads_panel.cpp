@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "base/text.h"
-#include "draft/edits.h"
-#include "draft/yarn_presets.h"
+#include "design/edits.h"
+#include "design/yarn_presets.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"

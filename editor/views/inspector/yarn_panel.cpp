@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "draft/fibre.h"
-#include "draft/yarn_fields.h"
-#include "draft/yarn_presets.h"
-#include "session/paint.h"
+#include "design/fibre.h"
+#include "design/yarn_fields.h"
+#include "design/yarn_presets.h"
+#include "session/editing/paint.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 #include "views/inspector/count_row.h"

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "session/at_loom.h"
-#include "session/loom_link.h"
+#include "session/loom/at_loom.h"
+#include "session/loom/loom_link.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The history window: the undo steps by name. A click goes to a step; later steps stay until the next edit.
 
-#include "session/document.h"
+#include "session/document/document.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "session/paint.h"
-#include "session/selection_state.h"
-#include "session/shapes.h"
-#include "session/typing.h"
+#include "session/editing/paint.h"
+#include "session/editing/selection_state.h"
+#include "session/editing/shapes.h"
+#include "session/editing/typing.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"

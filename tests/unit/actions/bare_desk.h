@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "actions/actions.h"
-#include "session/scene_views.h"
+#include "session/editing/scene_views.h"
 
 namespace weftlight::actions {
 

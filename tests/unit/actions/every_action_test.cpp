@@ -8,12 +8,13 @@
 #include <set>
 
 #include "bare_desk.h"
+#include "design/crossings.h"
+#include "design/edits.h"
+#include "design/loom.h"
+#include "design/thread_text.h"
 #include "draft/block_text.h"
-#include "draft/crossings.h"
-#include "draft/edits.h"
 #include "draft/factor.h"
-#include "draft/thread_text.h"
-#include "session/selection_state.h"
+#include "session/editing/selection_state.h"
 
 namespace weftlight::actions {
 namespace {

@@ -8,11 +8,11 @@
 #include <random>
 
 #include "bare_desk.h"
-#include "draft/edits.h"
-#include "session/journal_format.h"
-#include "session/paint.h"
-#include "session/selection_state.h"
-#include "session/shapes.h"
+#include "design/edits.h"
+#include "session/editing/paint.h"
+#include "session/editing/selection_state.h"
+#include "session/editing/shapes.h"
+#include "session/recovery/journal_format.h"
 
 namespace weftlight::actions {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../draft/hand_drafts.h"
-#include "draft/edits.h"
+#include "../hand_drafts.h"
+#include "design/edits.h"
 
 namespace weftlight::analysis {
 namespace {

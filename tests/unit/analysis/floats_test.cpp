@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../draft/hand_drafts.h"
+#include "../hand_drafts.h"
 
 namespace weftlight::analysis {
 namespace {

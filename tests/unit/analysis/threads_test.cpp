@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "../draft/hand_drafts.h"
-#include "draft/fibre.h"
-#include "draft/yarn_presets.h"
+#include "../hand_drafts.h"
+#include "design/fibre.h"
+#include "design/yarn_presets.h"
 
 namespace weftlight::analysis {
 namespace {

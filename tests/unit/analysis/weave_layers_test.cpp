@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../draft/hand_drafts.h"
+#include "../hand_drafts.h"
 
 namespace weftlight::analysis {
 namespace {

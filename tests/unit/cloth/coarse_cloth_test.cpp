@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "design/repeat.h"
 #include "draft/drawdown.h"
-#include "draft/generators.h"
-#include "draft/repeat.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::cloth {
 namespace {

@@ -11,15 +11,15 @@
 #include <iterator>
 #include <set>
 
-#include "commands/chart/counter.h"
-#include "commands/chart/drapes.h"
-#include "commands/chart/error.h"
-#include "commands/chart/flip.h"
-#include "commands/chart/rows.h"
-#include "commands/chart/scene.h"
+#include "chart/counter.h"
+#include "chart/drapes.h"
+#include "chart/error.h"
+#include "chart/flip.h"
+#include "chart/rows.h"
+#include "chart/scene.h"
 #include "commands/commands.h"
-#include "draft/generators.h"
 #include "gl/context.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::commands {
 namespace {

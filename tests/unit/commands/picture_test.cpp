@@ -9,8 +9,8 @@
 
 #include "../relative_rms.h"
 #include "commands/picture_setup.h"
-#include "draft/edits.h"
-#include "draft/lights.h"
+#include "design/edits.h"
+#include "design/lights.h"
 #include "render_data/reference_scene.h"
 #include "scratch_folder.h"
 

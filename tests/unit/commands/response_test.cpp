@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "../yarns.h"
-#include "draft/generators.h"
 #include "scratch_folder.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::commands {
 namespace {

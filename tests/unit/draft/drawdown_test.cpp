@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "draft/edits.h"
-#include "hand_drafts.h"
+#include "../hand_drafts.h"
+#include "design/edits.h"
 
-namespace weftlight::draft {
+namespace weftlight::design {
 namespace {
 
 const Rows kStraight4 = {"1000", "0100", "0010", "0001"};
@@ -207,4 +207,4 @@ TEST(BitMatrix, TransposeTwiceIsTheSame) {
 }
 
 }  // namespace
-}  // namespace weftlight::draft
+}  // namespace weftlight::design

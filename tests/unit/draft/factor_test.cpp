@@ -4,13 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "draft/crossings.h"
-#include "draft/edits.h"
-#include "draft/generators.h"
+#include "../hand_drafts.h"
+#include "design/crossings.h"
+#include "design/edits.h"
 #include "draft/skeleton.h"
-#include "hand_drafts.h"
+#include "weaves/weaves.h"
 
-namespace weftlight::draft {
+namespace weftlight::design {
+using namespace weaves;
 namespace {
 
 Draft bare_loom(const BitMatrix& cells, bool rising = true) {
@@ -339,4 +340,4 @@ TEST(Skeleton, FindsTheTreadlesOfTheLifts) {
 }
 
 }  // namespace
-}  // namespace weftlight::draft
+}  // namespace weftlight::design

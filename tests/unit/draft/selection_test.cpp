@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "../hand_drafts.h"
+#include "design/selection_edits.h"
 #include "draft/block_text.h"
-#include "draft/selection_edits.h"
-#include "hand_drafts.h"
 
-namespace weftlight::draft {
+namespace weftlight::design {
 namespace {
 
 /// Ends 1 to 6 on shafts 1 2 3 4 1 2, a 2/2 twill; end i has colour i, pick p colour p.
@@ -243,4 +243,4 @@ TEST(BlockText, RejectsWithAReason) {
 }
 
 }  // namespace
-}  // namespace weftlight::draft
+}  // namespace weftlight::design

@@ -9,7 +9,7 @@
 
 #include "../scratch_fixture.h"
 #include "base/files.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "drape/stiffness.h"
 
 namespace weftlight::files {

@@ -1,9 +1,9 @@
 // Environment maps: a white one gives the furnace result, a bright texel that of a distant light, several their sum.
 
-#include "render_data/environment_light.h"
+#include "scene/environment_light.h"
 
 #include "picture.h"
-#include "render_data/light_rig.h"
+#include "scene/light_rig.h"
 
 namespace weftlight::gl {
 namespace {

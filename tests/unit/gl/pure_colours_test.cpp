@@ -3,8 +3,8 @@
 
 #include "../render_data/pure_colours.h"
 
+#include "design/methods.h"
 #include "draft/drawdown.h"
-#include "draft/methods.h"
 #include "gate.h"
 #include "reference/picture.h"
 

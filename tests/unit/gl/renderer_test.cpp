@@ -5,8 +5,8 @@
 #include "../relative_rms.h"
 #include "gl/shader_program.h"
 #include "picture.h"
-#include "render_data/camera.h"
 #include "render_data/method_weights.h"
+#include "scene/camera.h"
 #include "wif/wif.h"
 
 namespace weftlight::gl {

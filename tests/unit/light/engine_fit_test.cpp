@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "draft/generators.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::light {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../figures.h"
-#include "draft/yarn_fields.h"
+#include "design/yarn_fields.h"
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
 #include "sampling.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "../draft/hand_drafts.h"
+#include "../hand_drafts.h"
 #include "../loom_port.h"
 #include "../loom_terminal.h"
 #include "../scratch.h"

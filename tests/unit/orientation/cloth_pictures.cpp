@@ -5,8 +5,8 @@
 
 #include "command.h"
 #include "commands/picture_setup.h"
-#include "render_data/camera.h"
-#include "render_data/named_views.h"
+#include "scene/camera.h"
+#include "scene/named_views.h"
 
 namespace weftlight::orientation {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/files.h"
 #include "command.h"
-#include "session/thumbnail.h"
+#include "session/jobs/thumbnail.h"
 #include "views/common/cell_image.h"
 #include "views/common/overview_image.h"
 #include "views/draft/draft_layout.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "files/files.h"
 #include "texture_set/names.h"
 

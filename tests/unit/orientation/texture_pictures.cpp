@@ -8,7 +8,7 @@
 #include "base/files.h"
 #include "command.h"
 #include "texture_set/contact_sheet.h"
-#include "texture_set/set_images.h"
+#include "texture_set/material_files.h"
 #include "texture_set/set_preview.h"
 #include "texture_set/texture_set.h"
 
@@ -72,18 +72,17 @@ Image finest_of_ktx2(const std::string& path) {
 
 std::vector<Seen> texture_images(const Workplace& at, std::string&) {
   std::vector<Seen> out;
-  for (int t = 0; t < kTargetCount; ++t) {
-    const ExportTarget target = static_cast<ExportTarget>(t);
-    const bool mips = target == ExportTarget::kUnityHdrp || target == ExportTarget::kGodot;
-    const std::string container = target == ExportTarget::kGodot ? "ktx2" : "dds";
-    const std::string folder = exported(
-        at, target_name(target), mips ? std::vector<std::string>{"--mips", container} : std::vector<std::string>{});
+  for (const ExportTarget* target : kTargets) {
+    const bool mips = target == &targets::kUnityHdrp || target == &targets::kGodot;
+    const std::string container = target == &targets::kGodot ? "ktx2" : "dds";
+    const std::string folder =
+        exported(at, target->id, mips ? std::vector<std::string>{"--mips", container} : std::vector<std::string>{});
     for (const Face face : {Face::kFront, Face::kBack})
-      for (const ImageRow& row : image_rows(target)) {
+      for (const ImageRow& row : target->images) {
         const std::optional<Shows> shows = shown_by(row);
         if (!shows) continue;
-        const std::string file = image_file(row, "marked", face);
-        const std::string name = std::string(target_name(target)) + " " + file;
+        const std::string file = image_file(*target, row, "marked", face);
+        const std::string name = std::string(target->id) + " " + file;
         out.push_back(Seen::whole(name, picture(folder + file), face, *shows));
         if (!mips || row.type != PixelType::kU8) continue;
         const std::string mipped = folder + file.substr(0, file.rfind('.')) + "." + container;

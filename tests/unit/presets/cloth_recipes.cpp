@@ -11,9 +11,9 @@
 #include <cmath>
 
 #include "../yarns.h"
-#include "draft/count.h"
-#include "draft/generators.h"
+#include "design/count.h"
 #include "recipes.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::wif {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "draft/generators.h"
 #include "recipes.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::wif {
 namespace {

@@ -12,9 +12,9 @@
 #include "analysis/floats.h"
 #include "analysis/handle.h"
 #include "analysis/weave_layers.h"
-#include "draft/fibre.h"
-#include "draft/repeat.h"
-#include "draft/yarn_presets.h"
+#include "design/fibre.h"
+#include "design/repeat.h"
+#include "design/yarn_presets.h"
 #include "drape/stiffness.h"
 #include "paths.h"
 #include "recipes.h"
@@ -33,7 +33,7 @@ bool updating() { return std::getenv("WEFTLIGHT_UPDATE_PRESETS") != nullptr; }
 
 TEST(Presets, FilesEqualTheRecipes) {
   for (const PresetRecipe& recipe : preset_recipes()) {
-    const std::string path = presets_path(recipe.path), bytes = write_new_wif(recipe.design);
+    const std::string path = presets_path(recipe.path), bytes = write_preset_wif(recipe.design);
     if (updating()) {
       std::filesystem::create_directories(std::filesystem::path(path).parent_path());
       ASSERT_EQ(write_file_atomically(path, bytes), "");

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "../yarns.h"
-#include "draft/edits.h"
-#include "draft/fibre.h"
-#include "draft/generators.h"
+#include "design/edits.h"
+#include "design/fibre.h"
+#include "weaves/weaves.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {

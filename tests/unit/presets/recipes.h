@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "draft/design.h"
+#include "design/design.h"
 #include "wif/names.h"
 
 namespace weftlight::wif {

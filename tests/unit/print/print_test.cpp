@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 
-#include "draft/edits.h"
-#include "draft/generators.h"
+#include "design/edits.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::print {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Small designs and meshes for the tests of render data and renderer.
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "drape/mesh.h"
 #include "render_data/names.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "render_data/stages.h"
 
 namespace weftlight::render_data {

@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
+#include "design/yarn_presets.h"
 #include "designs.h"
-#include "draft/yarn_presets.h"
 
 namespace weftlight::render_data {
 

@@ -10,8 +10,8 @@
 
 #include "draft/drawdown.h"
 #include "reference/picture.h"
-#include "render_data/exposure.h"
 #include "render_data/far_field.h"
+#include "scene/exposure.h"
 
 namespace weftlight::render_data {
 namespace {

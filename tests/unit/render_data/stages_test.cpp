@@ -4,7 +4,7 @@
 
 #include "../scratch.h"
 #include "base/files.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 
 namespace weftlight::render_data {
 namespace {

@@ -1,6 +1,6 @@
 // Weaving at a loom: the place in the design, steps by hand, and a mock loom on a line that breaks off.
 
-#include "session/at_loom.h"
+#include "session/loom/at_loom.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -13,8 +13,8 @@
 #include "../loom_terminal.h"
 #include "../scratch.h"
 #include "../straight_draft.h"
-#include "draft/edits.h"
-#include "session/loom_link.h"
+#include "design/edits.h"
+#include "session/loom/loom_link.h"
 
 namespace weftlight::session {
 namespace {

@@ -1,6 +1,6 @@
 // What is kept on the disk is tried again until it stands there, and said until then.
 
-#include "session/background_writer.h"
+#include "session/jobs/background_writer.h"
 
 #include <atomic>
 #include <latch>

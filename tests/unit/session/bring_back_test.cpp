@@ -1,10 +1,10 @@
 // Recovered work keeps its own name, and its own file only while that is the file it began with.
 
-#include "session/bring_back.h"
+#include "session/document/bring_back.h"
 
 #include "../scratch_fixture.h"
-#include "draft/edits.h"
-#include "session/journal.h"
+#include "design/edits.h"
+#include "session/recovery/journal.h"
 
 namespace weftlight::session {
 namespace {

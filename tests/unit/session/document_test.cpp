@@ -1,6 +1,6 @@
 // Files of other kinds become documents without a name of their own.
 
-#include "session/document.h"
+#include "session/document/document.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "session/document_view.h"
+#include "session/editing/document_view.h"
 
 #include <gtest/gtest.h>
 

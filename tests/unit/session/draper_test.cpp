@@ -1,6 +1,6 @@
 // The cloth's own drape on request: it falls on a thread of its own, can be stopped, and is found again.
 
-#include "session/draper.h"
+#include "session/jobs/draper.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "../scratch_fixture.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "files/design_drape.h"
-#include "session/document.h"
+#include "session/document/document.h"
 
 namespace weftlight::session {
 namespace {

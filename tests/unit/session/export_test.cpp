@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "../scratch.h"
-#include "draft/generators.h"
-#include "session/export_plan.h"
-#include "session/export_preview.h"
-#include "session/exporter.h"
+#include "session/jobs/export_plan.h"
+#include "session/jobs/export_preview.h"
+#include "session/jobs/exporter.h"
 #include "texture_set/set_folder.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::session {
 namespace {
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 Design sample() { return twill({2, 2}, Lean::kRight, {8, 8}); }
 
-ExportPlan plan_into(const std::string& folder, std::vector<ExportTarget> targets, int size = 64) {
+ExportPlan plan_into(const std::string& folder, std::vector<const ExportTarget*> targets, int size = 64) {
   ExportPlan plan;
   plan.folder = folder, plan.targets = std::move(targets), plan.size = size;
   return plan;
@@ -37,20 +37,19 @@ bool comes_true(const Holds& holds) {
 
 TEST(ExportPlanTest, EachTargetHasAFolderOfItsOwn) {
   const Design design = sample();
-  const std::vector<ExportJob> one = jobs_of(plan_into("out", {ExportTarget::kGodot}), design, "a/My draft.wif", "1");
+  const std::vector<ExportJob> one = jobs_of(plan_into("out", {&targets::kGodot}), design, "a/My draft.wif", "1");
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].folder, "out/My_draft");
   EXPECT_EQ(one[0].options.source, "My draft.wif");
   EXPECT_FALSE(one[0].options.force);
-  const std::vector<ExportJob> two =
-      jobs_of(plan_into("out", {ExportTarget::kGodot, ExportTarget::kRaw}), design, "", "1");
+  const std::vector<ExportJob> two = jobs_of(plan_into("out", {&targets::kGodot, &targets::kRaw}), design, "", "1");
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(two[0].folder, "out/untitled/godot");
   EXPECT_EQ(two[1].folder, "out/untitled/raw");
 }
 
 TEST(ExportPlanTest, MipsAreAskedForBesideImagesThatHaveNone) {
-  ExportPlan plan = plan_into("out", {ExportTarget::kGodot, ExportTarget::kRaw});
+  ExportPlan plan = plan_into("out", {&targets::kGodot, &targets::kRaw});
   EXPECT_FALSE(jobs_of(plan, sample(), "", "1")[0].options.mips);
   plan.mips = MipContainer::kKtx2;
   const std::vector<ExportJob> jobs = jobs_of(plan, sample(), "", "1");
@@ -60,17 +59,17 @@ TEST(ExportPlanTest, MipsAreAskedForBesideImagesThatHaveNone) {
 
 TEST(ExportPlanTest, OneTargetStays) {
   ExportPlan plan;
-  toggle(plan, ExportTarget::kGltf);
-  EXPECT_EQ(plan.targets, std::vector{ExportTarget::kGltf});
-  toggle(plan, ExportTarget::kU3m);
-  toggle(plan, ExportTarget::kGltf);
-  EXPECT_EQ(plan.targets, std::vector{ExportTarget::kU3m});
+  toggle(plan, &targets::kGltf);
+  EXPECT_EQ(plan.targets, std::vector{&targets::kGltf});
+  toggle(plan, &targets::kU3m);
+  toggle(plan, &targets::kGltf);
+  EXPECT_EQ(plan.targets, std::vector{&targets::kU3m});
 }
 
 TEST(ExportPlanTest, FiguresAreThoseOfTheFiles) {
   const Scratch scratch("export-figures");
   const Design design = sample();
-  ExportPlan plan = plan_into(scratch / "out", {ExportTarget::kUnityUrp});
+  ExportPlan plan = plan_into(scratch / "out", {&targets::kUnityUrp});
   const std::vector<ExportJob> jobs = jobs_of(plan, design, "x.wif", "1");
   const ExportFigures f = figures_of(design, jobs);
   EXPECT_EQ(f.images, 8);
@@ -97,7 +96,7 @@ TEST(ExporterTest, WritesEverySetAndTellsHowFarItIs) {
   const Scratch scratch("exporter");
   const auto design = std::make_shared<const Design>(sample());
   const std::vector<ExportJob> jobs =
-      jobs_of(plan_into(scratch / "out", {ExportTarget::kUnityUrp, ExportTarget::kGodot}), *design, "x.wif", "1");
+      jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp, &targets::kGodot}), *design, "x.wif", "1");
   std::atomic<int> woken{0};
   Exporter exporter([&] { ++woken; });
   EXPECT_FALSE(exporter.began());
@@ -125,7 +124,7 @@ TEST(ExporterTest, StoppedItLeavesWhatWasThere) {
   const Scratch scratch("exporter-stop");
   const auto design = std::make_shared<const Design>(sample());
   const std::vector<ExportJob> jobs =
-      jobs_of(plan_into(scratch / "out", {ExportTarget::kUnityUrp}, 4096), *design, "x.wif", "1");
+      jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp}, 4096), *design, "x.wif", "1");
   Exporter exporter([] {});
   exporter.start(jobs, design);
   ASSERT_TRUE(comes_true([&] { return exporter.state().share > 0; }));
@@ -142,10 +141,10 @@ TEST(ExporterTest, TheNewestDraftWins) {
   Design changed = sample();
   changed.title = "changed";
   Exporter exporter([] {});
-  exporter.start(jobs_of(plan_into(scratch / "out", {ExportTarget::kUnityUrp}, 4096), *first, "x.wif", "1"), first);
+  exporter.start(jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp}, 4096), *first, "x.wif", "1"), first);
   ASSERT_TRUE(comes_true([&] { return exporter.state().share > 0; }));
   const auto second = std::make_shared<const Design>(changed);
-  exporter.start(jobs_of(plan_into(scratch / "out", {ExportTarget::kUnityUrp}, 64), *second, "x.wif", "1"), second);
+  exporter.start(jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp}, 64), *second, "x.wif", "1"), second);
   ASSERT_TRUE(comes_true([&] { return !exporter.busy(); }));
   EXPECT_EQ(exporter.state().written.size(), 1u);
   std::ifstream list(scratch / "out/x/texture_set.json");
@@ -156,11 +155,11 @@ TEST(ExporterTest, TheNewestDraftWins) {
 TEST(ExportPreviewTest, EveryImageIsShownWholeAndByItsChannels) {
   const Design design = sample();
   TextureSetOptions options;
-  options.target = ExportTarget::kGltf, options.name = "x";
+  options.target = &targets::kGltf, options.name = "x";
   PreviewSizes sizes;
   sizes.swatch_width = 200, sizes.swatch_height = 60, sizes.side = 32;
   const ExportPreview p = export_preview(design, Face::kFront, options, sizes);
-  ASSERT_EQ(p.images.size(), image_rows(ExportTarget::kGltf).size());
+  ASSERT_EQ(p.images.size(), targets::kGltf.images.size());
   EXPECT_EQ(p.images[0].file, "x_basecolor.png");
   EXPECT_EQ(p.images[0].about, "sRGB");
   ASSERT_EQ(p.images[0].channels.size(), 4u);

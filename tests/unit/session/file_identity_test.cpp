@@ -1,6 +1,6 @@
 // Another program's changes of a file are noticed, its touching alone is not taken for one.
 
-#include "session/file_identity.h"
+#include "session/files/file_identity.h"
 
 #include <fstream>
 

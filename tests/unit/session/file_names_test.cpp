@@ -1,4 +1,4 @@
-#include "session/file_names.h"
+#include "session/files/file_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // The page of drafts with pictures: which cards, which of them the keys lead to, and what the pictures are.
 
-#include "session/gallery.h"
+#include "session/library/gallery.h"
 
 #include <chrono>
 
 #include "../scratch_fixture.h"
-#include "draft/edits.h"
-#include "session/draft_thumbnails.h"
-#include "session/user_files.h"
+#include "design/edits.h"
+#include "session/files/user_files.h"
+#include "session/jobs/draft_thumbnails.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {

@@ -1,6 +1,6 @@
 // What a hand does faster than the frames come: nothing lost, nothing overtaken.
 
-#include "session/input_queue.h"
+#include "session/jobs/input_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // What a journal keeps, and what is left of it when it is torn, the disk full, or its folder gone.
 
-#include "session/journal.h"
+#include "session/recovery/journal.h"
 
 #include <fstream>
 #include <random>
 
 #include "../scratch_fixture.h"
-#include "session/journal_format.h"
+#include "session/recovery/journal_format.h"
 
 namespace weftlight::session {
 namespace {

@@ -11,18 +11,18 @@
 
 #include "../scratch_fixture.h"
 #include "draft/drawdown.h"
-#include "draft/generators.h"
 #include "paths.h"
 #include "scarce_memory.h"
-#include "session/background_writer.h"
-#include "session/draft_thumbnails.h"
-#include "session/export_plan.h"
-#include "session/export_preview.h"
-#include "session/exporter.h"
-#include "session/journal.h"
-#include "session/recovery.h"
-#include "session/reference_tracer.h"
+#include "session/jobs/background_writer.h"
+#include "session/jobs/draft_thumbnails.h"
+#include "session/jobs/export_plan.h"
+#include "session/jobs/export_preview.h"
+#include "session/jobs/exporter.h"
+#include "session/jobs/reference_tracer.h"
+#include "session/recovery/journal.h"
+#include "session/recovery/recovery.h"
 #include "session/report.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::session {
 namespace {
@@ -47,7 +47,7 @@ bool tells_of_memory(const std::string& said) { return said.find("not enough mem
 
 TEST_F(NoMemory, AnExportSaysSoLeavesNothingAndTheNextIsWritten) {
   ExportPlan plan;
-  plan.folder = path("out"), plan.targets = {ExportTarget::kGodot}, plan.size = 32;
+  plan.folder = path("out"), plan.targets = {&targets::kGodot}, plan.size = 32;
   const std::vector<ExportJob> jobs = jobs_of(plan, *design_, "x.wif", "1");
   std::atomic<int> throws{0};
   Exporter exporter([&] {

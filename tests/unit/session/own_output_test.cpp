@@ -1,6 +1,6 @@
 // --live-export and --ui-map replace what they wrote themselves, and nothing else.
 
-#include "session/own_output.h"
+#include "session/files/own_output.h"
 
 #include "../scratch_fixture.h"
 

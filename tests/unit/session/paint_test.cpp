@@ -1,9 +1,9 @@
-#include "session/paint.h"
+#include "session/editing/paint.h"
 
 #include <gtest/gtest.h>
 
-#include "../draft/hand_drafts.h"
-#include "session/orbit.h"
+#include "../hand_drafts.h"
+#include "session/editing/orbit.h"
 
 namespace weftlight::session {
 namespace {

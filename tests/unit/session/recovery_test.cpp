@@ -1,6 +1,6 @@
 // Which sessions crashed is told by their locks; what they left is offered, newest first, once.
 
-#include "session/recovery.h"
+#include "session/recovery/recovery.h"
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "../scratch_fixture.h"
-#include "session/bring_back.h"
-#include "session/journal.h"
+#include "session/document/bring_back.h"
+#include "session/recovery/journal.h"
 
 namespace weftlight::session {
 namespace {

@@ -1,14 +1,15 @@
 // What the loom cannot weave of what was painted is kept as a whole gesture, and the nearest to it is offered.
 
-#include "session/rejected_edit.h"
+#include "session/document/rejected_edit.h"
 
 #include <gtest/gtest.h>
 
 #include "../scratch.h"
-#include "draft/edits.h"
-#include "session/paint.h"
+#include "design/crossings.h"
+#include "design/edits.h"
+#include "session/editing/paint.h"
+#include "session/editing/shapes.h"
 #include "session/session.h"
-#include "session/shapes.h"
 
 namespace weftlight::session {
 namespace {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "draft/generators.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::session {
 namespace {

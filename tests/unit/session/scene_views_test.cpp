@@ -1,10 +1,10 @@
 // Views of the cloth by name: kept, gone to, renamed, dropped, and in the file.
 
-#include "session/scene_views.h"
+#include "session/editing/scene_views.h"
 
 #include <gtest/gtest.h>
 
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {

@@ -1,9 +1,9 @@
-#include "session/selection_state.h"
+#include "session/editing/selection_state.h"
 
 #include <gtest/gtest.h>
 
-#include "../draft/hand_drafts.h"
-#include "draft/edits.h"
+#include "../hand_drafts.h"
+#include "design/edits.h"
 
 namespace weftlight::session {
 namespace {

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "../scratch_fixture.h"
-#include "draft/edits.h"
+#include "design/edits.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {

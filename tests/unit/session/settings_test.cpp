@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/utf8.h"
-#include "session/user_files.h"
+#include "session/files/user_files.h"
 
 namespace weftlight::session {
 namespace {

@@ -1,13 +1,13 @@
-#include "session/shapes.h"
+#include "session/editing/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "../draft/hand_drafts.h"
-#include "session/document.h"
-#include "session/paint.h"
-#include "session/selection_state.h"
+#include "../hand_drafts.h"
+#include "session/document/document.h"
+#include "session/editing/paint.h"
+#include "session/editing/selection_state.h"
 
 namespace weftlight::session {
 namespace {

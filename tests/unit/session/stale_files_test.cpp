@@ -1,6 +1,6 @@
 // Temporary files of the dead go; nothing else does.
 
-#include "session/stale_files.h"
+#include "session/files/stale_files.h"
 
 #include <fstream>
 #include <set>

@@ -4,14 +4,14 @@
 
 #include <random>
 
-#include "../draft/hand_drafts.h"
+#include "../hand_drafts.h"
 #include "../scratch.h"
-#include "draft/crossings.h"
-#include "draft/edits.h"
-#include "draft/selection_edits.h"
-#include "session/paint.h"
+#include "design/crossings.h"
+#include "design/edits.h"
+#include "design/selection_edits.h"
+#include "session/editing/paint.h"
+#include "session/editing/shapes.h"
 #include "session/session.h"
-#include "session/shapes.h"
 
 namespace weftlight::session {
 namespace {

@@ -1,4 +1,4 @@
-#include "session/strokes.h"
+#include "session/editing/strokes.h"
 
 #include <gtest/gtest.h>
 

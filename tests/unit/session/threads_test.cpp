@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "session/thread_choice.h"
+#include "session/editing/thread_choice.h"
 
 namespace weftlight::session {
 namespace {

@@ -1,9 +1,9 @@
-#include "session/typing.h"
+#include "session/editing/typing.h"
 
 #include <gtest/gtest.h>
 
-#include "../draft/hand_drafts.h"
-#include "session/document.h"
+#include "../hand_drafts.h"
+#include "session/document/document.h"
 
 namespace weftlight::session {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "draft/generators.h"
 #include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -24,7 +24,7 @@ Design plain_in(const Rgb& warp, const Rgb& weft) {
   return design;
 }
 
-FaceSource source_of(const Design& design, Face face, ExportTarget target) {
+FaceSource source_of(const Design& design, Face face, const ExportTarget* target) {
   TextureSetOptions options;
   options.target = target, options.size = 64;
   return face_at(design, face, options, 64);
@@ -34,11 +34,11 @@ FaceSource source_of(const Design& design, Face face, ExportTarget target) {
 /// the last step is no more than those from 8 on together, or than a hundredth.
 template <class Make>
 void expect_even(const Make& make, const std::string& what) {
-  for (const ExportTarget target : {ExportTarget::kGltf, ExportTarget::kUnreal}) {
+  for (const ExportTarget* target : {&targets::kGltf, &targets::kUnreal}) {
     for (const Face face : {Face::kFront, Face::kBack}) {
       const FaceSource eight = source_of(make(8), face, target), one = source_of(make(1), face, target),
                        none = source_of(make(0), face, target);
-      const std::string where = what + ", target " + std::to_string(static_cast<int>(target));
+      const std::string where = what + ", target " + target->id;
       for (size_t i = 0; i < none.checks().size(); ++i) {
         const glm::vec3 before = eight.checks()[i].engine, last = one.checks()[i].engine, now = none.checks()[i].engine;
         const float bright = std::max({before.r, before.g, before.b});

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "draft/generators.h"
 #include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
 
@@ -22,9 +22,9 @@ inline Design sample_design() {
   return design;
 }
 
-inline TextureSetOptions options_for(ExportTarget target, int size = 128) {
+inline TextureSetOptions options_for(const ExportTarget& target, int size = 128) {
   TextureSetOptions options;
-  options.target = target, options.name = "sample", options.size = size;
+  options.target = &target, options.name = "sample", options.size = size;
   options.source = "sample.wif", options.draft_path = "drafts/sample.wif", options.program_version = "1.2.3";
   return options;
 }

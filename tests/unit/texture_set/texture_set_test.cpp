@@ -24,16 +24,12 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-class EveryTarget : public testing::TestWithParam<ExportTarget> {};
-INSTANTIATE_TEST_SUITE_P(All, EveryTarget,
-                         testing::Values(ExportTarget::kRaw, ExportTarget::kGltf, ExportTarget::kUnreal,
-                                         ExportTarget::kUnityHdrp, ExportTarget::kUnityUrp, ExportTarget::kGodot,
-                                         ExportTarget::kBlender, ExportTarget::kU3m, ExportTarget::kMaterialX),
-                         [](const auto& target) {
-                           std::string name = target_name(target.param);
-                           std::erase(name, '-');
-                           return name;
-                         });
+class EveryTarget : public testing::TestWithParam<const ExportTarget*> {};
+INSTANTIATE_TEST_SUITE_P(All, EveryTarget, testing::ValuesIn(kTargets), [](const auto& target) {
+  std::string name = target.param->id;
+  std::erase(name, '-');
+  return name;
+});
 
 /// Root mean square of the difference of two columns (or rows) of an image.
 double step_rms(const Image& image, bool columns, int a, int b) {
@@ -62,17 +58,18 @@ void expect_seamless(const Image& image, const std::string& file) {
 }
 
 TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
-  const Scratch scratch(std::string("set-") + target_name(GetParam()));
+  const ExportTarget& target = *GetParam();
+  const Scratch scratch(std::string("set-") + target.id);
   const std::string folder = scratch / "sample";
-  ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(GetParam())), "");
+  ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(target)), "");
   const json list = list_of(folder);
-  EXPECT_EQ(list["target"], target_name(GetParam()));
+  EXPECT_EQ(list["target"], target.id);
   EXPECT_EQ(list["source"], "sample.wif");
   EXPECT_EQ(list["program"], "weftlight 1.2.3");
   EXPECT_GT(list["size_mm"][0], 0);
   EXPECT_GT(list["size_mm"][0], list["size_mm"][1]);
   EXPECT_EQ(list["size_texels"][0], 128);
-  EXPECT_EQ(list["maps"].size(), image_rows(GetParam()).size() * 2 + (GetParam() == ExportTarget::kRaw ? 6 : 0));
+  EXPECT_EQ(list["maps"].size(), target.images.size() * 2 + (target.raw ? 6 : 0));
   std::set<std::string> expected{"texture_set.json"}, named{"README.md", "contact_sheet.png"};
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
@@ -98,7 +95,7 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
 
 TEST(TextureSet, NamesAreThoseOfTheEngines) {
   const Scratch scratch("names");
-  ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(targets::kUnreal, 32)), "");
   for (const char* file : {"T_sample_BC.png", "T_sample_N.png", "T_sample_ORM.png"})
     EXPECT_TRUE(fs::exists(scratch / ("u/" + std::string(file)))) << file;
 }
@@ -120,9 +117,9 @@ TEST(TextureSet, ForeignFilesAreNotTouched) {
   const Scratch scratch("others");
   fs::create_directories(scratch / "mine");
   std::ofstream(scratch / "mine/letter.txt") << "dear";
-  EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(targets::kGltf, 32)), "");
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "mine"), {}), 1);
-  TextureSetOptions force = options_for(ExportTarget::kGltf, 32);
+  TextureSetOptions force = options_for(targets::kGltf, 32);
   force.force = true;
   EXPECT_EQ(write_texture_set(scratch / "mine", sample_design(), sheet(), force), "");
   EXPECT_TRUE(fs::exists(scratch / "mine/letter.txt"));
@@ -130,7 +127,7 @@ TEST(TextureSet, ForeignFilesAreNotTouched) {
 
 TEST(TextureSet, OnlyFilesListedByTheSameSetAreReplaced) {
   const Scratch scratch("same");
-  const TextureSetOptions options = options_for(ExportTarget::kGltf, 32);
+  const TextureSetOptions options = options_for(targets::kGltf, 32);
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
   // A foreign file is beside the set; an older version of the set had one more image.
   std::ofstream(scratch / "set/scene.blend") << "work";
@@ -153,10 +150,10 @@ TEST(TextureSet, OnlyFilesListedByTheSameSetAreReplaced) {
 
 TEST(TextureSet, OtherSetsAreNotReplaced) {
   const Scratch scratch("sets");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kUnreal, 32)), "");
-  EXPECT_NE(existing_files_problem(scratch / "set", options_for(ExportTarget::kGltf, 32)), "");
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
-  TextureSetOptions namesake = options_for(ExportTarget::kUnreal, 32);
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kUnreal, 32)), "");
+  EXPECT_NE(existing_files_problem(scratch / "set", options_for(targets::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32)), "");
+  TextureSetOptions namesake = options_for(targets::kUnreal, 32);
   namesake.draft_path = "other/sample.wif";
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
   namesake.force = true;
@@ -165,10 +162,10 @@ TEST(TextureSet, OtherSetsAreNotReplaced) {
 
 TEST(TextureSet, AFailedExportKeepsTheOldSet) {
   const Scratch scratch("failure");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(ExportTarget::kGltf, 32)), "");
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32)), "");
   Mesh broken = sheet();
   broken.index[0] = 1000;
-  TextureSetOptions larger = options_for(ExportTarget::kGltf, 64);
+  TextureSetOptions larger = options_for(targets::kGltf, 64);
   EXPECT_NE(write_texture_set(scratch / "set", sample_design(), broken, larger), "");
   EXPECT_EQ(list_of(scratch / "set")["size_texels"][0], 32);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1);
@@ -215,19 +212,19 @@ TEST(TextureSet, EveryTargetHasTheSameScale) {
   const Cloth cloth = lay_out(sample_design(), drawdown(sample_design().draft), Face::kFront, Period::kRepeat);
   const std::string scale = number(1 / static_cast<double>(cloth.width_mm)),
                     width = number(static_cast<double>(cloth.width_mm));
-  const auto holds = [&](ExportTarget target, const std::string& file, const std::string& text) {
-    const std::string folder = scratch / target_name(target);
+  const auto holds = [&](const ExportTarget& target, const std::string& file, const std::string& text) {
+    const std::string folder = scratch / target.id;
     ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(target, 32)), "");
     std::ifstream in(folder + "/" + file);
     const std::string all{std::istreambuf_iterator<char>(in), {}};
     EXPECT_NE(all.find(text), std::string::npos) << file << " lacks " << text;
   };
-  holds(ExportTarget::kGodot, "sample.tres", "uv1_scale = Vector3(" + scale);
-  holds(ExportTarget::kUnityUrp, "sample.mat", "m_Scale: {x: " + scale);
-  holds(ExportTarget::kUnreal, "sample_import.py", "SIZE_MM = (" + width);
-  holds(ExportTarget::kBlender, "sample.py", "SIZE_MM = (" + width);
-  holds(ExportTarget::kMaterialX, "sample.mtlx", "value=\"" + scale);
-  holds(ExportTarget::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
+  holds(targets::kGodot, "sample.tres", "uv1_scale = Vector3(" + scale);
+  holds(targets::kUnityUrp, "sample.mat", "m_Scale: {x: " + scale);
+  holds(targets::kUnreal, "sample_import.py", "SIZE_MM = (" + width);
+  holds(targets::kBlender, "sample.py", "SIZE_MM = (" + width);
+  holds(targets::kMaterialX, "sample.mtlx", "value=\"" + scale);
+  holds(targets::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }
 
 std::string text_of(const std::string& path) {
@@ -237,9 +234,9 @@ std::string text_of(const std::string& path) {
 
 TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
   const Scratch scratch("unity-maps");
-  for (const ExportTarget target : {ExportTarget::kUnityUrp, ExportTarget::kUnityHdrp}) {
-    const std::string folder = scratch / target_name(target);
-    ASSERT_EQ(write_texture_set(folder, sample_design(), {}, options_for(target, 32)), "");
+  for (const ExportTarget* target : {&targets::kUnityUrp, &targets::kUnityHdrp}) {
+    const std::string folder = scratch / target->id;
+    ASSERT_EQ(write_texture_set(folder, sample_design(), {}, options_for(*target, 32)), "");
     for (const json& map : list_of(folder)["maps"]) {
       const std::string file = map["file"], meta = text_of(folder + "/" + file + ".meta");
       EXPECT_NE(meta.find(map["color_space"] == "sRGB" ? "sRGBTexture: 1\n" : "sRGBTexture: 0\n"), std::string::npos)
@@ -253,7 +250,7 @@ TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
 /// HDRP maps smoothness and normal from 0..1 to -1..1 and adds them to those of the base material.
 TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
-  ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(ExportTarget::kUnityHdrp, 128)), "");
+  ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128)), "");
   const Image map = *read_image(scratch / "h/sample_ThreadMap.png");
   ASSERT_EQ(map.channels, 4);
   std::array<double, 4> mean{};
@@ -270,14 +267,14 @@ TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
 /// Unity's inspector sets these, but an import does not: without them a blended material is drawn opaque.
 TEST(TextureSet, UnityMaterialsSetBlending) {
   const Scratch scratch("unity");
-  TextureSetOptions options = options_for(ExportTarget::kUnityUrp, 32);
-  const auto material = [&](ExportTarget target, Alpha alpha) {
+  TextureSetOptions options = options_for(targets::kUnityUrp, 32);
+  const auto material = [&](const ExportTarget* target, Alpha alpha) {
     options.target = target, options.alpha = alpha;
-    const std::string folder = scratch / (std::string(target_name(target)) + alpha_name(alpha));
+    const std::string folder = scratch / (std::string(target->id) + alpha_name(alpha));
     EXPECT_EQ(write_texture_set(folder, sample_design(), {}, options), "");
     return text_of(folder + "/sample.mat");
   };
-  for (const ExportTarget target : {ExportTarget::kUnityUrp, ExportTarget::kUnityHdrp}) {
+  for (const ExportTarget* target : {&targets::kUnityUrp, &targets::kUnityHdrp}) {
     const std::string blended = material(target, Alpha::kBlend), opaque = material(target, Alpha::kOpaque),
                       cut = material(target, Alpha::kMask);
     for (const char* line : {"RenderType: Transparent\n", "_DstBlend: 10\n", "_ZWrite: 0\n"})
@@ -290,14 +287,14 @@ TEST(TextureSet, UnityMaterialsSetBlending) {
 
 TEST(TextureSet, WarnsIfTheGapsOfAMaskWouldClose) {
   Design design = plain({2, 2});
-  TextureSetOptions options = options_for(ExportTarget::kGltf, 128);
+  TextureSetOptions options = options_for(targets::kGltf, 128);
   options.alpha = Alpha::kMask;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "a dense cloth";
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
   EXPECT_EQ(warnings_of(design, options).size(), 1u);
   options.mips = MipContainer::kKtx2;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "prefiltered mipmaps keep the mask";
-  options.mips = {}, options.target = ExportTarget::kUnreal;
+  options.mips = {}, options.target = &targets::kUnreal;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer keeps the coverage";
 }
 
@@ -308,7 +305,7 @@ TEST(TextureSet, TilesOfSeveralRepeats) {
   EXPECT_FLOAT_EQ(many.width_mm, 3 * one.width_mm);
   EXPECT_EQ(many.picks.size(), 2 * one.picks.size());
   EXPECT_EQ(many.up.get(5, 20), one.up.get(5 % one.up.rows(), 20 % one.up.cols()));
-  TextureSetOptions options = options_for(ExportTarget::kGltf, 16);
+  TextureSetOptions options = options_for(targets::kGltf, 16);
   EXPECT_EQ(warnings_of(design, options).size(), 1u) << "16 ends in 16 texels";
   options.size = 128;
   EXPECT_TRUE(warnings_of(design, options).empty());
@@ -317,11 +314,10 @@ TEST(TextureSet, TilesOfSeveralRepeats) {
 
 TEST(TextureSet, TheSameBytesEveryTime) {
   const Scratch scratch("again");
-  for (const ExportTarget target : {ExportTarget::kU3m, ExportTarget::kMaterialX, ExportTarget::kGltf}) {
-    const std::string a = scratch / (std::string("a/") + target_name(target)),
-                      b = scratch / (std::string("b/") + target_name(target));
-    ASSERT_EQ(write_texture_set(a, sample_design(), sheet(), options_for(target, 32)), "");
-    ASSERT_EQ(write_texture_set(b, sample_design(), sheet(), options_for(target, 32)), "");
+  for (const ExportTarget* target : {&targets::kU3m, &targets::kMaterialX, &targets::kGltf}) {
+    const std::string a = scratch / (std::string("a/") + target->id), b = scratch / (std::string("b/") + target->id);
+    ASSERT_EQ(write_texture_set(a, sample_design(), sheet(), options_for(*target, 32)), "");
+    ASSERT_EQ(write_texture_set(b, sample_design(), sheet(), options_for(*target, 32)), "");
     for (const auto& entry : fs::directory_iterator(a)) {
       std::ifstream one(entry.path(), std::ios::binary), two(b / entry.path().filename(), std::ios::binary);
       EXPECT_EQ(std::string(std::istreambuf_iterator<char>(one), {}),
@@ -333,7 +329,7 @@ TEST(TextureSet, TheSameBytesEveryTime) {
 
 TEST(TextureSet, EmptyDraftIsAnError) {
   const Scratch scratch("empty");
-  EXPECT_NE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(ExportTarget::kGltf, 32)), "");
+  EXPECT_NE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(targets::kGltf, 32)), "");
   EXPECT_TRUE(fs::is_empty(scratch.folder));
 }
 

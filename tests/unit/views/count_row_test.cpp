@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../yarns.h"
-#include "draft/fibre.h"
+#include "design/fibre.h"
 
 namespace weftlight::views {
 namespace {

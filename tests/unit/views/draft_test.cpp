@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../draft/hand_drafts.h"
+#include "../hand_drafts.h"
 #include "views/common/cell_image.h"
 #include "views/draft/draft_layout.h"
 #include "views/draft/drag_scroll.h"

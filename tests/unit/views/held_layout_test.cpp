@@ -6,10 +6,10 @@
 
 #include <random>
 
-#include "../draft/hand_drafts.h"
-#include "draft/crossings.h"
-#include "draft/edits.h"
-#include "session/paint.h"
+#include "../hand_drafts.h"
+#include "design/crossings.h"
+#include "design/edits.h"
+#include "session/editing/paint.h"
 
 namespace weftlight::views {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "design/edits.h"
 #include "draft/drawdown.h"
-#include "draft/edits.h"
 #include "lines.h"
 
 namespace weftlight::wif {

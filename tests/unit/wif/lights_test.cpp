@@ -1,6 +1,6 @@
 // Lighting presets are stored by id; an unknown id is read as the studio, with a warning.
 
-#include "draft/lights.h"
+#include "design/lights.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,27 @@
+#pragma once
+// Yarn counts in the units of the trade, and the diameter of a round thread of a given count.
+
+#include <optional>
+#include <string_view>
+
+namespace weftlight::design {
+
+/// Tex: grams a kilometre. Denier: grams in 9 km. Nm (metric): kilometres a kilogram. Ne (English cotton): hanks of
+/// 840 yards a pound. Lea (linen): leas of 300 yards a pound.
+enum class CountUnit { kTex, kDenier, kNm, kNe, kLea };
+
+/// A count must be above 0. ISO 1144 (tex); the pound is 453.59237 g, the yard 0.9144 m.
+double tex_of(double count, CountUnit unit);
+double count_of(double tex, CountUnit unit);
+
+/// Tex of a written count: "30 tex", "150 den", "Ne 8/2", "Nm 30/2", "16 lea". The number after the stroke is that of
+/// the plies; the result is for the whole yarn. Empty if it cannot be read or lies outside 0.1 to 100,000 tex.
+std::optional<double> tex_from_text(std::string_view text);
+
+/// Diameter of a round thread, mm: d = 2 sqrt(tex / (1000 pi rho phi)); rho: density of the fibre in g/cm3; phi
+/// (`packing`): fraction of the thread's volume that is fibre, 0.5 (woollen) to 0.65 (hard twisted), filament 0.6
+/// (Morton and Hearle, ch. 5).
+double diameter_from_tex_mm(double tex, double density_g_cm3, double packing);
+double tex_from_diameter(double diameter_mm, double density_g_cm3, double packing);
+
+}  // namespace weftlight::design

@@ -1,0 +1,9 @@
+#include "design/design.h"
+
+namespace weftlight::design {
+
+bool is_consistent(const Design& design) {
+  return !design.yarns.empty() && is_consistent(design.draft, design.yarns.size());
+}
+
+}  // namespace weftlight::design

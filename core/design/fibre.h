@@ -1,0 +1,54 @@
+#pragma once
+// A yarn in a weaver's terms: fibre, cross-section of the fibre, lustre, hairiness. Each is computed from the
+// parameters of yarn_fields.h, relative to the preset of that fibre, and sets them; nothing else is stored.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "base/mark.h"
+#include "design/yarn.h"
+
+namespace weftlight::design {
+
+/// Index of the most similar of yarn_presets(), regardless of lustre and hairiness.
+int fibre_of(const Yarn& yarn);
+/// The yarn made of the preset's fibre: takes its lobes, grooves and hairiness; name, thickness, twist and evenness
+/// stay.
+Yarn with_fibre(Yarn yarn, int preset);
+
+/// Cross-section of a fibre. Round: wool, most filament; trilobal: silk, bright filament; bean: cotton; flat: slit
+/// film.
+enum class CrossSection : uint8_t { kRound, kTrilobal, kBean, kFlat };
+inline constexpr std::array<const char*, 4> kCrossSectionNames{base::mark("Round"), base::mark("Trilobal"),
+                                                               base::mark("Bean"), base::mark("Flat film")};
+
+/// The most similar one, by the colour of the inner scatter.
+CrossSection cross_section(const Yarn& yarn);
+/// The same yarn made of fibres of another cross-section.
+Yarn with_cross_section(Yarn yarn, CrossSection section);
+
+/// 0 (dull) to 1 (bright); 1/2 for the preset of its fibre and cross-section. Computed from the spread along the fibre.
+float lustre(const Yarn& yarn);
+/// A brighter fibre has a narrower highlight (along) from more clear layers; both are clamped to their ranges.
+Yarn with_lustre(Yarn yarn, float lustre);
+
+/// Flyaway fibres (0..1), and the fuzz in the same ratio to them as in the preset of the fibre.
+Yarn with_hairiness(Yarn yarn, float hairiness);
+
+/// Count in tex, g/km: the one that is set, otherwise that of a round thread of its fibre and diameter with the packing
+/// of the preset.
+float tex_of(const Yarn& yarn);
+/// Count of a thread of the given thickness, proportional to its cross-section.
+float tex_of(const Yarn& yarn, float thickness_mm);
+/// Fraction of the thread's volume that is fibre: 0.6 for cotton, 0.2 for a lofty woollen; 0 without thickness. The
+/// densest packing of round fibres is 0.91.
+double packing_fraction(const Yarn& yarn);
+/// Another thickness of the same yarn; a set count changes with the cross-section.
+Yarn with_thickness(Yarn yarn, float diameter_mm);
+/// The yarn with a written count, "Ne 8/2" or "30 tex" (count.h), and its thickness scaled accordingly. "": unsets the
+/// count and keeps the thickness. Empty if the text cannot be read.
+std::optional<Yarn> with_count(Yarn yarn, std::string_view count);
+
+}  // namespace weftlight::design

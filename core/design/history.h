@@ -1,0 +1,63 @@
+#pragma once
+// Undo: a list of immutable, labelled snapshots of the Design. One drag is one step: commits with the same stroke id
+// are merged. The saved mark is a position in the list.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "design/design.h"
+
+namespace weftlight::design {
+
+/// Memory limit of all snapshots; beyond it the oldest steps are dropped, but never the last one.
+inline constexpr size_t kMaxHistoryBytes = size_t{256} << 20;
+
+class History {
+ public:
+  /// `first` counts as saved.
+  explicit History(Design first);
+
+  const Design& now() const { return *steps_[position_].design; }
+  std::shared_ptr<const Design> snapshot() const { return steps_[position_].design; }
+  /// A design equal to now() makes no step. A non-zero `stroke` replaces the step before if that has the same stroke.
+  void commit(Design next, std::string label, uint64_t stroke = 0);
+  bool can_undo() const { return position_ > 0; }
+  bool can_redo() const { return position_ + 1 < steps_.size(); }
+  void undo();
+  void redo();
+  /// Steps for undo and redo. The first is the oldest design that is kept; it has no label.
+  size_t steps() const { return steps_.size(); }
+  size_t position() const { return position_; }
+  /// Label of the edit that made a step; empty for the first.
+  const std::string& label(size_t step) const { return steps_[step].label; }
+  bool is_saved(size_t step) const { return steps_[step].id == saved_id_; }
+  /// Undoes or redoes to a step.
+  void go_to(size_t step);
+  /// Label of the step that undo would revert, or redo repeat; empty if there is none.
+  std::string undo_label() const;
+  std::string redo_label() const;
+  void mark_saved();
+  /// No step counts as saved any more.
+  void mark_unsaved();
+  bool is_saved() const;
+
+ private:
+  struct Step {
+    std::shared_ptr<const Design> design;
+    std::string label;
+    uint64_t stroke = 0;
+    uint64_t id = 0;
+    size_t bytes = 0;
+  };
+  void drop_redo();
+  void drop_last();
+  void drop_oldest();
+  std::vector<Step> steps_;
+  size_t position_ = 0, total_bytes_ = 0;
+  uint64_t next_id_ = 1, saved_id_ = 0;
+};
+
+}  // namespace weftlight::design

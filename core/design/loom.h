@@ -1,0 +1,22 @@
+#pragma once
+// What the loom allows: how many shafts and treadles painting may take, and which grids may be painted: those that lead
+// (Loom::leading), or also those that follow.
+
+#include <string>
+
+#include "design/design.h"
+#include "draft/factor.h"
+#include "draft/selection.h"
+
+namespace weftlight::design {
+
+/// Shafts and treadles that painting may take: those of the loom; where that is unknown, kDefaultLimit or as
+/// many as the draft has.
+inline constexpr int kDefaultLimit = 32;
+LoomSize loom_size(const Design& design);
+
+/// Why a grid cannot be painted: it is locked and follows from others. Empty if it can.
+std::string why_locked(const Design& design, BitGrid grid);
+inline bool may_paint(const Design& design, BitGrid grid) { return why_locked(design, grid).empty(); }
+
+}  // namespace weftlight::design

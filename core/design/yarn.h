@@ -1,0 +1,56 @@
+#pragma once
+// A yarn: its construction and its optical parameters. WIF has no keys for them, so they are kept in private sections.
+// Defaults are here; range, unit, label and source of each parameter in yarn_fields.h.
+
+#include <cstdint>
+#include <string>
+
+#include "design/names.h"
+#include "draft/draft.h"
+
+namespace weftlight::design {
+
+enum class Twist : uint8_t { kNone, kS, kZ };
+
+/// The lobes of a yarn's BSDF (formulas in shaders/lobes.glsl).
+struct Lobes {
+  // Specular: Gaussian of micro-slopes, RMS along and across the fibre. Light that passes the first fibres of the yarn
+  // is reflected by the fibres below.
+  float specular = 1.0f;       // scale of the Fresnel reflectance
+  Rgb specular_tint{1, 1, 1};  // 1 for dielectrics; the metal's colour for metallic yarns
+  float ior = 1.53f;           // index of refraction
+  float along_width = 0.25f;   // RMS slope along the fibre
+  float across_width = 0.45f;  // RMS slope across the fibre
+  float layers = 1.0f;         // fibre layers that reflect, untinted
+  float inner = 0.0f;          // fraction of it that passed through fibres, tinted (volume scattering)
+  float inner_depth = 1.0f;    // path of the inner part through the dye, relative to a round fibre
+  // Body: diffuse reflection, times the thread's colour.
+  float body = 1.0f;
+  // Fuzz: fibres that stand off the yarn, seen at grazing angles and silhouettes.
+  float fuzz = 0.15f;       // fraction of the area
+  float fuzz_width = 0.5f;  // roughness of the sheen
+  // Transmission: diffuse light from behind; the gaps between threads are in the coverage.
+  float transmission = 0.1f;  // fraction of the body
+  bool metallic = false;      // specular has the thread's colour, no body
+  bool operator==(const Lobes&) const = default;
+};
+
+struct Yarn {
+  std::string name = "Cotton";
+  float diameter_mm = 0.5f;  // where the draft gives no thickness
+  Twist twist = Twist::kZ;
+  float turns_per_m = 550.0f;  // of the last twist
+  int plies = 1;
+  float fibre_um = 60.0f;      // width of the fibre bundles between grooves
+  float groove_depth = 0.45f;  // darkness of the grooves
+  float hairiness = 0.35f;     // noise of flyaway fibres
+  float flattening = 0.8f;     // height over width of the cross-section in the cloth
+  float irregularity = 0;      // standard deviation of the thickness between threads, over its mean
+  float unevenness = 0;        // coefficient of variation of the mass along the yarn (Uster CVm), %
+  float melange = 0;           // difference in colour of neighbouring fibres
+  Lobes lobes;
+  float tex = 0;  // count, g/km; 0: not set, follows from the thickness (tex_of() in fibre.h)
+  bool operator==(const Yarn&) const = default;
+};
+
+}  // namespace weftlight::design

@@ -1,0 +1,89 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace weftlight::scene {
+namespace {
+
+constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, like a portrait lens
+constexpr float kGirth = 0.86f;           // cloth seldom reaches the corners of its bounds
+constexpr float kMargin = 1.14f;          // space around it
+
+/// Distance along the ray to the first triangle, or infinity (Moeller, Trumbore 1997).
+float cast(const Mesh& mesh, glm::vec3 from, glm::vec3 along) {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+    const glm::vec3 a = mesh.position_mm[mesh.index[i]];
+    const glm::vec3 ab = mesh.position_mm[mesh.index[i + 1]] - a, ac = mesh.position_mm[mesh.index[i + 2]] - a;
+    const glm::vec3 p = glm::cross(along, ac);
+    const float det = glm::dot(ab, p);
+    if (std::abs(det) < 1e-12f) continue;
+    const glm::vec3 s = from - a;
+    const float u = glm::dot(s, p) / det;
+    const glm::vec3 q = glm::cross(s, ab);
+    const float v = glm::dot(along, q) / det;
+    if (u < 0 || v < 0 || u + v > 1) continue;
+    const float t = glm::dot(ac, q) / det;
+    if (t > 0) nearest = std::min(nearest, t);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Bounds bounds_of(const Mesh& mesh) {
+  if (mesh.position_mm.empty()) return {};
+  Bounds b{mesh.position_mm[0], mesh.position_mm[0]};
+  for (const Vec3& p : mesh.position_mm) b.low = glm::min(b.low, p), b.high = glm::max(b.high, p);
+  return b;
+}
+
+glm::vec3 direction_of(float azimuth_deg, float elevation_deg) {
+  const float a = glm::radians(azimuth_deg), e = glm::radians(elevation_deg);
+  return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, int width, int height,
+                    float yarns_per_pixel, float mean_spacing_mm) {
+  const float aspect = static_cast<float>(width) / static_cast<float>(height);
+  const float radius = std::max(bounds.radius(), 1e-3f);
+  const float elevation = std::clamp(scene.view_elevation, -89.9f, 89.9f);
+  const glm::vec3 back = direction_of(scene.view_azimuth, elevation);
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
+  const glm::vec3 up = glm::cross(back, right);
+
+  const float away = radius / std::sin(glm::radians(kFieldOfViewDeg) / 2) * std::max(1.0f, scene.view_distance);
+  // An upright cylinder around the bounds fills the picture, so that the framing is constant while the view turns.
+  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
+  const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth, tilt = std::abs(glm::radians(elevation));
+  const float tall = half.y * std::cos(tilt) + girth * std::sin(tilt);
+  const float fit = std::max({tall, girth / aspect, 1e-3f}) * kMargin / away;
+  float tan_y = fit * std::max(1.0f, scene.view_distance) * std::min(1.0f, std::max(scene.view_distance, 1e-4f));
+
+  const float frame_mm = 2 * away * tan_y * aspect;
+  const glm::vec3 target = bounds.centre() - right * (scene.pan_x * frame_mm) - up * (scene.pan_y * frame_mm);
+  Camera camera;
+  camera.eye = target + back * away;
+  const float hit = cast(mesh, camera.eye, -back);
+  const float surface = std::isfinite(hit) ? hit : away;
+  if (yarns_per_pixel > 0 && mean_spacing_mm > 0) {
+    tan_y = yarns_per_pixel * mean_spacing_mm * static_cast<float>(height) / (2 * surface);
+  }
+  camera.pixel_mm = 2 * surface * tan_y / static_cast<float>(height);
+  const float reach = bounds.radius() * 8;
+  const float near = std::max(away - bounds.radius() * 2.2f, away * 0.02f);
+  const glm::mat4 view = glm::lookAt(camera.eye, target, glm::vec3(0, 1, 0));
+  camera.world_to_clip = glm::perspective(2 * std::atan(tan_y), aspect, near, away + reach) * view;
+  return camera;
+}
+
+float distance_of_height(const Bounds& bounds, float aspect, float height_mm) {
+  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
+  const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth;
+  return std::min(1.0f, height_mm / (2 * kMargin * std::max(half.y, girth / aspect)));
+}
+
+}  // namespace weftlight::scene

@@ -1,0 +1,82 @@
+// glTF 2.0: the images on the draped mesh, one material for each face. Based on: its specification with
+// KHR_materials_anisotropy, KHR_materials_sheen and KHR_materials_specular.
+
+#include "texture_set/targets/gltf.h"
+
+#include "files/files.h"
+#include "texture_set/targets.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+using enum Channel;
+using enum PixelType;
+
+constexpr ImageRow kImages[] = {
+    {"", "_basecolor", ".png", kU8, true, kBaseCoverage},
+    {"", "_orm", ".png", kU8, false, {kOcclusion, kRoughnessNarrow, kMetal, kNone}},
+    {"", "_normal", ".png", kU8, false, kNormalUp},
+    {"", "_anisotropy", ".png", kU8, false, {kWideX, kWideY, kGltfAnisotropy, kNone}},
+    {"", "_sheen", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kSheenRoughness}},
+};
+
+GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
+  const FaceSource& source = set.of(face);
+  GltfMaterial m;
+  m.name = material_name(set, face);
+  const bool whole = source.band() == source.size().height;
+  const bool beside = images == GltfImages::kBeside;
+  const SurfaceTexels embedded = beside  ? SurfaceTexels{}
+                                 : whole ? source.rows(0, source.size().height)
+                                         : source.small();
+  const auto set_image = [&](GltfImage& image, size_t row) {
+    if (beside) image.file = image_named(set, kImages[row].suffix, face);
+    else image.png = encode_png(pack(kImages[row], embedded));
+  };
+  set_image(m.base_color, 0);
+  set_image(m.orm, 1);
+  set_image(m.normal, 2);
+  set_image(m.anisotropy, 3);
+  m.anisotropy_strength = 1;
+  // No other target that writes a .glb fits this sheen, and Blender 3 would import it as an unscaled velvet.
+  if (beside && source.fit().sheen > 0) {
+    set_image(m.sheen, 4);
+    m.sheen_color = {1, 1, 1};
+    m.sheen_roughness = 1;
+  }
+  m.uv_scale_u = 1 / source.small().width_mm;
+  m.uv_scale_v = 1 / source.small().depth_mm;
+  m.f0 = source.fit().f0, m.f90 = source.fit().f90;
+  m.transmission = mean_transmission(set);
+  m.alpha = set.alpha == Alpha::kOpaque ? GltfAlpha::kOpaque
+            : set.alpha == Alpha::kMask ? GltfAlpha::kMask
+                                        : GltfAlpha::kBlend;
+  return m;
+}
+
+std::string write_material(const SetFacts& set) {
+  const std::string problem = write_gltf(set, ".glb", GltfImages::kBeside);
+  return problem.empty() ? write_gltf(set, ".gltf", GltfImages::kBeside) : problem;
+}
+
+}  // namespace
+
+std::string write_gltf(const SetFacts& set, const std::string& extension, GltfImages images) {
+  const GltfMaterial front = material_of(set, Face::kFront, images), back = material_of(set, Face::kBack, images);
+  return problem_of(write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back));
+}
+
+const ExportTarget targets::kGltf{
+    .id = "gltf",
+    .title = "glTF",
+    .images = kImages,
+    .model = {.sheen = formulas::kSheenCharlie, .most_f0 = 1, .grazing = true, .anisotropic = true},
+    .highlight = "anisotropic GGX; both reflectances by `KHR_materials_specular`",
+    .sheen = "Charlie, `KHR_materials_sheen`",
+    .material = ".glb",
+    .write_material = write_material,
+    .wears_mesh = true,
+    .embeds_images = true,
+};
+
+}  // namespace weftlight::texture_set

@@ -1,0 +1,148 @@
+#include "texture_set/targets/unity.h"
+
+#include "base/files.h"
+#include "texture_set/targets.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+constexpr const char* kTextureMeta = R"(fileFormatVersion: 2
+guid: {GUID}
+TextureImporter:
+  serializedVersion: 12
+  mipmaps:
+    mipMapMode: 1
+    enableMipMap: 1
+    sRGBTexture: {SRGB}
+    mipMapsPreserveCoverage: {KEEP}
+    alphaTestReferenceValue: 0.5
+  textureSettings:
+    serializedVersion: 2
+    filterMode: 2
+    aniso: 8
+    wrapU: 0
+    wrapV: 0
+    wrapW: 0
+  maxTextureSize: 8192
+  textureType: {TYPE}
+  textureShape: 1
+  alphaUsage: 1
+  alphaIsTransparency: 0
+)";
+
+constexpr const char* kMaterialMeta = R"(fileFormatVersion: 2
+guid: {GUID}
+NativeFormatImporter:
+  mainObjectFileID: 2100000
+)";
+
+constexpr const char* kMaterial = R"(%YAML 1.1
+%TAG !u! tag:unity3d.com,2011:
+--- !u!21 &2100000
+Material:
+  serializedVersion: 8
+  m_Name: {NAME}
+  m_Shader: {fileID: 4800000, guid: {SHADER}, type: 3}
+  m_ValidKeywords:
+{KEYWORDS}  m_DoubleSidedGI: 0
+  m_CustomRenderQueue: {QUEUE}
+  stringTagMap:
+    RenderType: {TYPE}
+  m_SavedProperties:
+    serializedVersion: 3
+    m_TexEnvs:
+{TEXTURES}    m_Floats:
+{FLOATS}    m_Colors:
+    - _BaseColor: {r: 1, g: 1, b: 1, a: 1}
+    - _Color: {r: 1, g: 1, b: 1, a: 1}
+{COLORS})";
+
+std::string guid(const std::string& file) { return digest("weftlight unity " + file); }
+
+std::string lines(const std::vector<std::string>& all) {
+  std::string out;
+  for (const std::string& line : all) out += "    - " + line + "\n";
+  return out;
+}
+
+std::string write_import_settings(const SetFacts& set, Face face) {
+  for (const ImageRow& row : set.target.images) {
+    const std::string file = image_file(set.target, row, set.name, face);
+    const bool normal = std::string_view(row.suffix).starts_with("_Normal");
+    const bool covers = row.channels[3] == Channel::kCoverage && set.alpha == Alpha::kMask;
+    std::string problem = write_file_atomically(set.folder + "/" + file + ".meta",
+                                                fill_template(kTextureMeta, {{"GUID", guid(file)},
+                                                                             {"SRGB", row.srgb ? "1" : "0"},
+                                                                             {"KEEP", covers ? "1" : "0"},
+                                                                             {"TYPE", normal ? "1" : "0"}}));
+    if (!problem.empty()) return problem;
+  }
+  return {};
+}
+
+/// The texture of each slot, scaled from millimetres to repeats.
+std::vector<std::string> textures_of(const SetFacts& set, const UnityShader& shader, Face face) {
+  const SurfaceTexels& s = set.of(face).small();
+  std::vector<std::string> out;
+  for (const UnitySlot& slot : shader.slots) {
+    out.push_back(std::string(slot.slot) +
+                  ":\n        m_Texture: {fileID: 2800000, guid: " + guid(image_named(set, slot.suffix, face)) +
+                  ", type: 3}\n        m_Scale: {x: " + number(1 / static_cast<double>(s.width_mm)) +
+                  ", y: " + number(1 / static_cast<double>(s.depth_mm)) + "}\n        m_Offset: {x: 0, y: 0}");
+  }
+  return out;
+}
+
+std::string keywords_of(const SetFacts& set, const UnityShader& shader, Face face) {
+  std::vector<std::string> words = shader.keywords(set, face);
+  if (cuts_out(set.alpha)) words.emplace_back("_ALPHATEST_ON");
+  if (set.alpha == Alpha::kBlend) words.emplace_back("_SURFACE_TYPE_TRANSPARENT");
+  std::string out;
+  for (const std::string& w : words) out += "  - " + w + "\n";
+  return out;
+}
+
+std::string write_face(const SetFacts& set, const UnityShader& shader, Face face) {
+  if (std::string problem = write_import_settings(set, face); !problem.empty()) return problem;
+  const std::string name = material_name(set, face), file = name + ".mat";
+  std::string problem = write_file_atomically(
+      set.folder + "/" + file, fill_template(kMaterial, {{"NAME", name},
+                                                         {"SHADER", shader.guid},
+                                                         {"KEYWORDS", keywords_of(set, shader, face)},
+                                                         {"QUEUE", set.alpha == Alpha::kBlend    ? "3000"
+                                                                   : set.alpha == Alpha::kOpaque ? "-1"
+                                                                                                 : "2450"},
+                                                         {"TYPE", set.alpha == Alpha::kBlend    ? "Transparent"
+                                                                  : set.alpha == Alpha::kOpaque ? "Opaque"
+                                                                                                : "TransparentCutout"},
+                                                         {"TEXTURES", lines(textures_of(set, shader, face))},
+                                                         {"FLOATS", lines(shader.floats(set, face))},
+                                                         {"COLORS", lines(shader.colors(set, face))}}));
+  if (!problem.empty()) return problem;
+  return write_file_atomically(set.folder + "/" + file + ".meta", fill_template(kMaterialMeta, {{"GUID", guid(file)}}));
+}
+
+/// The quad as .obj, since Unity cannot read glTF without a package: metres, texture coordinates in millimetres.
+std::string write_obj_quad(const SetFacts& set) {
+  const Mesh quad = scale_quad();
+  std::string text = "# 100 mm a side; texture coordinates in millimetres\n";
+  for (const Vec3& p : quad.position_mm)
+    text += "v " + number(static_cast<double>(p[0]) / 1000) + " " + number(static_cast<double>(p[1]) / 1000) + " 0\n";
+  for (const Vec2& t : quad.uv_mm)
+    text += "vt " + number(-static_cast<double>(t[0])) + " " + number(-static_cast<double>(t[1])) + "\n";
+  return write_file_atomically(set.folder + "/" + set.name + "_quad.obj",
+                               text + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\n");
+}
+
+}  // namespace
+
+bool cuts_out(Alpha alpha) { return alpha == Alpha::kMask || alpha == Alpha::kHashed; }
+
+std::string write_unity_material(const SetFacts& set, const UnityShader& shader) {
+  for (const Face face : {Face::kFront, Face::kBack}) {
+    if (std::string problem = write_face(set, shader, face); !problem.empty()) return problem;
+  }
+  return write_obj_quad(set);
+}
+
+}  // namespace weftlight::texture_set

@@ -1,0 +1,79 @@
+#pragma once
+// Weaves by name. Each function returns a whole Design (threading, tie-up, treadling, colours, sett) of the requested
+// size, the pattern repeated or cut to fill it. Sizes below 1 count as 1. Parameters that make no weave are changed to
+// the nearest that do, so that a slider cannot break the draft.
+
+#include <vector>
+
+#include "design/design.h"
+#include "draft/drawdown.h"
+
+namespace weftlight::weaves {
+
+struct ClothSize {
+  int ends = 64, picks = 64;
+};
+
+/// The repeat of a draft, as shaft and treadle numbers.
+struct Recipe {
+  int shafts = 1;
+  std::vector<int> threading;           // shaft of each end
+  std::vector<std::vector<int>> tieup;  // shafts that each treadle lifts
+  std::vector<int> treadling;           // treadle of each pick
+};
+Design make_design(const Recipe& recipe, ClothSize size);
+
+/// Direction of a twill line with pick 1 at the bottom and end 1 on the left.
+enum class Lean { kRight, kLeft };
+/// Twill ratio: threads the warp passes over, then under, then over ... e.g. {2, 2} or {3, 2, 1, 2}.
+using OverUnder = std::vector<int>;
+
+Design plain(ClothSize size);
+/// Groups of `group` ends and picks weave as one.
+Design basket(int group, ClothSize size);
+Design twill(const OverUnder& order, Lean lean, ClothSize size);
+/// `step` is lowered to the next that has no common factor with `shafts`.
+Design satin(int shafts, int step, Face face, ClothSize size);
+/// Point threading; straight treadling gives chevrons, point treadling diamonds.
+Design pointed_twill(const OverUnder& order, bool diamonds, ClothSize size);
+/// Bands of `band` ends that lean right and left in turn, with a clean break between them.
+Design herringbone(const OverUnder& order, int band, ClothSize size);
+/// Straight draws of `run` ends, each starting `advance` shafts further; woven as drawn in.
+Design advancing_twill(const OverUnder& order, int run, int advance, ClothSize size);
+/// The twill line steepens and flattens: up to `widest` successive ends on one shaft. `diamonds`: the draw is mirrored
+/// and woven as drawn in, which makes stars.
+Design undulating_twill(const OverUnder& order, int widest, bool diamonds, ClothSize size);
+/// Point draw on 4 or more shafts whose floats pull the cloth into cells.
+Design waffle(int shafts, ClothSize size);
+/// Four shafts, half units of five threads, lace spots in turn over a plain ground.
+Design huck_lace(ClothSize size);
+
+/// Four blocks on four shafts, drawn and woven in the order of `blocks` (0..3), `length` ends each, with
+/// tabby between the pattern picks. Weft yarn 1 is the pattern's, 0 the tabby's.
+Design overshot(const std::vector<int>& blocks, int length, ClothSize size);
+/// Two tie-down shafts and one shaft a block; `blocks` is the order of units of four ends.
+Design summer_and_winter(const std::vector<int>& blocks, ClothSize size);
+/// Two blocks of four-shaft twill, warp-faced against weft-faced with a clean cut. `blocks` is the order of
+/// units of four threads, in warp and weft alike.
+Design twill_damask(const std::vector<int>& blocks, ClothSize size);
+/// Dark and light threads in turn; the blocks of warp and weft make lines along or across. Eight shafts, four blocks;
+/// `blocks` is the order of pairs.
+Design shadow_weave(const std::vector<int>& blocks, ClothSize size);
+/// Plain weave, dark and light in turn, the order reversed every `block` threads.
+Design log_cabin(int block, ClothSize size);
+Design houndstooth(ClothSize size);
+/// Checks of four and four against checks of two and two, in 2/2 twill.
+Design glen_check(ClothSize size);
+
+/// A run of threads of one colour.
+struct Stripe {
+  int color = 0, threads = 1;
+};
+/// Colours of the palette in stripes, repeated. An empty order leaves the system unchanged.
+Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<Stripe>& warp,
+                   const std::vector<Stripe>& weft);
+/// Spacing of finished cloth from yarn and weave (see recipe.cpp). `openness` 1 is a firm cloth; 2 has
+/// twice the spacing.
+Design with_sett(Design design, float openness = 1.0f);
+
+}  // namespace weftlight::weaves

@@ -1,0 +1,67 @@
+#include "session/document/bring_back.h"
+
+#include <ctime>
+#include <utility>
+
+#include "base/text.h"
+#include "wif/wif.h"
+
+namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
+namespace {
+
+constexpr int64_t kNsPerS = 1'000'000'000;
+
+std::tm local_time(int64_t ns) {
+  const std::time_t seconds = ns / kNsPerS;
+  std::tm parts{};
+  ::localtime_r(&seconds, &parts);
+  return parts;
+}
+
+}  // namespace
+
+OpenResult bring_back(const LeftWork& left) {
+  std::optional<JournalEntry> entry = read_left(left);
+  if (!entry) {
+    return {{},
+            {{Severity::kError, 0,
+              left.problem.empty() ? fill(tr("{file} cannot be read"), arg("file", left.journal))
+                                   : fill(tr("{file} cannot be read: {problem}"), arg("file", left.journal),
+                                          arg("problem", left.problem)),
+              tr("The file was left as it is.")}}};
+  }
+  WifRead read = read_wif(entry->text);
+  if (!read.file) return {{}, std::move(read.diagnostics)};
+  const DocumentNote& note = entry->note;
+  FileIdentity began_with = note.file;
+  if (!note.path.empty() && began_with.there && changed_since(note.path, began_with) == FileChange::kNone) {
+    OpenResult original = open_document(note.path);
+    if (original.document) {
+      original.document->commit({tr("Recover unsaved work"), [d = read.file->design](const Design&) { return d; }}, 0);
+      return original;
+    }
+  }
+  Document document(std::move(*read.file), std::move(read.diagnostics), {});
+  document.without_file(note.name);
+  return {std::move(document), {}};
+}
+
+std::string time_in_words(int64_t then_ns, int64_t now_ns) {
+  const std::tm then = local_time(then_ns), today = local_time(now_ns),
+                yesterday = local_time(now_ns - 24 * 3600 * kNsPerS);
+  const auto on = [&then](const std::tm& day) { return then.tm_year == day.tm_year && then.tm_yday == day.tm_yday; };
+  char text[64];
+  std::strftime(text, sizeof text,
+                on(today)       ? tr("today %H:%M")
+                : on(yesterday) ? tr("yesterday %H:%M")
+                                : tr("%d %B %Y, %H:%M"),
+                &then);
+  return text;
+}
+
+}  // namespace weftlight::session

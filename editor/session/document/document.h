@@ -1,0 +1,82 @@
+#pragma once
+// An open draft: the file as it was opened, the history of the design, and the current drawdown.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "design/history.h"
+#include "session/document/edit.h"
+#include "session/files/file_identity.h"
+#include "session/files/names.h"
+#include "session/recovery/journal_format.h"
+#include "wif/wif.h"
+
+namespace weftlight::session {
+
+class Document {
+ public:
+  /// A draft without a file.
+  explicit Document(Design design);
+  /// An opened file. An empty `path` makes an unnamed copy (the starter draft). `identity` is that of the file as read.
+  Document(WifFile file, std::vector<Diagnostic> remarks, std::string path, FileIdentity identity = {});
+
+  const Design& now() const { return history_.now(); }
+  std::shared_ptr<const Design> snapshot() const { return history_.snapshot(); }
+  const BitMatrix& cells() const { return cells_; }
+  uint64_t revision() const { return revision_; }
+  const History& history() const { return history_; }
+  const std::vector<Diagnostic>& remarks() const { return remarks_; }
+  const std::string& path() const { return path_; }
+  /// File name. Without a file the former name, or "Untitled", which is not translated: journals keep it.
+  std::string name() const;
+  /// The name to show: without a file the title of the draft, if it has one.
+  std::string shown_name() const;
+  /// The unit of length of the threads in the opened file.
+  WifUnit unit(System system) const;
+  bool is_saved() const { return history_.is_saved(); }
+
+  /// True when the design changed.
+  bool commit(const Edit& edit, uint64_t stroke);
+  bool undo();
+  bool redo();
+  /// Goes to a step of the history.
+  bool go_to(size_t step);
+  /// `bytes` are those that were written.
+  void mark_saved(std::string path, std::string_view bytes);
+  /// The disk no longer holds what is shown.
+  void mark_unsaved() { history_.mark_unsaved(); }
+  /// Detaches the document from its file; it keeps the name.
+  void without_file(std::string name);
+
+  /// How another program changed the file since it was read or written. Cheap if nothing changed.
+  FileChange look_at_file() { return path_.empty() ? FileChange::kNone : changed_since(path_, file_); }
+  /// Accepts the file as it is now, so that a save may replace it.
+  void accept_file() { file_ = identify(path_); }
+  /// The header of its journal.
+  DocumentNote note() const;
+
+  /// Makes the text of a save. It holds values only, so that any thread may call it.
+  std::function<std::string()> writer() const;
+
+ private:
+  bool follow(const std::shared_ptr<const Design>& before);
+
+  std::shared_ptr<const WifFile> opened_;
+  std::vector<Diagnostic> remarks_;
+  std::string path_, old_name_;
+  FileIdentity file_;
+  History history_;
+  BitMatrix cells_;
+  uint64_t revision_ = 1;
+};
+
+struct OpenResult {
+  std::optional<Document> document;
+  std::vector<Diagnostic> remarks;  // why it could not be opened
+};
+OpenResult open_document(const std::string& path);
+
+}  // namespace weftlight::session

@@ -1,0 +1,25 @@
+#pragma once
+// An edit: a function from design to design and the label of its undo step. Panels and actions make edits; only the
+// document commits them.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "design/design.h"
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+struct Edit {
+  std::string label;
+  std::function<Design(Design)> apply;
+  uint64_t stroke = 0;  // edits with the same number are one undo step; 0: the number of the current drag
+  std::function<std::string(const Design&)> why = {};  // the reason if the design did not change
+  bool by_painting = false;                 // in the drawdown: shafts and treadles that it adds are removed when unused
+  std::function<Design(Design)> anew = {};  // the same for any design, if `apply` only fits one
+};
+using MaybeEdit = std::optional<Edit>;
+
+}  // namespace weftlight::session

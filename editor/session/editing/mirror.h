@@ -1,0 +1,26 @@
+#pragma once
+// Symmetric drawing: strokes are mirrored across the ends, the picks or both, about the middle of the selection or else
+// of the draft.
+
+#include <optional>
+#include <vector>
+
+#include "session/editing/document_view.h"
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+/// The axis as the index of a thread plus that of its image. Not mirrored if empty.
+struct Mirror {
+  std::optional<int> ends, picks;
+};
+Mirror mirror_of(const DocumentView& view, const Draft& draft);
+
+/// True if the columns of the grid are ends, and if its rows are picks.
+bool has_ends(GridId grid);
+bool has_picks(GridId grid);
+
+/// The cell and its images, in a fixed order. Images may lie outside of the grid.
+std::vector<Cell> images_of(const Mirror& mirror, GridId grid, Cell at);
+
+}  // namespace weftlight::session

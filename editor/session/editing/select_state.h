@@ -1,0 +1,56 @@
+#pragma once
+// The state of the select tool in a document's view; its operations are in selection_state.h.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "draft/selection.h"
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+/// A cell: a is along the screen's x, b along its y. threading (end, shaft), tieup (treadle, shaft),
+/// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick), warp_colors (end, 0),
+/// weft_colors (0, pick). -1: none.
+struct Cell {
+  int a = -1, b = -1;
+  bool valid() const { return a >= 0 && b >= 0; }
+  bool operator==(const Cell&) const = default;
+};
+
+enum class Tool { kPaint, kSelect, kLine, kRectangle, kFilledRectangle, kFill, kType };
+enum class SelectDrag { kNone, kBand, kMove };
+
+/// A move of marks in progress: the design before it, and their origin.
+struct MarksOnTheMove {
+  std::shared_ptr<const Design> base;
+  Selection from;
+  bool copy = false;
+  uint64_t stroke = 0;  // the steps of the move are one undo step
+};
+
+/// A block being pasted, its first cell at `at`.
+struct ActiveBlock {
+  CellBlock block;
+  BitGrid grid = BitGrid::kThreading;
+  Cell at{0, 0};
+  bool add = false;  // adds its marks without clearing others
+};
+
+struct SelectState {
+  Tool tool = Tool::kPaint;
+  Selection selected;           // empty if nothing is selected
+  Cell anchor;                  // first corner of the selection
+  bool with_properties = true;  // moving whole threads moves their colours and yarns
+  SelectDrag drag = SelectDrag::kNone;
+  Cell grip;  // of a move: the cell under the pointer, relative to the first of the selection
+  std::optional<MarksOnTheMove> move;
+  std::optional<ActiveBlock> held;
+  std::string notice;     // shown once in the status line
+  uint64_t revision = 0;  // of the design last followed
+  uint64_t moves = 0;     // number of moves so far
+};
+
+}  // namespace weftlight::session

@@ -1,0 +1,40 @@
+#pragma once
+// Identifies the content of a file as it was read or written, so that changes by another program are noticed before
+// they are overwritten.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991); not cryptographic. To hash several pieces, pass the hash of the earlier
+/// ones as `from`.
+uint64_t content_hash(std::string_view bytes, uint64_t from = 0xcbf29ce484222325u);
+
+struct FileIdentity {
+  bool there = false;
+  uint64_t device = 0, inode = 0, size = 0;
+  int64_t modified_ns = 0;  // since 1970
+  uint64_t hash = 0;        // of the content
+  bool operator==(const FileIdentity&) const = default;
+};
+
+/// Everything except the hash, without reading the file.
+FileIdentity facts_of(const std::string& path);
+/// Of the file at `path` as it is now, following symbolic links; reads all of it. `there` is false if it is unreadable.
+FileIdentity identify(const std::string& path);
+/// The same for a file whose content is known to be `bytes`.
+FileIdentity identify(const std::string& path, std::string_view bytes);
+
+enum class FileChange { kNone, kContent, kGone };
+/// How the file changed since it was `known`. Cheap while size, time and inode are the same; otherwise the content
+/// decides, and `known` gets the new time if the content is the same.
+FileChange changed_since(const std::string& path, FileIdentity& known);
+
+/// True if both paths lead to one file, or would once it exists.
+bool same_file(const std::string& a, const std::string& b);
+
+}  // namespace weftlight::session

@@ -1,0 +1,28 @@
+#include "session/files/stale_files.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "base/files.h"
+#include "platform/file_lock.h"
+
+namespace weftlight::session {
+namespace fs = std::filesystem;
+
+void remove_stale_files(const std::string& path) {
+  if (path.empty()) return;
+  const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::vector<std::string> found;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (base::is_temporary_of(path, entry.path().filename().string()) && !entry.is_symlink(error) &&
+        entry.is_regular_file(error))
+      found.push_back(entry.path().string());
+  for (const std::string& left : found) {
+    const auto lock = platform::FileLock::take_existing(left);
+    // Keeps a file that was finished and renamed meanwhile.
+    if (lock.held() && lock.stands_at(left)) fs::remove(left, error);
+  }
+}
+
+}  // namespace weftlight::session

@@ -1,0 +1,170 @@
+#include "session/files/user_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "base/files.h"
+#include "base/user_folders.h"
+#include "base/utf8.h"
+
+namespace weftlight::session {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr size_t kMaxRecent = 40;
+constexpr size_t kMaxPrices = 2000;
+constexpr size_t kMaxKeys = 1000, kLongestKey = 64;
+constexpr uint64_t kMaxBytes = uint64_t{1} << 20;
+
+fs::path settings_path() { return fs::path(config_folder()) / "settings.json"; }
+
+template <class T>
+void take(const nlohmann::json& json, const char* key, T& value) {
+  const auto at = json.find(key);
+  if (at == json.end()) return;
+  if constexpr (std::is_same_v<T, bool>) {
+    if (at->is_boolean()) value = at->get<bool>();
+  } else if (at->is_number()) {
+    constexpr double kLargest = 1e6;  // converting a number beyond the range of T is undefined
+    value = static_cast<T>(std::clamp(at->get<double>(), -kLargest, kLargest));
+  }
+}
+
+/// A path as text, or as an array of bytes if it is not UTF-8.
+nlohmann::json path_json(const std::string& path) {
+  if (is_utf8(path)) return path;
+  return std::vector<uint8_t>(path.begin(), path.end());
+}
+
+std::string path_from(const nlohmann::json& json) {
+  if (json.is_string()) return json.get<std::string>();
+  std::string path;
+  if (!json.is_array()) return path;
+  for (const nlohmann::json& byte : json) {
+    if (!byte.is_number_unsigned() || byte.get<uint64_t>() > 255) return {};
+    path.push_back(static_cast<char>(byte.get<uint64_t>()));
+  }
+  return path;
+}
+
+void take_prices(const nlohmann::json& json, std::map<std::string, float>& prices) {
+  const auto found = json.find("yarn_prices");
+  if (found == json.end() || !found->is_object()) return;
+  for (const auto& [yarn, price] : found->items())
+    if (price.is_number() && price.get<double>() >= 0 && price.get<double>() <= 1e6 && prices.size() < kMaxPrices)
+      prices[yarn] = price.get<float>();
+}
+
+/// Only names in UTF-8: JSON cannot hold others.
+std::map<std::string, float> writable(const std::map<std::string, float>& prices) {
+  std::map<std::string, float> out;
+  for (const auto& [yarn, price] : prices)
+    if (is_utf8(yarn)) out[yarn] = price;
+  return out;
+}
+
+}  // namespace
+
+Settings load_settings() { return settings_from(read_file(settings_path().string(), kMaxBytes).bytes); }
+
+Settings settings_from(std::string_view text) {
+  Settings s;
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return s;
+  take(json, "dark", s.dark);
+  take(json, "end1_right", s.end1_right);
+  take(json, "pick1_bottom", s.pick1_bottom);
+  take(json, "threading_below", s.threading_below);
+  take(json, "minimap", s.minimap);
+  take(json, "tiled", s.tiled);
+  take(json, "show_repeat", s.show_repeat);
+  int style = 0;
+  take(json, "drawdown_style", style);
+  s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
+  take(json, "heavy_lines", s.heavy_lines);
+  s.heavy_lines = std::clamp(s.heavy_lines, 0, 64);
+  take(json, "per_inch", s.per_inch);
+  take(json, "inspector", s.inspector);
+  take(json, "toured", s.toured);
+  take(json, "start_page", s.start_page);
+  take(json, "by_time", s.by_time);
+  take(json, "picture_ms", s.picture_ms);
+  if (!(s.picture_ms >= kMinPictureMs && s.picture_ms <= kMaxPictureMs)) s.picture_ms = Settings{}.picture_ms;
+  take(json, "loom_waste_cm", s.loom_waste_cm);
+  take(json, "shrinkage", s.shrinkage);
+  take(json, "spare_yarn", s.spare_yarn);
+  take_prices(json, s.yarn_prices);
+  const Settings usual;
+  if (!(s.loom_waste_cm >= 0 && s.loom_waste_cm <= kMaxLoomWasteCm)) s.loom_waste_cm = usual.loom_waste_cm;
+  if (!(s.shrinkage >= 0 && s.shrinkage <= kMaxShare)) s.shrinkage = usual.shrinkage;
+  if (!(s.spare_yarn >= 0 && s.spare_yarn <= kMaxShare)) s.spare_yarn = usual.spare_yarn;
+  take(json, "split", s.split);
+  take(json, "width", s.width);
+  take(json, "height", s.height);
+  if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
+    for (const auto& path : *recent)
+      if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMaxRecent)
+        s.recent.push_back(std::move(one));
+  if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
+  if (const auto keys = json.find("keys"); keys != json.end() && keys->is_object())
+    for (const auto& [action, key] : keys->items())
+      if (key.is_string() && key.get_ref<const std::string&>().size() <= kLongestKey && s.keys.size() < kMaxKeys)
+        s.keys[action] = key.get<std::string>();
+  if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
+  s.width = std::clamp(s.width, 320, 16384);
+  s.height = std::clamp(s.height, 240, 16384);
+  return s;
+}
+
+std::string settings_text(const Settings& s) {
+  nlohmann::json recent = nlohmann::json::array();
+  for (const std::string& path : s.recent) recent.push_back(path_json(path));
+  const nlohmann::json json = {{"dark", s.dark},
+                               {"end1_right", s.end1_right},
+                               {"pick1_bottom", s.pick1_bottom},
+                               {"threading_below", s.threading_below},
+                               {"minimap", s.minimap},
+                               {"tiled", s.tiled},
+                               {"show_repeat", s.show_repeat},
+                               {"drawdown_style", static_cast<int>(s.drawdown_style)},
+                               {"per_inch", s.per_inch},
+                               {"inspector", s.inspector},
+                               {"toured", s.toured},
+                               {"start_page", s.start_page},
+                               {"by_time", s.by_time},
+                               {"picture_ms", s.picture_ms},
+                               {"loom_waste_cm", s.loom_waste_cm},
+                               {"shrinkage", s.shrinkage},
+                               {"spare_yarn", s.spare_yarn},
+                               {"yarn_prices", writable(s.yarn_prices)},
+                               {"split", s.split},
+                               {"width", s.width},
+                               {"height", s.height},
+                               {"recent", recent},
+                               {"keys", s.keys},
+                               {"heavy_lines", s.heavy_lines},
+                               {"loom", is_utf8(s.loom_address) ? s.loom_address : std::string()}};
+  return json.dump(1) + "\n";
+}
+
+void save_settings(const Settings& s) {
+  std::error_code ignored;  // a home that cannot be written to is no reason to stop
+  fs::create_directories(settings_path().parent_path(), ignored);
+  write_file_atomically(settings_path().string(), settings_text(s));
+}
+
+void remember(Settings& settings, const std::string& path) {
+  std::error_code error;
+  const fs::path full = fs::absolute(path, error);
+  const std::string text = error ? path : full.string();
+  std::erase(settings.recent, text);
+  settings.recent.insert(settings.recent.begin(), text);
+  if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
+}
+
+void forget(Settings& settings, const std::string& path) { std::erase(settings.recent, path); }
+
+}  // namespace weftlight::session

@@ -1,0 +1,62 @@
+#pragma once
+// The user's settings, shared by all documents of the window.
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+enum class DrawdownStyle { kThreads, kColor, kStructure };
+
+/// Comparison with the ray-traced reference: split by a slider, or the difference.
+enum class Compare { kOff, kSplit, kDifference };
+
+inline constexpr float kMaxLoomWasteCm = 1000, kMaxShare = 0.6f;
+inline constexpr float kMinPictureMs = 5, kMaxPictureMs = 5000;
+
+struct Settings {
+  bool dark = false, end1_right = true;
+  bool pick1_bottom = false;     // picks run upwards, as they are woven
+  bool threading_below = false;  // below the drawdown, shaft 1 next to it; else above
+  bool minimap = true;           // shown if the drawdown is not fully visible
+  bool tiled = false;            // the drawdown repeats beyond its edges
+  bool show_repeat = false;      // outlined in the drawdown
+  DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
+  int heavy_lines = 5;                      // a heavier grid line every n threads; 0: none
+  bool per_inch = false;                    // ends and picks per inch
+  bool inspector = true;                    // the inspector is shown
+  float split = 0;                          // fraction of the width for the draft; 0 fits it
+  int width = 1440, height = 900;           // of the window
+  std::vector<std::string> recent;          // paths, most recent first
+  std::string loom_address;                 // of the loom last connected
+  std::map<std::string, std::string> keys;  // shortcuts set by the user, by action id; empty: none
+  float loom_waste_cm = 60, shrinkage = 0.08f, spare_yarn = 0.05f;  // for the yarn estimate; the last two are fractions
+  std::map<std::string, float> yarn_prices;                         // per kilogram, by yarn name
+  bool by_time = false;                                             // time budget instead of an error tolerance
+  float picture_ms = 60;                                            // that budget, for the pass of the cloth
+  bool start_page = true;                                           // the gallery opens at the start
+  bool toured = false;                                              // the tour was finished or skipped
+  // State of the open window; not saved.
+  int tour = -1;  // step of the tour; -1 if it is not shown
+  int inspector_tab = 0;
+  bool show_history = false;
+  bool show_methods = false;  // false colours by shading method
+  Compare compare = Compare::kOff;
+  float compare_split = 0.5f;  // fraction of the pane width
+  float lobe_light_deg = 35;   // angle of the light in the plot of the lobes, from the normal
+};
+/// $XDG_CONFIG_HOME/weftlight/settings.json; missing or invalid values are as in Settings{}.
+Settings load_settings();
+/// Reads and writes the text of the file. Any bytes can be read; any path can be written as UTF-8 JSON.
+Settings settings_from(std::string_view json);
+std::string settings_text(const Settings& settings);
+void save_settings(const Settings& settings);
+void remember(Settings& settings, const std::string& path);
+/// Removes the path from the recent files.
+void forget(Settings& settings, const std::string& path);
+
+}  // namespace weftlight::session

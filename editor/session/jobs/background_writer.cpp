@@ -1,0 +1,114 @@
+#include "session/jobs/background_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/caught.h"
+
+namespace weftlight::session {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kRetry{1};
+
+std::string run_safely(const std::function<std::string()>& job) {
+  try {
+    return job();
+  } catch (...) {
+    return words_of_thrown();
+  }
+}
+
+}  // namespace
+
+BackgroundWriter::BackgroundWriter() : thread_([this] { work(); }) {}
+
+BackgroundWriter::~BackgroundWriter() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void BackgroundWriter::keep(const std::string& path, std::function<std::string()> job) {
+  post(path, {std::move(job), true});
+}
+
+void BackgroundWriter::drop(const std::string& path) {
+  post(path, {[] { return std::string(); }, false});  // replaces a waiting job and stops its retries
+}
+
+void BackgroundWriter::run(const std::string& path, std::string done, std::function<std::string()> job) {
+  post(path, {[this, done = std::move(done), job = std::move(job)] {
+                std::string problem = job();
+                const std::lock_guard lock(mutex_);
+                if (problem.empty()) message_ = done;
+                return problem;
+              },
+              false});
+}
+
+std::string BackgroundWriter::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problems_.empty() ? std::string() : problems_.begin()->second;
+}
+
+bool BackgroundWriter::busy() const {
+  const std::lock_guard lock(mutex_);
+  return working_ || !waiting_.empty() || !message_.empty() || !error_.empty();
+}
+
+std::string BackgroundWriter::take_message() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(message_, {});
+}
+
+std::string BackgroundWriter::take_error() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(error_, {});
+}
+
+void BackgroundWriter::post(const std::string& path, Job job) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_[path] = std::move(job);
+  }
+  wake_.notify_one();
+}
+
+std::map<std::string, BackgroundWriter::Job>::iterator BackgroundWriter::due() {
+  const bool now = leaving_ || Clock::now() >= retry_;
+  return std::find_if(waiting_.begin(), waiting_.end(),
+                      [&](const auto& job) { return now || !problems_.contains(job.first); });
+}
+
+void BackgroundWriter::work() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (waiting_.empty()) wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
+    else wake_.wait_until(lock, retry_, [this] { return leaving_ || due() != waiting_.end(); });
+    if (waiting_.empty() && leaving_) return;
+    const auto next = due();
+    if (next == waiting_.end()) continue;
+    auto job = waiting_.extract(next);
+    working_ = true;
+    lock.unlock();
+    std::string problem = run_safely(job.mapped().run);
+    lock.lock();
+    working_ = false;
+    problems_.erase(job.key());
+    if (problem.empty()) continue;
+    if (!job.mapped().again) {
+      error_ = std::move(problem);
+      continue;
+    }
+    if (leaving_) continue;  // the last try at exit
+    retry_ = Clock::now() + kRetry;
+    const auto placed = waiting_.insert(std::move(job));  // does nothing if a newer job waits
+    caught([&] { problems_[placed.position->first] = std::move(problem); });
+  }
+}
+
+}  // namespace weftlight::session

@@ -1,0 +1,67 @@
+#pragma once
+// Simulates the drape of the shown cloth from its own stiffness, on its own thread, with progress and a stop. Results
+// are kept in the user's cache; the design only says that a simulated drape is wanted.
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "base/worker.h"
+#include "design/design.h"
+#include "session/document/edit.h"
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+enum class DrapeStage {
+  kShipped,  // the generic drape that is shipped
+  kFalling,  // the simulation runs; the generic drape is shown
+  kOwn,      // the simulated drape of this fabric
+  kStopped,
+  kFailed,
+};
+struct DrapeState {
+  DrapeStage stage = DrapeStage::kShipped;
+  float share = 0;      // progress of kFalling, 0..1
+  std::string problem;  // of kFailed
+};
+
+/// The edit that switches the simulated drape on or off.
+Edit simulated_drape_edit(bool own);
+
+class Draper {
+ public:
+  struct News {
+    bool any = false;     // state() changed since the last call
+    bool draped = false;  // there is a new mesh to show
+    std::string said;
+  };
+
+  /// `wake` is called on the worker thread when there is an update.
+  explicit Draper(std::function<void()> wake);
+  /// Follows the shown design: loads its drape from the cache, or simulates it.
+  void follow(const std::shared_ptr<const Design>& design);
+  /// Stops the simulation until the design needs another drape or again() is called.
+  void stop();
+  void again(const std::shared_ptr<const Design>& design);
+  DrapeState state() const;
+  bool busy() const { return state().stage == DrapeStage::kFalling; }
+  News take_news();
+
+ private:
+  void run(const Design& design, const std::string& wanted, const std::stop_token& stop);
+  void fail(const std::string& why);
+  /// Reports from the worker thread, if the drape is still wanted.
+  void tell(const std::string& wanted, DrapeState state, std::string said = {});
+
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;  // guards the next three
+  DrapeState state_;
+  News news_;
+  std::string wanted_;  // cache path of the drape; empty for the generic one
+  base::Worker worker_{
+      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
+};
+
+}  // namespace weftlight::session

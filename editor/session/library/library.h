@@ -1,0 +1,18 @@
+#pragma once
+// The shipped drafts and cloths.
+
+#include <string>
+#include <vector>
+
+#include "session/files/names.h"
+
+namespace weftlight::session {
+
+struct LibraryFile {
+  std::string path, id, name;  // "/.../denim.wif", "cloth.denim", "Denim"
+  bool cloth = false;          // a cloth with its yarns; else a draft only
+};
+/// Cloths before drafts, each sorted by name; empty if the presets are missing.
+std::vector<LibraryFile> library_files();
+
+}  // namespace weftlight::session

@@ -1,0 +1,246 @@
+#include "session/recovery/journal.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "base/caught.h"
+#include "base/text.h"
+#include "wif/wif.h"
+
+namespace weftlight::session {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr auto kPause = 100ms;  // between two entries: a drag makes sixty states per second
+constexpr auto kRetry = 1s;
+/// A journal that has grown to this size is started again, because reading goes through all of it.
+constexpr size_t kMaxEntries = 500, kMaxAppended = size_t{4} << 20;
+
+/// Appends to an existing file, or to a new one with `how` = O_CREAT | O_EXCL. Returns the error, or empty.
+std::string append(const std::string& path, std::string_view bytes, int how = 0) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | how, 0600);
+  if (file < 0) return path + ": " + std::strerror(errno);
+  std::string problem;
+  while (!bytes.empty() && problem.empty()) {
+    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno != EINTR) problem = path + ": " + std::strerror(errno);
+    if (n > 0) bytes.remove_prefix(static_cast<size_t>(n));
+  }
+  if (::close(file) != 0 && problem.empty()) problem = path + ": " + std::strerror(errno);
+  return problem;
+}
+
+/// Flushes the file and its folder to disk. Returns the error, or empty; a removed file is no error.
+std::string flushed(const std::string& path) {
+  for (const std::string& what : {path, std::filesystem::path(path).parent_path().string()}) {
+    const int file = ::open(what.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) continue;
+    const bool done = ::fsync(file) == 0 || errno == EINVAL;
+    const int cause = errno;
+    ::close(file);
+    if (!done)
+      return fill(tr("The recovery copy may not be on the disk ({file}): {problem}"), arg("file", path),
+                  arg("problem", std::strerror(cause)));
+  }
+  return {};
+}
+
+/// `text` with what was thrown as its {problem}. Short enough to need no allocation when memory is out.
+std::string failure_text(const char* text, const std::string& thrown) {
+  std::string whole;
+  caught([&] { whole = fill(tr(text), arg("problem", thrown)); });
+  return whole.empty() ? "no memory" : whole;
+}
+
+}  // namespace
+
+Journal::Journal(Recovery& recovery)
+    : recovery_(recovery), thread_([this] { work(); }), flusher_([this] { flush(); }) {}
+
+Journal::~Journal() {
+  {
+    const std::lock_guard lock(mutex_);
+    leaving_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+  {
+    const std::lock_guard lock(mutex_);
+    written_all_ = true;
+  }
+  flush_.notify_one();
+  flusher_.join();
+}
+
+/// The newest request for a document replaces the waiting one.
+void Journal::post(uint64_t document, Task task) {
+  {
+    const std::lock_guard lock(mutex_);
+    Task& waiting = waiting_[document];
+    task.then.splice(task.then.begin(), waiting.then);
+    if (!task.keep && !task.forget) {
+      task.keep = std::move(waiting.keep);
+      task.forget = waiting.forget;
+    }
+    waiting = std::move(task);
+  }
+  wake_.notify_one();
+}
+
+void Journal::keep(uint64_t document, DocumentNote note, std::function<std::string()> make_text) {
+  post(document, {State{std::move(note), std::move(make_text)}, false, {}});
+}
+
+void Journal::forget(uint64_t document) { post(document, {{}, true, {}}); }
+
+void Journal::replace(const LeftWork& left, uint64_t document) { post(document, {{}, false, {left}}); }
+
+void Journal::discard(const LeftWork& left) { replace(left, 0); }
+
+std::string Journal::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problems_.empty() ? flush_problem_ : problems_.begin()->second;
+}
+
+bool Journal::busy() const {
+  const std::lock_guard lock(mutex_);
+  return working_ || !waiting_.empty() || flushing_ || !unflushed_.empty();
+}
+
+void Journal::settle() {
+  std::unique_lock lock(mutex_);
+  settled_.wait(lock, [this] {
+    const bool flushed = !flushing_ && unflushed_.empty();
+    return !working_ && flushed && (waiting_.empty() || !problems_.empty());
+  });
+}
+
+void Journal::flush() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    flush_.wait(lock, [this] { return written_all_ || !unflushed_.empty(); });
+    if (unflushed_.empty()) return;
+    const auto journals = std::exchange(unflushed_, {});
+    flushing_ = true;
+    lock.unlock();
+    std::string problem;
+    const std::string thrown = caught([&] {
+      for (const std::string& path : journals)
+        if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
+    });
+    if (!thrown.empty()) problem = failure_text(mark("The recovery copy may not be on the disk: {problem}"), thrown);
+    lock.lock();
+    flushing_ = false;
+    begin_anew_ |= !problem.empty();
+    flush_problem_ = std::move(problem);
+    settled_.notify_all();
+  }
+}
+
+void Journal::work() {
+  caught([this] { recovery_.open(); });  // early; the first entry reports an error
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    wake_.wait(lock, [this] { return leaving_ || !waiting_.empty(); });
+    // The pause counts from the last entry, so that a single change is written at once.
+    wake_.wait_until(lock, next_, [this] { return leaving_; });
+    const bool last = leaving_;
+    auto tasks = std::exchange(waiting_, {});
+    working_ = true;
+    next_ = Clock::now() + kPause;
+    while (!tasks.empty()) {
+      auto task = tasks.extract(tasks.begin());
+      lock.unlock();
+      std::string problem;
+      const std::string thrown = caught([&] { problem = perform(task.key(), task.mapped()); });
+      if (!thrown.empty()) problem = failure_text(mark("No recovery copy: {problem}"), thrown);
+      lock.lock();
+      if (problem.empty()) problems_.erase(task.key());
+      else try_again(std::move(task), std::move(problem));
+    }
+    working_ = false;
+    settled_.notify_all();
+    if (last) return;
+  }
+}
+
+/// Allocates nothing before the task is queued again, since the error may be a lack of memory.
+void Journal::try_again(std::map<uint64_t, Task>::node_type task, std::string problem) {
+  next_ = Clock::now() + kRetry;
+  const uint64_t document = task.key();
+  if (auto placed = waiting_.insert(std::move(task)); !placed.inserted) {
+    Task &newer = placed.position->second, &older = placed.node.mapped();
+    newer.then.splice(newer.then.end(), older.then);
+    if (!newer.keep && !newer.forget) {
+      newer.keep = std::move(older.keep);
+      newer.forget = older.forget;
+    }
+  }
+  caught([&] { problems_[document] = std::move(problem); });
+}
+
+std::string Journal::perform(uint64_t document, const Task& task) {
+  std::string problem;
+  if (task.keep) problem = write(document, *task.keep);
+  if (task.forget) {
+    written_.erase(document);
+    std::error_code error;
+    std::filesystem::remove(recovery_.journal_path(document), error);
+    if (error && error != std::errc::not_a_directory)
+      problem = recovery_.journal_path(document) + ": " + error.message();
+  }
+  if (problem.empty() && !task.then.empty()) problem = flushed(recovery_.journal_path(document));
+  if (problem.empty())
+    for (const LeftWork& left : task.then) recovery_.discard(left);
+  return problem;
+}
+
+std::string Journal::write(uint64_t document, const State& state) {
+  Written& written = written_[document];
+  const std::string path = recovery_.journal_path(document);
+  std::string text = state.make_text();
+  std::unique_lock lock(mutex_);
+  if (std::exchange(begin_anew_, false))
+    for (auto& [other, journal] : written_) journal.whole = false;
+  lock.unlock();
+  bool done = false;
+  if (written.whole && written.note == state.note && written.entries < kMaxEntries && written.appended < kMaxAppended) {
+    const std::string entry = journal_entry(written.text, text);
+    done = append(path, entry).empty();
+    ++written.entries;
+    written.appended += entry.size();
+  }
+  if (!done) {
+    // The first entry, or the journal is torn or too long.
+    written.whole = false;
+    std::string problem = recovery_.open();
+    if (!problem.empty())
+      return fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name), arg("problem", problem));
+    const std::string start = journal_start({state.note, text});
+    if (!append(path, start, O_CREAT | O_EXCL).empty()) problem = write_file_atomically(path, start);
+    if (!problem.empty())
+      return fill(tr("No recovery copy of {draft} ({file}): {problem}"), arg("draft", state.note.name),
+                  arg("file", path), arg("problem", problem));
+    written = {state.note, {}, 0, 0, true};
+  }
+  written.text = std::move(text);
+  lock.lock();
+  unflushed_.insert(path);
+  flush_.notify_one();
+  return {};
+}
+
+}  // namespace weftlight::session

@@ -1,0 +1,140 @@
+#include "session/recovery/recovery.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "base/text.h"
+#include "platform/unique_name.h"
+#include "wif/wif.h"
+
+namespace weftlight::session {
+
+using base::tr;
+
+namespace {
+
+namespace fs = std::filesystem;
+using platform::FileLock;
+constexpr const char* kLock = "lock";
+constexpr const char* kJournal = ".journal";
+
+std::vector<fs::path> sessions_in(const fs::path& root) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(root, error))
+    if (platform::is_unique_name(entry.path().filename().string()) && entry.is_directory(error))
+      found.push_back(entry.path());
+  return found;
+}
+
+std::vector<fs::path> journals_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == kJournal) found.push_back(entry.path());
+  return found;
+}
+
+struct ReadEntry {
+  std::optional<JournalEntry> last;
+  std::string problem;  // if there is no entry
+};
+
+ReadEntry read_entry(const std::string& journal) {
+  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, tr("it is larger than any journal")};
+  const FileBytes file = read_file(journal);
+  if (!file.error.empty()) return {{}, file.error};
+  ReadEntry read{read_journal(file.bytes), {}};
+  if (!read.last) read.problem = tr("it is damaged before the end of its first entry");
+  return read;
+}
+
+/// An empty journal: its session ended before it wrote to it.
+bool holds_nothing(const fs::path& journal) {
+  std::error_code error;
+  return fs::is_regular_file(journal, error) && fs::file_size(journal, error) == 0 && !error;
+}
+
+/// True if the session saved the file but ended before it removed the journal.
+bool stands_saved(const JournalEntry& last) {
+  if (last.note.path.empty() || facts_of(last.note.path).size != last.text.size()) return false;
+  return identify(last.note.path).hash == content_hash(last.text);
+}
+
+/// Removes the folder and its contents unless it holds a journal.
+void remove_session(const fs::path& folder) {
+  std::error_code ignored;
+  if (journals_in(folder).empty()) fs::remove_all(folder, ignored);
+}
+
+}  // namespace
+
+Recovery::Recovery(std::string root)
+    : root_(std::move(root)), folder_((fs::path(root_) / platform::unique_name()).string()) {}
+
+Recovery::~Recovery() {
+  if (lock_.held()) remove_session(folder_);
+}
+
+std::string Recovery::open() {
+  const std::lock_guard mine(mutex_);
+  const std::string path = (fs::path(folder_) / kLock).string();
+  if (lock_.stands_at(path)) return {};
+  std::error_code error;
+  fs::create_directories(root_, error);
+  // Searches for crashed sessions wait for this lock: they would take a folder without its own lock for a crashed one.
+  const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
+  if (!error) fs::create_directories(folder_, error);
+  if (error) return folder_ + ": " + error.message();
+  lock_ = FileLock::take(path);
+  return lock_.held() ? std::string() : path + ": " + std::strerror(lock_.cause());
+}
+
+std::string Recovery::journal_path(uint64_t document) const {
+  return (fs::path(folder_) / (std::to_string(document) + kJournal)).string();
+}
+
+std::vector<LeftWork> Recovery::left_behind() {
+  const std::lock_guard mine(mutex_);
+  std::vector<LeftWork> found;
+  std::error_code error;
+  if (!fs::is_directory(root_, error)) return found;
+  const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
+  for (const fs::path& folder : sessions_in(root_)) {
+    if (folder == folder_) continue;
+    FileLock& lock = crashed_[folder.string()];
+    if (!lock.held()) lock = FileLock::take((folder / kLock).string());
+    if (!lock.held()) continue;  // the session is running
+    for (const fs::path& journal : journals_in(folder)) {
+      if (!fs::is_regular_file(journal, error)) continue;  // not a journal of ours
+      ReadEntry read = read_entry(journal.string());
+      if (holds_nothing(journal) || (read.last && stands_saved(*read.last))) {
+        fs::remove(journal, error);
+        continue;
+      }
+      found.push_back(LeftWork{journal.string(), read.last ? read.last->note : DocumentNote{},
+                               facts_of(journal.string()).modified_ns, std::move(read.problem)});
+    }
+    remove_session(folder);
+  }
+  std::erase_if(crashed_, [](const auto& session) { return !session.second.held(); });
+  std::sort(found.begin(), found.end(), [](const LeftWork& a, const LeftWork& b) {
+    return a.problem.empty() != b.problem.empty() ? a.problem.empty() : a.written_ns > b.written_ns;
+  });
+  return found;
+}
+
+void Recovery::discard(const LeftWork& left) {
+  const std::lock_guard mine(mutex_);
+  std::error_code ignored;
+  fs::remove(left.journal, ignored);
+  const fs::path folder = fs::path(left.journal).parent_path();
+  remove_session(folder);
+  if (!fs::exists(folder, ignored)) crashed_.erase(folder.string());
+}
+
+std::optional<JournalEntry> read_left(const LeftWork& left) { return read_entry(left.journal).last; }
+
+}  // namespace weftlight::session

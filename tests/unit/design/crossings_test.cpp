@@ -1,0 +1,53 @@
+// Crossings painted on the drawdown.
+
+#include "design/crossings.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "design/edits.h"
+#include "design/selection_edits.h"
+#include "draft/drawdown.h"
+
+namespace weftlight::design {
+namespace {
+
+Design liftplan_design(std::mt19937& random, bool rising) {
+  Design d;
+  d.draft = blank_draft(23, 9, 5, 1);
+  d.draft.shed_control = ShedControl::kLiftplan;
+  d.draft.rising = rising;
+  for (int e = 0; e < 23; ++e) d.draft.threading.set(e, static_cast<int>(random() % 5), true);
+  for (int p = 0; p < 9; ++p)
+    for (int s = 0; s < 5; ++s) d.draft.liftplan.set(p, s, random() % 2 == 0);
+  return d;
+}
+
+TEST(Crossings, ABlockEqualsItsCellsPaintedInOrder) {
+  std::mt19937 random(3);
+  for (const bool rising : {true, false}) {
+    const Design before = liftplan_design(random, rising);
+    const Selection s{BitGrid::kDrawdown, 4, 20, 2, 8};
+    BitMatrix block(s.rows(), s.columns());
+    for (int r = 0; r < block.rows(); ++r)
+      for (int c = 0; c < block.cols(); ++c) block.set(r, c, random() % 2 == 0);
+    Design one_by_one = before;
+    for (int p = s.b0; p < s.b1; ++p)
+      for (int e = s.a0; e < s.a1; ++e)
+        one_by_one = painted_cell(std::move(one_by_one), e, p, block.get(p - s.b0, e - s.a0)).design;
+    const Design at_once = painted_crossings(before, s, s.a0, s.b0, block, Write::kInside).design;
+    EXPECT_EQ(drawdown(at_once.draft), drawdown(one_by_one.draft)) << rising;
+  }
+}
+
+TEST(Crossings, InvertingAllGivesTheOtherFace) {
+  std::mt19937 random(4);
+  const Design before = liftplan_design(random, true);
+  const Design after = with_inverted(before, whole_grid(before.draft, BitGrid::kDrawdown));
+  EXPECT_EQ(drawdown(after.draft), inverted(drawdown(before.draft)));
+  EXPECT_EQ(with_inverted(after, whole_grid(after.draft, BitGrid::kDrawdown)).draft, before.draft);
+}
+
+}  // namespace
+}  // namespace weftlight::design

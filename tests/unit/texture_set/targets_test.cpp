@@ -1,0 +1,114 @@
+// The table of export targets: that it is all a new target needs, and that the docs agree with it.
+
+#include "texture_set/targets.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "../files/sheet.h"
+#include "../scratch.h"
+#include "base/files.h"
+#include "paths.h"
+#include "sample_set.h"
+#include "texture_set/material_files.h"
+
+namespace weftlight::texture_set {
+namespace {
+
+using enum Channel;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+// A target as a file in targets/ has it: maps of its own, y down, a material of one line.
+constexpr ImageRow kImages[] = {
+    {"mu-", "_color", ".png", PixelType::kU8, true, kBaseCoverage},
+    {"mu-", "_bump", ".png", PixelType::kU16, false, {kNormalX, kNormalYDown, kNormalZ, kNone}},
+};
+
+std::string write_material(const SetFacts& set) {
+  return base::write_file_atomically(set.folder + "/" + set.name + ".mu",
+                                     "use " + image_named(set, "_color", Face::kBack) + "\n");
+}
+
+const ExportTarget kMadeUp{
+    .id = "made-up",
+    .title = "Made Up Engine",
+    .images = kImages,
+    .normal = "-Y",
+    .front = "_face",
+    .model = {.sheen = 0, .most_f0 = 1, .grazing = false, .anisotropic = false},
+    .open = Alpha::kHashed,
+    .material = ".mu",
+    .write_material = write_material,
+    .note = " Made up for a test.",
+};
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ExportTargets, ANewOneIsAFileAndARow) {
+  std::vector<const ExportTarget*> table(kTargets.begin(), kTargets.end());
+  table.push_back(&kMadeUp);
+  const ExportTarget* target = target_named("made-up", table);
+  ASSERT_EQ(target, &kMadeUp);
+  EXPECT_EQ(target_named("made-up"), nullptr) << "the program's own table has no such target";
+
+  const Scratch scratch("made-up");
+  const std::string folder = scratch / "set";
+  ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(*target, 32)), "");
+  std::set<std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder)) found.insert(entry.path().filename());
+  EXPECT_EQ(found, (std::set<std::string>{"README.md", "contact_sheet.png", "mu-sample_back_bump.png",
+                                          "mu-sample_back_color.png", "mu-sample_face_bump.png",
+                                          "mu-sample_face_color.png", "sample.mu", "texture_set.json"}));
+  const json list = list_of(folder);
+  EXPECT_EQ(list["target"], "made-up");
+  EXPECT_EQ(list["normal"], "-Y");
+  EXPECT_EQ(list["material"], "sample.mu");
+  EXPECT_EQ(list["maps"].size(), 4u);
+  EXPECT_EQ(list["maps"][1]["type"], "16-bit");
+  EXPECT_EQ(list["maps"][1]["channels"]["G"], "normal y, down");
+  EXPECT_EQ(text_of(folder + "/sample.mu"), "use mu-sample_back_color.png\n");
+  EXPECT_NE(text_of(folder + "/README.md").find("Made up for a test."), std::string::npos);
+  EXPECT_EQ(alpha_for(*target, Alpha::kAuto, 0.5f), Alpha::kHashed);
+}
+
+TEST(ExportTargets, AreWholeAndDifferent) {
+  std::set<std::string> ids, titles;
+  for (const ExportTarget* target : kTargets) {
+    EXPECT_TRUE(ids.insert(target->id).second) << target->id;
+    EXPECT_TRUE(titles.insert(target->title).second) << target->id;
+    EXPECT_EQ(target_named(target->id), target);
+    EXPECT_EQ(target->write_material != nullptr, *target->material != 0) << target->id;
+    std::set<std::string> files;
+    for (const ImageRow& row : target->images)
+      EXPECT_TRUE(files.insert(image_file(*target, row, "a", Face::kFront)).second) << target->id << row.suffix;
+    EXPECT_FALSE(files.empty()) << target->id;
+  }
+}
+
+TEST(ExportTargets, DocsNameThem) {
+  std::string ids, rows = "| target | model of the highlight | sheen that is fitted |\n|---|---|---|\n";
+  for (const ExportTarget* target : kTargets) {
+    if (!ids.empty()) ids += '|';
+    ids += target->id;
+    if (target->raw) continue;
+    for (const char* cell : {target->id, target->highlight, target->sheen}) rows.append("| ").append(cell).append(" ");
+    rows += "|\n";
+  }
+  const std::string usage = "--target " + ids + "[,...]";
+  EXPECT_NE(text_of(WEFTLIGHT_SOURCE_DIR "/docs/commands.md").find(usage), std::string::npos)
+      << "docs/commands.md shall hold\n"
+      << usage;
+  EXPECT_NE(text_of(WEFTLIGHT_SOURCE_DIR "/docs/engines.md").find(rows), std::string::npos)
+      << "docs/engines.md shall hold\n"
+      << rows;
+}
+
+}  // namespace
+}  // namespace weftlight::texture_set

@@ -1,0 +1,114 @@
+#include "weaves/weaves.h"
+
+#include <gtest/gtest.h>
+
+#include "../hand_drafts.h"
+#include "../yarns.h"
+#include "analysis/floats.h"
+
+namespace weftlight::weaves {
+namespace {
+
+Rows cloth(const Design& design) { return text_of(drawdown(design.draft)); }
+
+TEST(Generators, KnownDrawdowns) {
+  EXPECT_EQ(cloth(plain({3, 2})), (Rows{"101", "010"}));
+  EXPECT_EQ(cloth(basket(2, {4, 4})), (Rows{"1100", "1100", "0011", "0011"}));
+  EXPECT_EQ(cloth(twill({2, 1}, Lean::kRight, {3, 3})), (Rows{"110", "011", "101"}));
+  EXPECT_EQ(cloth(twill({2, 1}, Lean::kLeft, {3, 3})), (Rows{"110", "101", "011"}));
+  EXPECT_EQ(cloth(satin(5, 2, Face::kBack, {5, 5})), (Rows{"10000", "00100", "00001", "01000", "00010"}));
+  EXPECT_EQ(cloth(satin(5, 2, Face::kFront, {5, 2})), (Rows{"01111", "11011"}));
+  EXPECT_EQ(cloth(pointed_twill({1, 2}, false, {4, 3})), (Rows{"1000", "0101", "0010"}));
+}
+
+TEST(Generators, HerringboneBreaksCleanly) {
+  const BitMatrix cells = drawdown(herringbone({2, 2}, 6, {24, 4}).draft);
+  for (const int turn : {5, 11}) {
+    for (int p = 0; p < 4; ++p) EXPECT_NE(cells.get(p, turn), cells.get(p, turn + 1));
+  }
+}
+
+TEST(Generators, FloatsStayShort) {
+  const auto longest = [](const Design& d) {
+    const analysis::LongestFloats f = analysis::longest_floats(drawdown(d.draft));
+    return std::max({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
+  };
+  EXPECT_EQ(longest(waffle(4, {60, 60})), 5);
+  EXPECT_EQ(longest(huck_lace({60, 60})), 7);
+  EXPECT_EQ(longest(shadow_weave({0, 0, 1, 1, 2, 2, 3, 3}, {16, 16})), 2);
+  EXPECT_EQ(longest(twill_damask({0, 0, 1}, {12, 12})), 3);
+  EXPECT_EQ(longest(summer_and_winter({0, 1, 1}, {12, 12})), 3);
+  EXPECT_EQ(longest(advancing_twill({2, 2}, 4, 1, {16, 16})), 2);
+}
+
+TEST(Generators, OvershotTabbiesWeavePlain) {
+  const Design d = overshot({0, 1, 2, 3}, 4, {16, 16});
+  const BitMatrix cells = drawdown(d.draft);
+  for (int p = 1; p < 16; p += 2) {
+    for (int e = 0; e < 16; ++e) EXPECT_EQ(cells.get(p, e), (e + p / 2) % 2 == 0);
+  }
+  EXPECT_EQ(d.draft.weft.yarn[0], 1);
+  EXPECT_EQ(d.draft.weft.yarn[1], 0);
+}
+
+TEST(Generators, DamaskBlocksMeetInACleanCut) {
+  const BitMatrix cells = drawdown(twill_damask({0, 1}, {8, 8}).draft);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_NE(cells.get(i, 3), cells.get(i, 4));
+    EXPECT_NE(cells.get(3, i), cells.get(4, i));
+  }
+}
+
+TEST(Generators, AnyParametersMakeAConsistentDraft) {
+  for (const int wild : {-1000, -1, 0, 1, 2, 3, 7, 1000}) {
+    const ClothSize size{wild, wild};
+    const OverUnder order{wild, 1};
+    for (const Design& d : {plain(size),
+                            basket(wild, size),
+                            twill(order, Lean::kLeft, size),
+                            satin(wild, wild, Face::kBack, size),
+                            pointed_twill(order, true, size),
+                            herringbone(order, wild, size),
+                            advancing_twill(order, wild, wild, size),
+                            undulating_twill({2, 2}, wild, true, size),
+                            waffle(wild, size),
+                            huck_lace(size),
+                            overshot({wild}, wild, size),
+                            summer_and_winter({wild}, size),
+                            twill_damask({wild}, size),
+                            shadow_weave({wild}, size),
+                            log_cabin(wild, size),
+                            houndstooth(size),
+                            glen_check(size),
+                            overshot({}, 4, size),
+                            with_colors(plain(size), {}, {}, {}),
+                            with_colors(plain(size), {Rgb{}}, {{wild, wild}}, {})}) {
+      ASSERT_TRUE(is_consistent(d)) << wild;
+    }
+  }
+  EXPECT_TRUE(is_consistent(twill({}, Lean::kRight, {4, 4})));
+}
+
+TEST(Sett, FewerInterlacingsGiveACloserSett) {
+  const Yarn yarn = yarn_preset("Cotton");
+  const auto spacing = [&](Design d) {
+    return with_sett(with_yarns(std::move(d), yarn, yarn)).draft.warp.spacing_mm[0];
+  };
+  const float in_plain = spacing(plain({8, 8}));
+  const float in_twill = spacing(twill({2, 2}, Lean::kRight, {8, 8}));
+  const float in_satin = spacing(satin(8, 3, Face::kFront, {8, 8}));
+  EXPECT_GT(in_plain, in_twill);
+  EXPECT_GT(in_twill, in_satin);
+  EXPECT_GT(in_satin, yarn.diameter_mm);
+}
+
+TEST(YarnPresets, AreInRange) {
+  ASSERT_EQ(yarn_presets().size(), 8u);
+  for (const Yarn& yarn : yarn_presets()) {
+    EXPECT_EQ(clamped(yarn), yarn) << yarn.name;
+  }
+  EXPECT_LT(yarn_preset("Silk").lobes.along_width, yarn_preset("Cotton").lobes.along_width);
+}
+
+}  // namespace
+}  // namespace weftlight::weaves

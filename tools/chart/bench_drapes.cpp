@@ -1,0 +1,126 @@
+// Measurements on a drape (drapes.h).
+
+#include <algorithm>
+#include <cmath>
+
+#include "chart/bench.h"
+#include "chart/flip.h"
+#include "scene/camera.h"
+#include "scene/light_rig.h"
+
+namespace weftlight::chart {
+namespace {
+
+Frame frame_of(double yarns_per_pixel, int width, int height) {
+  Frame frame;
+  frame.width = width, frame.height = height;
+  frame.yarns_per_pixel = static_cast<float>(yarns_per_pixel);
+  frame.ground = false, frame.transparent = true;
+  return frame;
+}
+
+Look look_of(Method method) {
+  Look look;
+  look.method = method;
+  return look;
+}
+
+/// The traced picture, with the camera and the lights of the renderer.
+DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::ivec2 size, float spacing_mm) {
+  const Scene scene = drape_scene(cell.light);
+  const Camera camera =
+      place_camera(scene, mesh.mesh, mesh.bounds, size.x, size.y, static_cast<float>(cell.yarns_per_pixel), spacing_mm);
+  const SceneLight light = scene_light(load_light_rig(scene.lights).value_or(LightRig{}), scene);
+  DrapePicture picture;
+  picture.width = size.x, picture.height = size.y;
+  picture.eye = camera.eye;
+  picture.clip_to_world = glm::inverse(camera.world_to_clip);
+  picture.light_towards = light.lights[0].towards;
+  picture.light_radius_rad = std::asin(light.lights[0].radius);
+  picture.light_irradiance = light.lights[0].irradiance;
+  picture.sky = [sky = light.sky](glm::vec3 d) { return sky_radiance(sky, d); };
+  return picture;
+}
+
+}  // namespace
+
+bool ChartBench::show_drape(size_t scene, std::string& error) {
+  if (!show(scene, error)) return false;
+  Loaded& loaded = *loaded_[scene];
+  if (draped_scene_ != scene) renderer_->set_mesh(loaded.mesh);
+  draped_scene_ = scene;
+  const auto build = [&error](std::unique_ptr<MeshScene>& scene_of, const Mesh& mesh) {
+    auto built = MeshScene::build(mesh);
+    if (built) scene_of = std::move(*built);
+    else error = message(built.error());
+  };
+  if (!loaded.drape) build(loaded.drape, loaded.mesh.mesh);
+  if (!loaded.body && !loaded.mesh.body.index.empty()) build(loaded.body, loaded.mesh.body);
+  if (error.empty()) tubes(loaded, error);
+  return error.empty();
+}
+
+const Truth& ChartBench::draped_truth(size_t scene, const DrapeRow& cell) {
+  Loaded& loaded = *loaded_[scene];
+  Truth& truth = loaded.draped_truths[{cell.light, cell.yarns_per_pixel}];
+  if (!truth.half.empty()) return truth;
+  DrapePicture picture =
+      drape_picture(loaded.mesh, cell, {effort_.drape_width, effort_.drape_height}, loaded.packed.mean_spacing_mm);
+  picture.spp = std::max(4, effort_.drape_rays / (picture.width * picture.height));
+  for (Pixels* half : {&truth.half, &truth.other_half}) {
+    *half = colours(trace_drape(*loaded.tubes, *loaded.drape, loaded.body.get(), picture, {}));
+    picture.first_sample = 5000;  // far from the samples of the first half, so that both are independent
+  }
+  return truth;
+}
+
+/// Nanoseconds of a picture (processor time for a software renderer): the minimum of two, since the first may compile a
+/// program.
+double ChartBench::picture_ns(const DrapeRow& cell, const Frame& frame, FrameStats& stats) {
+  const Scene scene = drape_scene(cell.light);
+  std::vector<uint32_t> pixels;
+  double least = 0;
+  for (int k = 0; k < 2; ++k) {
+    const double before = processor_ns();
+    renderer_->draw(scene, look_of(cell.method), frame);
+    stats = renderer_->measure();
+    renderer_->read_pixels(pixels);  // waits for the picture
+    const double ns = renderer_->is_software() ? (processor_ns() - before) / cores() : stats.gpu_ms * 1e6;
+    least = k == 0 ? ns : std::min(least, ns);
+  }
+  return least;
+}
+
+/// Nanoseconds per shaded pixel of cloth: the extra time over a picture without the cloth, which is the same for all
+/// methods.
+double ChartBench::draped_ns(size_t scene, const DrapeRow& cell) {
+  const int size = cell.method == Method::kYarn ? effort_.drape_yarn_timing_size : effort_.drape_timing_size;
+  Frame frame = frame_of(cell.yarns_per_pixel, size, size);
+  frame.timed = true;
+  FrameStats stats;
+  const double with = picture_ns(cell, frame, stats);
+  if (!renderer_->is_software()) return with / std::max(stats.shaded_pixels, 1.0);
+  FrameStats unused;
+  frame.cloth = false;
+  const auto [at, fresh] = loaded_[scene]->bare_ns.try_emplace({cell.light, cell.yarns_per_pixel, size}, 0.0);
+  if (fresh) at->second = picture_ns(cell, frame, unused);
+  return std::max(with - at->second, 0.0) / std::max(stats.shaded_pixels, 1.0);
+}
+
+std::optional<DrapeRow> ChartBench::draped(const DrapeRow& cell, std::string& error) {
+  const size_t scene = scene_named(cell.scene);
+  if (!show_drape(scene, error)) return std::nullopt;
+  const Truth& truth = draped_truth(scene, cell);
+  const Frame frame = frame_of(cell.yarns_per_pixel, effort_.drape_width, effort_.drape_height);
+  renderer_->draw(drape_scene(cell.light), look_of(cell.method), frame);
+  const Pixels drawn = colours(renderer_->read_back(true));
+  DrapeRow row = cell;
+  row.model_error = relative_rmse(drawn, truth.half, truth.other_half);
+  row.flip = flip_error(drawn, mean_of(truth), frame.width, frame.height);
+  row.energy_ratio = 0.5 * (mean_ratio(drawn, truth.half) + mean_ratio(drawn, truth.other_half));
+  row.truth_noise = noise_of(truth.half, truth.other_half);
+  row.ns_per_pixel = draped_ns(scene, cell);
+  return row;
+}
+
+}  // namespace weftlight::chart

@@ -74,7 +74,14 @@ weftlight_pkg(FREETYPE freetype2 libfreetype-dev Freetype Freetype::Freetype)
 weftlight_pkg(EPOXY epoxy libepoxy-dev)
 weftlight_pkg(EGL egl libegl-dev OpenGL OpenGL::EGL COMPONENTS EGL)
 weftlight_pkg(CAIRO cairo libcairo2-dev)
-weftlight_pkg(SERIALPORT libserialport libserialport-dev)
+# Headers alone, without a pkg-config file on Debian 12.
+find_path(ASIO_INCLUDE_DIR asio.hpp)
+if(NOT ASIO_INCLUDE_DIR)
+  weftlight_missing("asio" libasio-dev)
+endif()
+add_library(asio INTERFACE)
+target_include_directories(asio SYSTEM INTERFACE ${ASIO_INCLUDE_DIR})
+target_compile_definitions(asio INTERFACE ASIO_STANDALONE)
 # OpenImageIO's CMake targets on Debian 12 name an OpenCV folder that need not exist;
 # its pkg-config file does not.
 weftlight_pkg(OIIO OpenImageIO libopenimageio-dev OpenImageIO OpenImageIO::OpenImageIO CONFIG)

@@ -1,12 +1,13 @@
 #pragma once
-// Whole files in and out. Writing is atomic: the new file is written beside the old one, flushed to the disk and
-// renamed into place. Functions that write return an empty string, or the file and the problem ("cloth.png: cannot be
-// written: the disk is full").
+// Whole files in and out, with errors in words. Writing is atomic (platform/durable_file.h): the old file is there or
+// the new one. Functions that write return an empty string, or the file and the problem ("cloth.png: cannot be written:
+// the disk is full").
 
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace weftlight::base {
 
@@ -28,12 +29,8 @@ std::string write_through(const std::string& path, const WriteFile& write);
 /// Why `path` cannot be written, in the words of write_through(), or empty. For a check before long work.
 std::string why_not_writable(const std::string& path);
 
-/// A unique name beside `path`, on any machine, with the same extension: "STEM.part-RANDOM.EXT". The file is locked
-/// (platform/file_lock.h) while its owner lives; only that tells what a killed process left.
-std::string temporary_beside(const std::string& path);
-/// Whether `name`, without its folder, is one that temporary_beside(path) gives.
-bool is_temporary_of(const std::string& path, const std::string& name);
-/// The text for an errno of writing a file ("the disk is full").
+/// The text for an error of writing a file ("the disk is full"); the second for errno, which C streams set.
+std::string cause_of(const std::error_code& error);
 std::string cause_of(int error_number);
 
 }  // namespace weftlight::base

@@ -1,11 +1,9 @@
 #include "base/resources.h"
 
-#include <cstdlib>
 #include <filesystem>
 
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-#endif
+#include "platform/environment.h"
+#include "platform/folders.h"
 
 namespace weftlight::base {
 namespace fs = std::filesystem;
@@ -21,22 +19,11 @@ constexpr Resource kShaders{"shaders", "WEFTLIGHT_SHADERS", "cloth.frag"};
 constexpr Resource kLanguages{"languages", "WEFTLIGHT_LANGUAGES", ""};  // which languages there are differs
 constexpr int kFoldersUp = 4;  // from build/release to the top of a source tree, and one to spare
 
-fs::path program_folder() {
-  std::error_code error;
-#ifdef __APPLE__
-  char buffer[4096];
-  uint32_t size = sizeof buffer;
-  return _NSGetExecutablePath(buffer, &size) == 0 ? fs::canonical(buffer, error).parent_path() : fs::path();
-#else
-  return fs::read_symlink("/proc/self/exe", error).parent_path();
-#endif
-}
-
 std::string folder_of(const Resource& resource) {
-  if (const char* set = std::getenv(resource.variable); set && *set) return set;
+  if (std::string set = platform::variable(resource.variable); !set.empty()) return set;
   std::error_code error;
   const auto is_it = [&](const fs::path& folder) { return fs::exists(folder / resource.known_by, error); };
-  const fs::path program = program_folder();
+  const fs::path program = platform::program_folder();
   if (const fs::path installed = program / "../share/weftlight" / resource.name; is_it(installed))
     return installed.lexically_normal().string();
   fs::path folder = program;

@@ -1,30 +1,25 @@
 #include "base/user_folders.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "platform/folders.h"
 
 namespace weftlight::base {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// $VARIABLE/weftlight, or ~/fallback/weftlight.
-std::string user_folder(const char* variable, const char* fallback) {
-  if (const char* given = std::getenv(variable); given != nullptr && *given == '/')
-    return (fs::path(given) / "weftlight").string();
-  const char* home = std::getenv("HOME");
-  return (fs::path(home != nullptr ? home : ".") / fallback / "weftlight").string();
-}
+std::string own_folder(const std::string& of_all) { return (fs::path(of_all) / "weftlight").string(); }
 
 }  // namespace
 
-std::string config_folder() { return user_folder("XDG_CONFIG_HOME", ".config"); }
-std::string cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
-std::string state_folder() { return user_folder("XDG_STATE_HOME", ".local/state"); }
+std::string config_folder() { return own_folder(platform::settings_folder()); }
+std::string cache_folder() { return own_folder(platform::cache_folder()); }
+std::string state_folder() { return own_folder(platform::state_folder()); }
 
 void keep_newest(const std::string& folder, const std::string& extension, size_t max_files) {
   std::vector<std::pair<fs::file_time_type, fs::path>> all;

@@ -1,16 +1,16 @@
 #pragma once
-// The folders for files of the user, by the XDG base directory specification.
+// The program's own folders for files of the user, in those that the system gives (platform/folders.h).
 
 #include <cstddef>
 #include <string>
 
 namespace weftlight::base {
 
-/// $XDG_CONFIG_HOME/weftlight, or ~/.config/weftlight: settings.
+/// Settings. On Linux $XDG_CONFIG_HOME/weftlight, or ~/.config/weftlight.
 std::string config_folder();
-/// $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight: unsaved work, what --live-export wrote.
+/// Unsaved work, what --live-export wrote. On Linux $XDG_STATE_HOME/weftlight, or ~/.local/state/weftlight.
 std::string state_folder();
-/// $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight: what can be made again, such as thumbnails of drafts.
+/// What can be made again, such as thumbnails of drafts. On Linux $XDG_CACHE_HOME/weftlight, or ~/.cache/weftlight.
 std::string cache_folder();
 
 /// Removes all but the newest `max_files` files with that extension (".glb") from a folder. A missing folder is no

@@ -89,7 +89,7 @@ Result<void> drape_cloth(const Design& design, const std::function<bool(double p
   fs::create_directories(folder, ec);
   if (ec)
     return failure(ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made: {cause}"),
-                                            arg("folder", folder.string()), arg("cause", cause_of(ec.value()))));
+                                            arg("folder", folder.string()), arg("cause", cause_of(ec))));
   const Mesh mesh = simulate_design_drape(design, keep_going);
   if (mesh.position_mm.empty()) return {};
   Result<void> kept = write_mesh(path, mesh, nullptr);

@@ -3,7 +3,6 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -173,7 +172,6 @@ class DiskFile : public OIIO::Filesystem::IOProxy {
   const char* proxytype() const override { return "disk"; }
   void close() override {
     if (!file_) return;
-    whole_ = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0 && whole_;
     whole_ = std::fclose(file_) == 0 && whole_;
     file_ = nullptr;
   }

@@ -17,7 +17,7 @@ class ImageRows {
   ~ImageRows();
   /// Writes the next rows; they have the width and channels of the image.
   base::Result<void> add(const Image& band);
-  /// Call it after the last row; flushes to the disk.
+  /// Call it after the last row. On the disk it is when it is put in place (platform/durable_file.h).
   base::Result<void> close();
 
  private:

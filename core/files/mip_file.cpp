@@ -3,8 +3,6 @@
 
 #include "files/mip_file.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -26,7 +24,7 @@ using base::fill;
 using base::Result;
 using base::tr;
 
-constexpr int kMaxSide = 16384;
+constexpr int kMaxSide = 16384;  // with all levels 1.4 GiB, within a long of every system
 
 /// A sequence of little-endian numbers.
 class Bytes {
@@ -183,7 +181,7 @@ Result<void> MipFile::add(int level, const Image& rows) {
   }
   const uint64_t offset = l.offset + static_cast<uint64_t>(l.next) * static_cast<uint64_t>(l.width) * stored;
   l.next += rows.height;
-  const bool written = ::fseeko(f.out, static_cast<off_t>(offset), SEEK_SET) == 0 &&
+  const bool written = std::fseek(f.out, static_cast<long>(offset), SEEK_SET) == 0 &&
                        std::fwrite(bytes.data(), 1, bytes.size(), f.out) == bytes.size();
   if (!written) return not_written(f.path);
   return {};
@@ -193,10 +191,9 @@ Result<void> MipFile::close() {
   File& f = *file_;
   for (const Level& l : f.levels)
     if (l.next != l.height) return failure(ErrorKind::kOutput, tr("rows of a mip level are missing"), f.path);
-  const bool flushed = std::fflush(f.out) == 0 && ::fsync(::fileno(f.out)) == 0;
   const bool closed = std::fclose(f.out) == 0;
   f.out = nullptr;
-  if (!flushed || !closed) return not_written(f.path);
+  if (!closed) return not_written(f.path);
   return {};
 }
 

@@ -25,7 +25,7 @@ class MipFile {
   int levels() const;
   /// Writes the next rows of a level, from the top; levels in any order.
   base::Result<void> add(int level, const Image& rows);
-  /// Call it after the last row of all levels; flushes to the disk.
+  /// Call it after the last row of all levels. On the disk it is when it is put in place (platform/durable_file.h).
   base::Result<void> close();
 
  private:

@@ -1,8 +1,8 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "base/fonts.h"
 #include "files/files.h"
+#include "platform/fonts.h"
 
 namespace weftlight::files {
 namespace {
@@ -13,7 +13,7 @@ constexpr const char* kFamilies[] = {"Inter", "Noto Sans", "DejaVu Sans", "Helve
 
 void draw_text(Image& image, int x, int y, int size, const std::string& text, const std::vector<float>& colour) {
   if (image.texels.empty()) return;
-  const std::string font = font_file(kFamilies, FontWeight::kMedium);
+  const std::string font = platform::font_file(kFamilies, platform::FontWeight::kMedium);
   if (font.empty()) return;
   const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
   OIIO::ImageBuf wrapped(spec, image.texels.data());

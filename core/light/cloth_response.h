@@ -1,7 +1,7 @@
 #pragma once
-// Far-field reflectance of a cloth, measured on its own threads, for each system: which facets are visible to both
-// light and eye, and the distribution of their slopes. Methods `cloth` and `repeat` read it (shaders/methods.glsl). It
-// depends on the yarns' lobes, so it is measured again when they change.
+// Far-field reflectance of a cloth, measured on its own threads (measure_response.h), for each system: which facets are
+// visible to both light and eye, and the distribution of their slopes. Methods `cloth` and `repeat` read it
+// (shaders/methods.glsl). It depends on the yarns' lobes, so it is measured again when they change.
 
 #include <array>
 #include <vector>
@@ -12,7 +12,6 @@
 
 namespace weftlight::light {
 
-inline constexpr int kResponseSamples = 2048;       // means are then within 4 percent on the charted cloths
 inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // uniform in the slope's angle, -90 to 90 degrees
 
 // Density of the facets' slope angles along x and y, including micro-slopes; integral 1.
@@ -57,8 +56,9 @@ struct ClothResponse {
   // slant, where the fewer threads are hidden between the others.
   std::vector<float> visible_rise;
 };
-ClothResponse cloth_response(const Cloth& cloth, const Maps& maps, int samples = kResponseSamples);
 
+/// Density of a slope's angle along one axis, interpolated between bins as a texture unit does.
+float density_at(const std::array<float, kSlopeBins>& bins, float slope);
 /// Density (1/sr) of the facets of a system that mirror light from `l` to `v`, by the product of slope densities that
 /// the renderer uses. fraction: of the coverage.
 float closed_form(const FacetSlopes& slopes, float fraction, const glm::vec3& l, const glm::vec3& v);

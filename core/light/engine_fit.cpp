@@ -32,13 +32,6 @@ constexpr float kSteepView = 0.26f, kSteepViewWeight = 0.3f;  // weight of views
 
 glm::vec3 vec(const Linear& c) { return {c.r, c.g, c.b}; }
 
-/// Density of a slope's angle, interpolated between bins as a texture unit does.
-float density_at(const std::array<float, kSlopeBins>& bins, float slope) {
-  const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
-  const size_t k = static_cast<size_t>(at);
-  return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
-}
-
 /// Mean yarns of warp and weft, as in method `cloth`.
 std::array<formulas::YarnLobes, 2> mean_yarns(const Cloth& cloth, const ClothResponse& response) {
   std::array<formulas::YarnLobes, 2> out;

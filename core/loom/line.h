@@ -1,32 +1,23 @@
 #pragma once
-// A connection to a loom: TCP or a serial port (libserialport). No call waits longer than its timeout.
+// The line to a loom: its address as the weaver writes it, and why there is none as a sentence.
 
+#include <chrono>
 #include <memory>
+#include <stop_token>
 #include <string>
-#include <string_view>
 
 #include "loom/names.h"
+#include "platform/line.h"
 
 namespace weftlight::loom {
 
-class Line {
- public:
-  virtual ~Line() = default;
-  /// Bytes received within `wait_ms`; empty if there were none. broken() is true once the connection is lost.
-  virtual std::string receive(int wait_ms) = 0;
-  /// False if not all bytes could be sent; the line is then broken.
-  virtual bool send(std::string_view bytes) = 0;
-  bool broken() const { return broken_; }
-
- protected:
-  bool broken_ = false;
-};
-
 struct LineOpened {
-  std::unique_ptr<Line> line;
+  std::unique_ptr<platform::Line> line;
   std::string why;  // why there is no line
 };
-/// "tcp:HOST:PORT" or "serial:/dev/ttyUSB0[:BAUD]" (default 9600). `wait_ms`: timeout of the connection.
-LineOpened open_line(const std::string& address, int wait_ms = 3000);
+/// "tcp:HOST:PORT" or "serial:/dev/ttyUSB0[:BAUD]" (default 9600). `wait` and `stop` as in LineConnector::connect.
+LineOpened open_line(platform::LineConnector& connector, const std::string& address,
+                     std::chrono::milliseconds wait = std::chrono::milliseconds(3000),
+                     const std::stop_token& stop = {});
 
 }  // namespace weftlight::loom

@@ -3,7 +3,9 @@
 // works between threads, processes, containers and, where the network share supports locks, machines. Process numbers
 // are no such sign: they repeat, and elsewhere they mean another process or none.
 
+#include <cstdint>
 #include <string>
+#include <system_error>
 
 namespace weftlight::platform {
 
@@ -34,16 +36,16 @@ class FileLock {
 
   LockAnswer answer() const { return answer_; }
   bool held() const { return answer_ == LockAnswer::kHeld; }
-  /// errno if the lock is not held; otherwise 0.
-  int cause() const { return cause_; }
+  /// Why the lock is not held.
+  const std::error_code& cause() const { return cause_; }
   /// True if `path` still names the locked file. False if it was removed or renamed before the lock was acquired.
   bool stands_at(const std::string& path) const;
 
  private:
   static FileLock open(const std::string& path, int flags, unsigned mode, bool wait);
-  int file_ = -1;
+  std::intptr_t handle_ = -1;
   LockAnswer answer_ = LockAnswer::kNoFile;
-  int cause_ = 0;
+  std::error_code cause_;
 };
 
 }  // namespace weftlight::platform

@@ -29,11 +29,6 @@ void each_row(int height, int threads, const std::stop_token& stop, const Progre
   });
 }
 
-/// Sample k of a pixel: the R2 sequence (Roberts 2018), shifted by pixel.
-glm::vec2 pixel_sample(int k, glm::vec2 shift) {
-  return glm::fract(shift + glm::vec2(0.7548776662f, 0.5698402910f) * static_cast<float>(k + 1));
-}
-
 uint64_t seed_of(int x, int y, int width) {
   return (static_cast<uint64_t>(y) * static_cast<uint64_t>(width) + static_cast<uint64_t>(x)) * 0x9E3779B97F4A7C15u + 1;
 }

@@ -5,32 +5,16 @@
 // Based on: Kajiya 1986 (rendering equation, estimated by following paths).
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
 #include "cloth/thread_texture.h"
 #include "reference/names.h"
+#include "reference/sampling.h"
 #include "reference/tubes.h"
 
 namespace weftlight::reference {
-
-/// Repeatable random numbers (O'Neill 2014, PCG-XSH-RR 64/32).
-class RandomStream {
- public:
-  explicit RandomStream(uint64_t seed) : state_(seed * 2 + 1) { next(), next(); }
-  float next() {
-    const uint64_t old = state_;
-    state_ = old * 6364136223846793005u + 1442695040888963407u;
-    const uint32_t x = static_cast<uint32_t>(((old >> 18) ^ old) >> 27);
-    const uint32_t r = static_cast<uint32_t>(old >> 59);
-    return static_cast<float>(((x >> r) | (x << ((32 - r) & 31))) >> 8) * 0x1p-24f;
-  }
-
- private:
-  uint64_t state_;
-};
 
 /// Surroundings of a point of the cloth.
 struct Surroundings {

@@ -9,6 +9,7 @@
 #include "cloth/maps.h"
 #include "light/engine_fit.h"
 #include "light/engine_texels.h"
+#include "light/measure_response.h"
 
 namespace weftlight::render_data {
 namespace {
@@ -46,7 +47,7 @@ MapsSize size_of(const Cloth& cloth) {
 interop::EngineData engine_block(const Cloth& repeat, float weft_fraction) {
   const Maps maps = bake(repeat, size_of(repeat));
   const EngineTexels seen = engine_texels(repeat, maps, kFootprintMmAtOneMetre);
-  const EngineFit fit = fit_engine(seen, repeat, cloth_response(repeat, maps, kFitSamples), {});
+  const EngineFit fit = fit_engine(seen, repeat, measure_response(repeat, maps, kFitSamples), {});
   const std::array<EngineLobe, 2> lobes =
       engine_lobes(engine_texels(repeat, maps, kFootprintMmAtOneMetre, kLobePixels), fit.lobe, weft_fraction);
   const auto packed = [](const EngineLobe& l) { return glm::vec4(l.axis, l.roughness, l.strength); };

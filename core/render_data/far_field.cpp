@@ -87,7 +87,7 @@ FarField far_field(const Cloth& cloth, int samples) {
   const Maps maps = bake(cloth, {texels_for(cloth.ends.size()), texels_for(cloth.picks.size()), 0});
   const FaceInput face{cloth, maps};
   field.numbers = cloth_block(face, face);
-  field.response = cloth_response(cloth, maps, samples);
+  field.response = measure_response(cloth, maps, samples);
   for (size_t s = 0; s < 2; ++s) {
     const Linear& c = field.response.systems[s].colour;
     field.numbers.systems[s].color = {c.r, c.g, c.b, 0};

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-#include "light/cloth_response.h"
+#include "light/measure_response.h"
 #include "render_data/names.h"
 #include "shaders/interop.h"
 

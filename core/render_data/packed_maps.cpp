@@ -10,38 +10,11 @@
 #include <cmath>
 
 #include "base/loops.h"
-#include "cloth/srgb.h"
+#include "cloth/srgb_table.h"
 
 namespace weftlight::render_data {
 namespace {
 
-constexpr int kEncodeSteps = 16384;
-
-struct SrgbTables {
-  std::array<float, 256> decode;
-  std::array<uint8_t, kEncodeSteps + 1> encode;
-};
-
-SrgbTables make_tables() {
-  SrgbTables t;
-  for (int i = 0; i < 256; ++i) {
-    t.decode[static_cast<size_t>(i)] = srgb_decoded(static_cast<float>(i) / 255.0f);
-  }
-  for (int i = 0; i <= kEncodeSteps; ++i) {
-    const float c = srgb_encoded(static_cast<float>(i) / kEncodeSteps);
-    t.encode[static_cast<size_t>(i)] = static_cast<uint8_t>(c * 255.0f + 0.5f);
-  }
-  return t;
-}
-
-const SrgbTables& tables() {
-  static const SrgbTables made = make_tables();
-  return made;
-}
-
-uint8_t encode_srgb(const SrgbTables& t, float linear) {
-  return t.encode[static_cast<size_t>(std::clamp(linear, 0.0f, 1.0f) * kEncodeSteps + 0.5f)];
-}
 uint8_t unorm(float v) { return static_cast<uint8_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); }
 uint8_t snorm(float v) {
   return static_cast<uint8_t>(static_cast<int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127.0f)));
@@ -52,7 +25,7 @@ uint8_t quarter(int sum) { return static_cast<uint8_t>((sum + 1 + ((sum >> 2) & 
 void set_rgba(uint8_t* to, uint8_t r, uint8_t g, uint8_t b, uint8_t a) { to[0] = r, to[1] = g, to[2] = b, to[3] = a; }
 
 void pack_surface(PackedFace& face, const Maps& maps, const TexelRect& r) {
-  const SrgbTables& t = tables();
+  const SrgbTable& srgb = SrgbTable::get();
   PackedTexture& color = face.textures[static_cast<size_t>(PackedKind::kColor)];
   PackedTexture& relief = face.textures[static_cast<size_t>(PackedKind::kRelief)];
   for (int y = r.y0; y < r.y1; ++y) {
@@ -63,8 +36,8 @@ void pack_surface(PackedFace& face, const Maps& maps, const TexelRect& r) {
       const Linear& c = maps.colour.at(x, y);
       const Slope& s = maps.slope.at(x, y);
       const float z2 = 1 / (1.0f + s.x * s.x + s.y * s.y), scale = w * std::sqrt(z2);
-      set_rgba(color.texel(0, system, x, y), encode_srgb(t, c.r * shade), encode_srgb(t, c.g * shade),
-               encode_srgb(t, c.b * shade), unorm(w));
+      set_rgba(color.texel(0, system, x, y), srgb.encoded_byte(c.r * shade), srgb.encoded_byte(c.g * shade),
+               srgb.encoded_byte(c.b * shade), unorm(w));
       set_rgba(color.texel(0, 1 - system, x, y), 0, 0, 0, 0);
       set_rgba(relief.texel(0, system, x, y), snorm(s.x * scale), snorm(s.y * scale), snorm(w * s.x * s.x * z2),
                snorm(w * s.y * s.y * z2));
@@ -86,15 +59,15 @@ Below below(const PackedTexture& t, int level, int layer, int x, int y) {
 }
 
 void filter_color(PackedTexture& color, int level, int layer, int x, int y) {
-  const SrgbTables& t = tables();
+  const SrgbTable& srgb = SrgbTable::get();
   std::array<float, 3> sum{};
   int alpha = 0;
   for (const uint8_t* p : below(color, level, layer, x, y).at) {
-    for (size_t c = 0; c < 3; ++c) sum[c] += t.decode[p[c]];
+    for (size_t c = 0; c < 3; ++c) sum[c] += srgb.decoded(p[c]);
     alpha += p[3];
   }
-  set_rgba(color.texel(level, layer, x, y), encode_srgb(t, sum[0] / 4), encode_srgb(t, sum[1] / 4),
-           encode_srgb(t, sum[2] / 4), quarter(alpha));
+  set_rgba(color.texel(level, layer, x, y), srgb.encoded_byte(sum[0] / 4), srgb.encoded_byte(sum[1] / 4),
+           srgb.encoded_byte(sum[2] / 4), quarter(alpha));
 }
 
 /// Moments are averaged directly, rounding halves to even as in quarter().

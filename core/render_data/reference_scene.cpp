@@ -9,7 +9,7 @@
 #include "light/formulas.h"
 #include "render_data/ambient.h"
 #include "render_data/cloth_block.h"
-#include "render_data/stages.h"
+#include "render_data/face_cloth.h"
 
 namespace weftlight::render_data {
 
@@ -35,9 +35,10 @@ glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int 
 }  // namespace
 
 Result<void> ReferenceScene::update(const Design& design, const TubeOptions& options) {
-  if (Result<void> threads = update_threads(design, options); !threads) return threads;
+  // Files that may be unreadable come before the threads, which take long.
   if (Result<void> lights = update_lights(design.scene.lights); !lights) return lights;
-  return update_drape(design);
+  if (Result<void> drape = update_drape(design); !drape) return drape;
+  return update_threads(design, options);
 }
 
 Result<void> ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {

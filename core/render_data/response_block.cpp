@@ -142,7 +142,7 @@ ResponseTables response_tables(interop::ClothData& data, const FaceInput& front,
   Faces faces;
   for_each_job(2, [&](int f) {
     const FaceInput& face = f == 0 ? front : back;
-    faces[static_cast<size_t>(f)] = cloth_response(face.cloth, face.maps, samples);
+    faces[static_cast<size_t>(f)] = measure_response(face.cloth, face.maps, samples);
   });
   data.front_sky = faces[0].sky, data.back_sky = faces[1].sky;
   for (size_t f = 0; f < 2; ++f) {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "light/cloth_response.h"
+#include "light/measure_response.h"
 #include "render_data/cloth_block.h"
 #include "render_data/names.h"
 #include "render_data/packed_maps.h"

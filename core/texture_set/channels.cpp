@@ -5,7 +5,7 @@
 
 #include "base/loops.h"
 #include "base/text.h"
-#include "cloth/srgb.h"
+#include "cloth/srgb_table.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -13,25 +13,8 @@ namespace {
 using base::mark;
 using enum Channel;
 
-/// The sRGB curve as a table; its error of 0.0004 is a tenth of an 8-bit step.
-class SrgbTable {
- public:
-  SrgbTable() {
-    for (size_t i = 0; i < at_.size(); ++i) at_[i] = srgb_encoded(static_cast<float>(i) / kSteps);
-  }
-  float encoded(float linear) const {
-    const float x = std::clamp(linear, 0.0f, 1.0f) * kSteps;
-    const size_t i = std::min(static_cast<size_t>(x), at_.size() - 2);
-    return at_[i] + (at_[i + 1] - at_[i]) * (x - static_cast<float>(i));
-  }
-
- private:
-  static constexpr float kSteps = 4096;
-  std::array<float, 4097> at_;
-};
-
 float encoded(float linear, bool srgb) {
-  static const SrgbTable table;
+  static const SrgbTable& table = SrgbTable::get();
   return srgb ? table.encoded(linear) : linear;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/loops.h"
+#include "light/measure_response.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -152,7 +153,7 @@ void FaceSource::measure_range() {
 
 void FaceSource::measure(const Maps& maps) {
   const EngineTexels texels = engine_texels(cloth_, maps, options_.footprint_mm);
-  const ClothResponse response = cloth_response(cloth_, maps, kFitSamples);
+  const ClothResponse response = measure_response(cloth_, maps, kFitSamples);
   fit_ = fit_engine(texels, cloth_, response, options_.model);
   older_fit_ = options_.older ? fit_engine(texels, cloth_, response, *options_.older) : fit_;
   weight_ = texels.footprint_weight;

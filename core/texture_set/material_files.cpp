@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "base/hash.h"
 #include "files/files.h"
 
 namespace weftlight::texture_set {
@@ -60,10 +61,9 @@ float mean_transmission(const SetFacts& set) {
 
 std::string digest(const std::string& text) {
   std::string out;
-  for (uint64_t seed : {uint64_t{14695981039346656037u}, uint64_t{7809847782465536322u}}) {  // FNV-1a, twice
-    for (const char c : text) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  for (const uint64_t hash : {content_hash(text), content_hash(text, 7809847782465536322u)}) {
     char hex[17];
-    std::snprintf(hex, sizeof hex, "%016llx", static_cast<unsigned long long>(seed));
+    std::snprintf(hex, sizeof hex, "%016llx", static_cast<unsigned long long>(hash));
     out += hex;
   }
   return out;

@@ -8,6 +8,8 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "platform/durable_file.h"
+#include "platform/unique_name.h"
 
 namespace weftlight::texture_set {
 namespace {
@@ -85,7 +87,7 @@ void remove_stale_files(const fs::path& folder) {
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(beside, ec)) {
     const std::string name = entry.path().filename().string();
-    if (is_temporary_of(folder.string(), name) && entry.is_directory(ec) && !entry.is_symlink(ec))
+    if (platform::is_temporary_of(folder.string(), name) && entry.is_directory(ec) && !entry.is_symlink(ec))
       found.push_back(entry.path());
   }
   for (const fs::path& made : found) {
@@ -127,8 +129,7 @@ std::string list_both(const fs::path& made, const fs::path& folder, const std::s
 }
 
 std::string moved(const fs::path& from, const fs::path& to) {
-  std::error_code ec;
-  fs::rename(from, to, ec);
+  const std::error_code ec = platform::put_in_place(from.string(), to.string());
   return ec ? fill(tr("{file}: {problem}"), arg("file", to.string()), arg("problem", ec.message())) : std::string{};
 }
 
@@ -186,7 +187,7 @@ Staging make_staging(const fs::path& folder, std::string& problem) {
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), ec);
   remove_stale_files(folder);
   for (int i = 0; i < kMaxTries; ++i) {
-    Staging made{temporary_beside(folder.string()), {}};
+    Staging made{platform::temporary_beside(folder.string()), {}};
     if (!fs::create_directory(made.folder, ec)) {
       problem = fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", folder.string()),
                      arg("cause", ec.message()));
@@ -199,8 +200,8 @@ Staging make_staging(const fs::path& folder, std::string& problem) {
     if (made.lock.answer() == LockAnswer::kNoLocks) fs::remove(mark, ec);
     if (made.lock.answer() == LockAnswer::kNoLocks) return made;
     if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec)) {
-      problem = fill(tr("{file}: cannot be made: {cause}"), arg("file", mark),
-                     arg("cause", std::generic_category().message(made.lock.cause())));
+      problem =
+          fill(tr("{file}: cannot be made: {cause}"), arg("file", mark), arg("cause", made.lock.cause().message()));
       fs::remove(made.folder, ec);
       return {};
     }

@@ -1,6 +1,5 @@
 #include "app/app.h"
 
-#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -8,6 +7,7 @@
 #include "app/window.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "platform/file.h"
 #include "session/files/file_identity.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
@@ -38,8 +38,7 @@ std::string refused_flag(const EditorOptions& o) {
 
 int run_editor(const EditorOptions& options) {
   if (const std::string refused = refused_flag(options); !refused.empty()) return refuse(refused);
-  // Exceeding the file size limit becomes a write error instead of killing the program.
-  std::signal(SIGXFSZ, SIG_IGN);
+  platform::survive_size_limit();
   const Settings settings = load_settings();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   const auto window = Window::open(settings.width, settings.height);

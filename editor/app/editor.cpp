@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/file_filters.h"
 #include "base/text.h"
 #include "base/user_folders.h"
 #include "design/edits.h"
@@ -316,10 +317,10 @@ void Editor::ask_path(FileAsk what, const std::string& title, const std::string&
       session_.show(about);
       then(path);
     };
-  if (FileDialog::is_there()) {
+  if (platform::FileDialog::is_there()) {
     if (what == FileAsk::kSave)
       chosen = [this, ending, then = std::move(chosen)](const std::string& path) { with_ending(path, ending, then); };
-    return file_dialog_.ask(what, title, start, ending, std::move(chosen));
+    return file_dialog_.ask({what, title, start, file_filters(what, ending)}, std::move(chosen));
   }
   constexpr const char* kButtons[] = {mark("Open"), mark("Save"), mark("Export")};
   ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]},

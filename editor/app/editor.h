@@ -8,12 +8,12 @@
 
 #include "actions/action_host.h"
 #include "actions/actions.h"
-#include "app/file_dialog.h"
 #include "app/names.h"
 #include "app/preview_pane.h"
 #include "app/ui_map_file.h"
 #include "app/window.h"
 #include "commands/commands.h"
+#include "platform/desktop.h"
 #include "session/document/document.h"
 #include "session/editing/intent.h"
 #include "session/editing/strokes.h"
@@ -35,6 +35,8 @@
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {
+
+using platform::FileAsk;
 
 class Editor : public ActionHost {
  public:
@@ -207,7 +209,7 @@ class Editor : public ActionHost {
   uint64_t exported_ = 0;  // id of the document that was exported
   std::shared_ptr<LiveExport> live_export_;
   std::string live_problem_, trouble_;
-  FileDialog file_dialog_;
+  platform::FileDialog file_dialog_;
   Draper draper_{Window::wake};
   PreviewPane preview_;
   DraftPictures draft_pictures_;

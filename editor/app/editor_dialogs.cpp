@@ -1,6 +1,5 @@
 // The dialogs of the editor: new draft, weaves, sections, export, comparison, environment, print.
 
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "design/lights.h"
 #include "design/selection_edits.h"
 #include "files/environment.h"
+#include "platform/folders.h"
 #include "views/analysis/yarn_need_panel.h"
 #include "weaves/sections.h"
 
@@ -102,8 +102,8 @@ void Editor::ask_closest_weave() {
 void Editor::export_textures() {
   if (export_plan_->folder.empty()) {
     const std::filesystem::path beside = std::filesystem::path(document().path()).parent_path();
-    const char* home = std::getenv("HOME");
-    export_plan_->folder = ((beside.empty() ? std::filesystem::path(home ? home : ".") : beside) / "textures").string();
+    const std::string home = platform::home_folder(), from = beside.empty() ? home : beside.string();
+    export_plan_->folder = (std::filesystem::path(from.empty() ? "." : from) / "textures").string();
   }
   ExportPrompt prompt;
   prompt.plan = export_plan_;

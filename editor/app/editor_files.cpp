@@ -1,13 +1,13 @@
 // Files of the editor: recovery of unsaved work, changes by other programs, write errors, and the gallery.
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 #include "app/editor.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "platform/folders.h"
 #include "session/document/bring_back.h"
 #include "session/library/gallery.h"
 
@@ -120,9 +120,8 @@ void Editor::read_again() {
 
 void Editor::show_gallery(bool library) {
   GalleryPrompt prompt;
-  const char* home = std::getenv("HOME");
   prompt.page = library ? 1 : 0;
-  prompt.recent = recent_cards(settings_.recent, home != nullptr ? home : "");
+  prompt.recent = recent_cards(settings_.recent, platform::home_folder());
   prompt.library = library_cards();
   prompt.pictures = std::make_shared<GalleryPictures>(cache_folder() + "/drafts", Window::wake, now_ns());
   ask(std::move(prompt), [this](int button) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/editor.h"
-#include "app/open_folder.h"
 #include "base/text.h"
 
 namespace weftlight::app {
@@ -74,7 +73,9 @@ void Editor::reload() {
 
 void Editor::show_in_folder() {
   const std::string folder = std::filesystem::absolute(document().path()).parent_path().string();
-  if (const std::string problem = open_folder(folder); !problem.empty()) say(problem);
+  if (const std::string missing = platform::show_folder(folder); !missing.empty())
+    say(fill(tr("No program shows folders here ({program} is missing). The folder is {folder}"),
+             arg("program", missing), arg("folder", folder)));
 }
 
 }  // namespace weftlight::app

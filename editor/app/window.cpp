@@ -79,11 +79,8 @@ bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY
 std::string shortcut(int key, int scancode, int mods) {
   const std::string name = key_name(key, scancode);
   if (name.empty()) return {};
-#ifdef __APPLE__
-  const bool control = mods & GLFW_MOD_SUPER;
-#else
-  const bool control = mods & GLFW_MOD_CONTROL;
-#endif
+  // Where the system has a Command key (macOS, as ImGui knows), that is the key of shortcuts.
+  const bool control = (mods & (ImGui::GetIO().ConfigMacOSXBehaviors ? GLFW_MOD_SUPER : GLFW_MOD_CONTROL)) != 0;
   const bool sign = name == "+";  // typed with Shift on some layouts
   return (control ? "Ctrl+" : "") + std::string((mods & GLFW_MOD_SHIFT) && !sign ? "Shift+" : "") +
          ((mods & GLFW_MOD_ALT) ? "Alt+" : "") + name;

@@ -2,8 +2,6 @@
 // kept, so that a run can be stopped and resumed, or done part by part. `auto` comes last: it uses the LOD table that
 // this run has measured.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +16,7 @@
 #include "chart/figures.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
+#include "platform/environment.h"
 
 namespace weftlight::commands {
 namespace {
@@ -79,7 +78,7 @@ class ChartRun {
     std::snprintf(line, sizeof line, "%3zu/%zu  %s, %d degrees, %g yarns a pixel, %s", rows_.size() + 1, cells_.size(),
                   cell.scene.c_str(), cell.view_deg, cell.yarns_per_pixel,
                   std::string(method_name(cell.method)).c_str());
-    if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%-78s", line);
+    if (platform::errors_go_to_terminal()) std::fprintf(stderr, "\r%-78s", line);
     else if (rows_.size() % 20 == 0) std::fprintf(stderr, "%s\n", line);
   }
 
@@ -110,7 +109,7 @@ class ChartRun {
   }
 
   int finish() {
-    if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%-78s\n", "drawing");
+    if (platform::errors_go_to_terminal()) std::fprintf(stderr, "\r%-78s\n", "drawing");
     const std::vector<ChartRow> rows = in_order();
     std::string error = write_file_atomically(dir_ + "/lod_table.csv", lod_table_csv(lod_table_of(rows)));
     const std::vector<Brightness> brightness = albedo(error);

@@ -107,7 +107,7 @@ int drape_command(const DrapeOptions& options) {
   std::filesystem::create_directories(options.out, problem);
   if (problem) {
     return fail({base::ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made: {cause}"),
-                                                arg("folder", options.out), arg("cause", cause_of(problem.value())))});
+                                                arg("folder", options.out), arg("cause", cause_of(problem)))});
   }
   for (const std::string& name : drape_names()) {
     const std::filesystem::path folder(options.out);

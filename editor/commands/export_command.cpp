@@ -18,6 +18,7 @@
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
+#include "platform/clock.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
@@ -78,9 +79,7 @@ std::string changed(const std::string& path) {
   const auto seconds =
       std::chrono::duration_cast<std::chrono::seconds>(std::chrono::file_clock::to_sys(time).time_since_epoch())
           .count();
-  const std::time_t at = static_cast<std::time_t>(seconds);
-  std::tm parts{};
-  gmtime_r(&at, &parts);
+  const std::tm parts = platform::utc_time(seconds);
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;

@@ -15,6 +15,7 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
+#include "render_data/face_cloth.h"
 #include "render_data/far_field.h"
 #include "render_data/stages.h"
 

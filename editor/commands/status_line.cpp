@@ -1,12 +1,12 @@
 #include "commands/status_line.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+
+#include "platform/environment.h"
 
 namespace weftlight::commands {
 
-StatusLine::StatusLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+StatusLine::StatusLine() : terminal_(platform::errors_go_to_terminal()) {}
 
 StatusLine::~StatusLine() { clear(); }
 

@@ -38,7 +38,7 @@ struct Pipeline::Parts {
   Worker worker{[this](const std::string& why, const auto&) { fail(why); }};
 
   void fail(const std::string& why);
-  void compute(const std::shared_ptr<const Design>& design, Effort effort);
+  void compute(const std::shared_ptr<const Design>& design, Effort effort, const std::stop_token& stop = {});
   void wait_for_picture(const std::stop_token& stop);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
@@ -46,14 +46,15 @@ struct Pipeline::Parts {
 };
 
 /// Quick maps are small: a copy is handed over, so that they can be uploaded while the full ones are computed.
-void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort) {
+void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effort effort, const std::stop_token& stop) {
   // Held through the hand-over, so that maps and patches are uploaded in order.
   const std::lock_guard hold(maps);
   {
     const std::lock_guard lock(mutex);
     stages.set_visible_part(visible);
   }
-  StageResult result = stages.update(design, effort);
+  StageResult result = stages.update(design, effort, {stop, {}});
+  if (result.stopped) return;
   std::optional<PackedCloth> copy;
   if (result.all_maps && effort == Effort::kQuick) copy = stages.packed();
   hand_over(std::move(result), std::move(copy));
@@ -122,9 +123,10 @@ Pipeline::~Pipeline() = default;
 
 void Pipeline::submit(std::shared_ptr<const Design> design) {
   parts_->worker.post([parts = parts_.get(), design = std::move(design)](const std::stop_token& stop) {
+    // A quick update is finished even if a newer design waits, so that a stroke shows while it is drawn.
     parts->compute(design, Effort::kQuick);
     parts->wait_for_picture(stop);
-    if (!stop.stop_requested()) parts->compute(design, Effort::kFull);
+    if (!stop.stop_requested()) parts->compute(design, Effort::kFull, stop);
   });
 }
 

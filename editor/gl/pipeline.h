@@ -1,7 +1,7 @@
 #pragma once
 // Design -> drawdown -> cloth -> maps -> packed maps -> renderer, on a worker thread. Each stage is keyed by its
-// input: what an edit did not touch is not computed again, and a painted cell rebakes a rectangle. The window shows
-// the last good result and never waits.
+// input: what an edit did not touch is not computed again, and a painted cell rebakes a rectangle. A full update stops
+// for a newer design. The window shows the last good result and never waits.
 
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "base/fonts.h"
+#include "platform/fonts.h"
 #include "ui/imgui_compat.h"
 
 namespace weftlight::ui {
@@ -44,8 +44,9 @@ void merge_icons(const std::string& path, float size, float offset_y) {
 }  // namespace
 
 Fonts load_fonts(float pixels, float ratio) {
+  using platform::font_file;
   pixels *= begin_fonts(ratio);
-  const std::string text = font_file(kTextFonts), bold = font_file(kTextFonts, FontWeight::kSemiBold);
+  const std::string text = font_file(kTextFonts), bold = font_file(kTextFonts, platform::FontWeight::kSemiBold);
   const std::string mono = font_file(kMonoFonts), icons = font_file(kIconFonts);
   Fonts fonts;
   fonts.icons = !icons.empty();

@@ -7,7 +7,7 @@
 
 #include "../unit/light/seed_brdfs.h"
 #include "light/cloth_brdf.h"
-#include "light/cloth_response.h"
+#include "light/measure_response.h"
 #include "light/separable.h"
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
@@ -35,7 +35,7 @@ void far_field_of(benchmark::State& state) {
     for (int e = 0; e < 4; ++e) cells.set(p, e, (e + p) % 4 < 2);
   const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kRepeat);
   const Maps maps = bake(cloth, {256, 256, 16, 0});
-  for (auto _ : state) benchmark::DoNotOptimize(cloth_response(cloth, maps));
+  for (auto _ : state) benchmark::DoNotOptimize(measure_response(cloth, maps));
 }
 BENCHMARK(far_field_of)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -20,6 +21,9 @@ struct Golden {
   const char* draft;
   const char* options;
   const char* mesh = "plane";
+  // Largest RMS of a tile: a wrong patch is lost in the RMS of the whole. At edges, where fibres stand off, drivers
+  // differ in single pixels.
+  double worst_tile = 0.02;
 };
 
 constexpr Golden kGoldens[] = {
@@ -29,13 +33,13 @@ constexpr Golden kGoldens[] = {
     {"twill_vrst03", "twill_2_2", "--method vrst03 --yarns-per-pixel 0.1"},
     {"satin_threads", "satin_8", "--method yarn --yarns-per-pixel 0.05"},
     {"gauze_gaps", "gauze", "--method yarn --yarns-per-pixel 0.08"},
-    {"starter_auto", "starter", "--method auto --yarns-per-pixel 1.5 --view 20,40"},
+    {"starter_auto", "starter", "--method auto --yarns-per-pixel 1.5 --view 20,40", "plane", 0.05},
     {"overshot_repeat", "overshot", "--method repeat --yarns-per-pixel 1"},
     {"damask_cell", "twill_damask", "--method cell --yarns-per-pixel 1"},
     {"denim_cloth", "denim", "--method cloth --view 0,25"},
     {"satin_engine", "satin_8", "--method engine --yarns-per-pixel 0.3"},
     {"twill_irawan", "twill_2_2", "--method irawan --yarns-per-pixel 0.1"},
-    {"starter_draped", "starter", "--method auto", "tablecloth"},
+    {"starter_draped", "starter", "--method auto", "tablecloth", 0.05},
 };
 
 void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
@@ -48,6 +52,26 @@ int run_render(const Golden& golden, const std::string& out) {
                               golden.options;
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+constexpr int kTile = 16;  // pixels
+
+/// The largest RMS of a tile.
+double worst_tile(const Image& reference, const Image& result) {
+  const size_t width = static_cast<size_t>(result.width), channels = static_cast<size_t>(result.channels);
+  double worst = 0;
+  for (int top = 0; top + kTile <= result.height; top += kTile)
+    for (int left = 0; left + kTile <= result.width; left += kTile) {
+      double sum = 0;
+      for (int y = top; y < top + kTile; ++y)
+        for (size_t i = 0; i < kTile * channels; ++i) {
+          const size_t at = (static_cast<size_t>(y) * width + static_cast<size_t>(left)) * channels + i;
+          const double d = static_cast<double>(result.texels[at] - reference.texels[at]);
+          sum += d * d;
+        }
+      worst = std::max(worst, std::sqrt(sum / (kTile * kTile * static_cast<double>(channels))));
+    }
+  return worst;
 }
 
 double compare(const Image& reference, const Image& result, Image& difference) {
@@ -78,11 +102,15 @@ TEST_P(GoldenTest, IsAsItWas) {
   ASSERT_EQ(reference->texels.size(), result->texels.size());
   Image difference;
   const double rms = compare(*reference, *result, difference);
-  if (rms > kRmsTolerance) {
+  const double tile = worst_tile(*reference, *result);
+  std::printf("  RMS %.4f, worst tile %.4f\n", rms, tile);
+  if (rms > kRmsTolerance || tile > golden.worst_tile) {
     write_image(results + "_reference.png", *reference, PixelType::kU8);
     write_image(results + "_difference.png", difference, PixelType::kU8);
   }
   EXPECT_LE(rms, kRmsTolerance) << "see " << results << "_{reference,result,difference}.png";
+  EXPECT_LE(tile, golden.worst_tile) << "a part of the picture differs: see " << results
+                                     << "_{reference,result,difference}.png";
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(kGoldens),

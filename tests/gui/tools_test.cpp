@@ -204,6 +204,23 @@ TEST_F(ToolsTest, SendsEachPickToALoomOverTcp) {
   ::close(loom);
 }
 
+TEST_F(ToolsTest, QuitsWhileTheNameOfALoomIsLookedUp) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "a library put before the sanitizer's cannot be loaded";
+#endif
+  auto environment = without_dialogs();
+  environment.push_back(std::string("LD_PRELOAD=") + WEFTLIGHT_HANGING_LOOKUP);
+  Window w(display_, folder_, draft_, environment);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("F9");
+  ASSERT_NO_FATAL_FAILURE(click(w, "loom.address"));
+  display_.type("tcp:loom.invalid:7388");
+  ASSERT_NO_FATAL_FAILURE(click(w, "loom.connect"));
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.disconnect"); }));
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0) << "the window waited for the name server";
+}
+
 TEST_F(ToolsTest, Pick1CanBeAtTheBottom) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

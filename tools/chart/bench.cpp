@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -12,6 +11,7 @@
 #include <thread>
 
 #include "base/files.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "chart/flip.h"
 #include "chart/methods.h"
@@ -19,6 +19,8 @@
 #include "files/files.h"
 #include "gl/shader_program.h"
 #include "light/formulas.h"
+#include "platform/clock.h"
+#include "render_data/face_cloth.h"
 #include "render_data/method_weights.h"
 #include "render_data/shipped_lod_table.h"
 #include "render_data/stages.h"
@@ -62,12 +64,6 @@ FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& st
 }
 
 }  // namespace
-
-double processor_ns() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
-}
 
 Pixels colours(const Image& image) {
   Pixels pixels;
@@ -146,11 +142,10 @@ std::string ChartBench::fingerprint() const {
     std::ifstream in(file, std::ios::binary);
     text += std::string(std::istreambuf_iterator<char>(in), {});
   }
-  uint64_t hash = 1469598103934665603u;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   std::ostringstream out;
-  out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << hash << std::dec << "\ndevice "
-      << renderer_->device() << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples << '\n';
+  out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << base::content_hash(text) << std::dec
+      << "\ndevice " << renderer_->device() << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples
+      << '\n';
   return out.str();
 }
 
@@ -308,11 +303,11 @@ double ChartBench::flicker(const ChartRow& cell, const PixelSteps& pixel) {
 /// Nanoseconds of a draw: on a graphics card by its timer; for a software renderer the processor time divided by the
 /// number of cores, which excludes other processes.
 double ChartBench::patch_ns(const FlatPatch& patch, const Look& look) {
-  const double before = processor_ns();
+  const double before = platform::processor_ns();
   renderer_->draw_patch(patch, look);
   const FrameStats stats = renderer_->measure();
   if (!renderer_->is_software()) return stats.gpu_ms * 1e6;
-  return (processor_ns() - before) / cores();
+  return (platform::processor_ns() - before) / cores();
 }
 
 double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {

@@ -105,9 +105,7 @@ class ChartBench {
   std::map<std::tuple<size_t, int, double, Method, int>, double> counted_;
 };
 
-/// Helpers: processor time of all threads of this process, number of cores, index of a scene by its name (0 if
-/// unknown), colours without alpha, mean of both halves.
-double processor_ns();
+/// Helpers: number of cores, index of a scene by its name (0 if unknown), colours without alpha, mean of both halves.
 double cores();
 size_t scene_named(const std::string& name);
 Pixels colours(const Image& image);

@@ -5,6 +5,7 @@
 
 #include "chart/bench.h"
 #include "chart/flip.h"
+#include "platform/clock.h"
 #include "scene/camera.h"
 #include "scene/light_rig.h"
 
@@ -81,11 +82,11 @@ double ChartBench::picture_ns(const DrapeRow& cell, const Frame& frame, FrameSta
   std::vector<uint32_t> pixels;
   double least = 0;
   for (int k = 0; k < 2; ++k) {
-    const double before = processor_ns();
+    const double before = platform::processor_ns();
     renderer_->draw(scene, look_of(cell.method), frame);
     stats = renderer_->measure();
     renderer_->read_pixels(pixels);  // waits for the picture
-    const double ns = renderer_->is_software() ? (processor_ns() - before) / cores() : stats.gpu_ms * 1e6;
+    const double ns = renderer_->is_software() ? (platform::processor_ns() - before) / cores() : stats.gpu_ms * 1e6;
     least = k == 0 ? ns : std::min(least, ns);
   }
   return least;

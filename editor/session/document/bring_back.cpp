@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "platform/clock.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
@@ -16,12 +17,7 @@ namespace {
 
 constexpr int64_t kNsPerS = 1'000'000'000;
 
-std::tm local_time(int64_t ns) {
-  const std::time_t seconds = ns / kNsPerS;
-  std::tm parts{};
-  ::localtime_r(&seconds, &parts);
-  return parts;
-}
+std::tm local_time(int64_t ns) { return platform::local_time(ns / kNsPerS); }
 
 }  // namespace
 

@@ -1,35 +1,23 @@
 #include "session/files/file_identity.h"
 
-#include <sys/stat.h>
-
 #include <filesystem>
 
+#include "platform/file.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
 namespace fs = std::filesystem;
 
 FileIdentity facts_of(const std::string& path) {
-  struct stat info {};
-  if (::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return {};
-  constexpr int64_t kNsPerS = 1'000'000'000;
-#ifdef __APPLE__
-  const timespec modified = info.st_mtimespec;
-#else
-  const timespec modified = info.st_mtim;
-#endif
+  const platform::FileFacts facts = platform::file_facts(path);
+  if (facts.kind != platform::FileKind::kRegular) return {};
   FileIdentity id;
   id.there = true;
-  id.device = static_cast<uint64_t>(info.st_dev);
-  id.inode = static_cast<uint64_t>(info.st_ino);
-  id.size = static_cast<uint64_t>(info.st_size);
-  id.modified_ns = static_cast<int64_t>(modified.tv_sec) * kNsPerS + modified.tv_nsec;
+  id.device = facts.volume;
+  id.inode = facts.number;
+  id.size = facts.size;
+  id.modified_ns = facts.modified_ns;
   return id;
-}
-
-uint64_t content_hash(std::string_view bytes, uint64_t from) {
-  for (const char c : bytes) from = (from ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return from;
 }
 
 FileIdentity identify(const std::string& path, std::string_view bytes) {

@@ -6,19 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "base/hash.h"
 #include "session/files/names.h"
 
 namespace weftlight::session {
-
-/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991); not cryptographic. To hash several pieces, pass the hash of the earlier
-/// ones as `from`.
-uint64_t content_hash(std::string_view bytes, uint64_t from = 0xcbf29ce484222325u);
 
 struct FileIdentity {
   bool there = false;
   uint64_t device = 0, inode = 0, size = 0;
   int64_t modified_ns = 0;  // since 1970
-  uint64_t hash = 0;        // of the content
+  uint64_t hash = 0;        // of the content (base/hash.h)
   bool operator==(const FileIdentity&) const = default;
 };
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "base/files.h"
 #include "platform/file_lock.h"
+#include "platform/unique_name.h"
 
 namespace weftlight::session {
 namespace fs = std::filesystem;
@@ -15,7 +15,7 @@ void remove_stale_files(const std::string& path) {
   std::vector<std::string> found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (base::is_temporary_of(path, entry.path().filename().string()) && !entry.is_symlink(error) &&
+    if (platform::is_temporary_of(path, entry.path().filename().string()) && !entry.is_symlink(error) &&
         entry.is_regular_file(error))
       found.push_back(entry.path().string());
   for (const std::string& left : found) {

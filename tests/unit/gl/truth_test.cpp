@@ -3,6 +3,7 @@
 #include "draft/drawdown.h"
 #include "gate.h"
 #include "reference/picture.h"
+#include "render_data/face_cloth.h"
 
 namespace weftlight::gl {
 namespace {

@@ -1,4 +1,4 @@
-// Where shading formulas fail: each gate runs one that does beside ours, so that the gate is known to work. The
+// Where shading formulas fail: each gate runs one that does beside ours and reports both; ours alone is asserted. The
 // failing ones are written here as published, without safeguards.
 
 #include <gtest/gtest.h>
@@ -70,8 +70,6 @@ TEST(LightGate, WhiteLobesReturnTheLightThatSingleScatteringLoses) {
     const double ours = slope_furnace(white(0.21f, 0.21f), wo, 120).x;
     figure("albedo of white satin at " + text(angle), albedo(satin), ours);
     figure("albedo of white plain weave at " + text(angle), albedo(plain), ours);
-    EXPECT_LT(albedo(satin), 0.88);
-    EXPECT_LT(albedo(plain), 0.88);
     EXPECT_NEAR(ours, 1, 0.01);
   }
   for (const float width : {0.5f, 1.0f, 2.0f}) {
@@ -81,7 +79,6 @@ TEST(LightGate, WhiteLobesReturnTheLightThatSingleScatteringLoses) {
     const double ours = slope_furnace(y, wo, 120).x;
     figure("single scattering alone, slopes of " + text(width), once, ours);
     EXPECT_NEAR(ours, 1, 0.01);
-    EXPECT_LT(once, width < 1 ? 0.88 : 0.66);
   }
 }
 
@@ -104,7 +101,6 @@ TEST(LightGate, RandomLobesNeitherLoseNorMakeLight) {
   }
   figure("furnace of random white lobes, largest error", worst_sum, worst);
   EXPECT_LT(worst, 0.01);
-  EXPECT_GT(worst_sum, 0.6);
 }
 
 TEST(LightGate, LightAndViewChangePlacesOverRandomLobes) {
@@ -125,7 +121,6 @@ TEST(LightGate, LightAndViewChangePlacesOverRandomLobes) {
   }
   figure("reciprocity, body under the view's Fresnel term", by_view, ours);
   EXPECT_LT(ours, 1e-5);
-  EXPECT_GT(by_view, 0.1);
 }
 
 TEST(LightGate, ColoursThatTurnWithTheViewStayReciprocal) {
@@ -145,7 +140,6 @@ TEST(LightGate, ColoursThatTurnWithTheViewStayReciprocal) {
   }
   figure("reciprocity of two colours, weighed by the view", by_view, ours);
   EXPECT_LT(ours, 1e-5);
-  EXPECT_GT(by_view, 0.5);
 }
 
 TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
@@ -158,11 +152,9 @@ TEST(LightGate, GrazingLightAndViewNeitherBlazeNorBreak) {
         furnace([&](glm::vec3 wi) { return glm::vec3(static_cast<float>(ward_duer(wi, wo, 0.42f))); }, 400, 200).x);
   }
   figure("largest albedo from 80 to 89.9 degrees", most_ward, most_ours);
-  EXPECT_GT(most_ward, 40);
   EXPECT_LT(most_ours, 1.01);
-  // Both at the horizon: NaN, where ours is 1.
+  // Both at the horizon, where Ward's is 0 / 0.
   const glm::vec3 flat = direction(0, 0.3f), edge = at_degrees(89.9f, 200);
-  EXPECT_FALSE(std::isfinite(ward_duer(flat, edge, 0.3f)));
   for (const float light : {0.0f, 80.0f, 89.9f})
     for (const float view : {0.0f, 80.0f, 89.9f}) {
       const glm::vec3 f =
@@ -179,9 +171,6 @@ TEST(LightGate, RoughnessOfNothingIsNoBlackSpot) {
     if (!std::isfinite(von_mises(1, width))) break;
     narrowest = width;
   }
-  EXPECT_GT(narrowest, 0.1f);
-  EXPECT_FALSE(std::isfinite(von_mises(1, 0.01f)));
-  EXPECT_FALSE(std::isfinite(cook_torrance(wi, wo, 0)));
   float last = 0;
   for (const float width : {0.3f, 0.1f, 0.03f, 0.01f, 1e-3f, 1e-6f, 0.0f}) {
     const float ours = formulas::yarn_reflect(white(width, width), wi, wo).x;
@@ -199,16 +188,12 @@ TEST(LightGate, EndlessRoughnessIsNotBlack) {
     const double ours = slope_furnace(white(width, width), wo, 160).x;
     figure("albedo of white facets with slopes of " + text(width), naive, ours);
     EXPECT_NEAR(ours, 1, 0.02) << width;
-    if (width > 10) {
-      EXPECT_LT(naive, 0.01) << width;
-    }
   }
 }
 
 TEST(LightGate, PeaksFitHalfFloats) {
   const auto as_half = [](float v) { return glm::unpackHalf1x16(glm::packHalf1x16(v)); };
   const glm::vec3 up(0, 0, 1);
-  EXPECT_EQ(as_half(cook_torrance(up, up, 1e-3f)), kInfinity);
   const float narrow = formulas::yarn_reflect(white(0, 0), up, up).x;
   EXPECT_LT(as_half(narrow), 65504);
   // Under a strong light the unclamped product overflows as well; the output is clamped.
@@ -299,10 +284,6 @@ TEST(LightGate, ExactFactorsBeatEverySeparableRank) {
       figure(std::string(name) + ", rank " + std::to_string(k + 1) + " in half and difference vectors", half[k], ours);
     figure(std::string(name) + ", rank 1 in light and view", raw[0], ours);
     EXPECT_LT(ours, 0.01) << name;
-    EXPECT_GT(half[2], 0.045) << name;
-    EXPECT_LT(half[2], half[1]);
-    EXPECT_LT(half[1], half[0]);
-    EXPECT_GT(raw[0], 3 * half[0]) << name;
   }
 }
 

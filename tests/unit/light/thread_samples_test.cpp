@@ -8,7 +8,7 @@
 
 #include "cloth/maps.h"
 #include "cloth/thread_scene.h"
-#include "light/cloth_response.h"
+#include "light/measure_response.h"
 #include "plain_cloth.h"
 
 namespace weftlight::light {
@@ -68,7 +68,7 @@ Cloth damask() {
 // The contrast of blocks grows with the slant of the view: the fewer threads of each are hidden between the others.
 TEST(ThreadSamples, WhatIsSeenRisesWithTheCoverAround) {
   const Cloth cloth = damask();
-  const std::vector<float> rise = cloth_response(cloth, bake(cloth, {192, 32}), 1 << 14).visible_rise;
+  const std::vector<float> rise = measure_response(cloth, bake(cloth, {192, 32}), 1 << 14).visible_rise;
   ThreadScene scene(cloth);
   for (const size_t view :
        {kFromAbove, static_cast<size_t>(3 * kViewAzimuths + 3), static_cast<size_t>(2 * kViewAzimuths + 5)}) {

@@ -132,6 +132,8 @@ TEST(Weaving, SaysWhenTheLoomRaisedOtherShafts) {
   EXPECT_FALSE(reply_to(w, up, {LoomReport::kUnknown, 0, false, "?"}).remark.empty());
 }
 
+constexpr std::chrono::milliseconds kPatience{5000}, kShort{1000};
+
 std::string read_some(int socket) {
   pollfd waits{socket, POLLIN, 0};
   if (::poll(&waits, 1, 5000) <= 0) return {};
@@ -152,8 +154,9 @@ TEST(LoomLine, ABrokenConnectionLosesNoPick) {
   const std::string address = port.address();
   WeavingState state;
   std::vector<uint32_t> raised;
+  platform::LineConnector connector;
   for (int connection = 0; connection < 3; ++connection) {
-    LineOpened opened = open_line(address);
+    LineOpened opened = open_line(connector, address);
     ASSERT_TRUE(opened.line) << opened.why;
     const int loom = port.accepted();
     MockLoom mock;
@@ -167,7 +170,7 @@ TEST(LoomLine, ABrokenConnectionLosesNoPick) {
     for (int pick = 0; pick < 3; ++pick) {
       write_all(loom, "p\n");
       std::string send;
-      hear(w, reader, state, opened.line->receive(5000), send);
+      hear(w, reader, state, opened.line->receive(kPatience), send);
       ASSERT_TRUE(opened.line->send(send));
       mock.raised.clear();
       mock.hear(read_some(loom));
@@ -175,7 +178,7 @@ TEST(LoomLine, ABrokenConnectionLosesNoPick) {
       raised.push_back(mock.raised[0]);
     }
     ::close(loom);
-    opened.line->receive(1000);
+    opened.line->receive(kShort);
     EXPECT_TRUE(opened.line->broken());
   }
   EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "each pick once";
@@ -191,9 +194,10 @@ TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
   WeavingState state;
   std::string last;
   std::vector<std::string> raised;
+  platform::LineConnector connector;
   for (int connection = 0; connection < 3; ++connection) {
     if (connection > 0) loom.plug_in();
-    LineOpened opened = open_line(loom.address() + ":19200");
+    LineOpened opened = open_line(connector, loom.address() + ":19200");
     ASSERT_TRUE(opened.line) << opened.why;
     LoomReader reader;
     ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
@@ -204,15 +208,15 @@ TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
     for (int pick = 0; pick < 3; ++pick) {
       loom.say("p\n");
       std::string send;
-      hear(w, reader, state, opened.line->receive(5000), send);
+      hear(w, reader, state, opened.line->receive(kPatience), send);
       ASSERT_TRUE(opened.line->send(send));
       last = loom.heard();
       raised.push_back(last);
       loom.say(std::string("c").append(last, 1).append("\n"));
-      hear(w, reader, state, opened.line->receive(5000), send);
+      hear(w, reader, state, opened.line->receive(kPatience), send);
     }
     loom.pull_out();
-    opened.line->receive(1000);
+    opened.line->receive(kShort);
     EXPECT_TRUE(opened.line->broken());
     EXPECT_FALSE(opened.line->send("C00000001\n"));
   }
@@ -221,22 +225,35 @@ TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
       << "each pick once";
 }
 
+std::string why_not(const std::string& address) {
+  platform::LineConnector connector;
+  return open_line(connector, address).why;
+}
+
 TEST(LoomLine, AFileIsNotASerialPort) {
   const Scratch scratch("serial");
   std::ofstream(scratch / "file") << "p\n";
-  EXPECT_NE(open_line("serial:" + (scratch / "file")).why.find("no such serial port"), std::string::npos);
+  EXPECT_NE(why_not("serial:" + (scratch / "file")).find("no such serial port"), std::string::npos);
   LoomTerminal loom(scratch / "loom");
   if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
-  EXPECT_NE(open_line(loom.address() + ":1234").why.find("1234 baud"), std::string::npos);
+  EXPECT_NE(why_not(loom.address() + ":1234").find("1234 baud"), std::string::npos);
 }
 
 TEST(LoomLine, SaysWhyItCannotBeOpened) {
-  EXPECT_FALSE(open_line("loom").why.empty());
-  EXPECT_FALSE(open_line("serial:/dev/there-is-no-such-loom").why.empty());
-  LoomPort closed;
-  int number = closed.number();
-  EXPECT_GT(number, 0);
-  EXPECT_FALSE(open_line("tcp:127.0.0.1:1", 500).why.empty());
+  EXPECT_NE(why_not("loom").find("tcp:HOST:PORT"), std::string::npos);
+  EXPECT_NE(why_not("serial:/dev/there-is-no-such-loom").find("no such serial port"), std::string::npos);
+  std::string closed;
+  {
+    const LoomPort port;
+    ASSERT_GT(port.number(), 0);
+    closed = port.address();
+  }
+  EXPECT_NE(why_not(closed).find("Connection refused"), std::string::npos);
+}
+
+TEST(LoomLine, SaysThatThereIsNoSuchHost) {
+  platform::LineConnector connector([](const std::string&, const std::string&) { return platform::HostFound{}; });
+  EXPECT_EQ(open_line(connector, "tcp:loom.invalid:7388").why, "loom.invalid: there is no such host");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cerrno>
 #include <fstream>
 #include <set>
 
@@ -75,19 +74,19 @@ TEST(FileLockTest, MakesOnlyWhatIsToBeMade) {
   EXPECT_EQ(FileLock::take_existing(scratch / "a").answer(), LockAnswer::kNoFile);
   EXPECT_FALSE(fs::exists(scratch / "a"));
   std::ofstream(scratch / "a") << "text";
-  EXPECT_EQ(FileLock::make(scratch / "a").cause(), EEXIST);
+  EXPECT_EQ(FileLock::make(scratch / "a").cause(), std::errc::file_exists);
   EXPECT_TRUE(FileLock::take(scratch / "a").held());
   EXPECT_EQ(fs::file_size(scratch / "a"), 4u);
   fs::create_symlink(scratch / "a", scratch / "link");
   EXPECT_EQ(FileLock::take_existing(scratch / "link").answer(), LockAnswer::kNoFile);
-  EXPECT_EQ(FileLock::take(scratch / "no folder/a").cause(), ENOENT);
+  EXPECT_EQ(FileLock::take(scratch / "no folder/a").cause(), std::errc::no_such_file_or_directory);
 }
 
 TEST(FileLockTest, WhereThereAreNoneItSaysSo) {
   const Scratch scratch("none");
   const int answer = without_locks([&] {
     const FileLock lock = FileLock::take(scratch / "lock");
-    return lock.answer() == LockAnswer::kNoLocks && lock.cause() == ENOLCK && !lock.held();
+    return lock.answer() == LockAnswer::kNoLocks && lock.cause() == std::errc::no_lock_available && !lock.held();
   });
   if (answer < 0) GTEST_SKIP() << "the system filters no calls";
   EXPECT_EQ(answer, 1);

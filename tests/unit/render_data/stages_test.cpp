@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+#include <set>
+
 #include "../scratch.h"
 #include "base/files.h"
 #include "design/edits.h"
@@ -134,6 +137,108 @@ TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
   for (const PackedPatch& p : near.patches.maps) EXPECT_LT(p.width, 512);
   EXPECT_FALSE(stages.update(keep(before), Effort::kQuick).patches.empty()) << "as it was before";
   EXPECT_TRUE(stages.update(keep(before)).all_maps);
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
+/// The stages that an update runs.
+std::set<std::string> stages_of(Stages& stages, const Design& design, Effort effort = Effort::kFull) {
+  std::mutex mutex;
+  std::set<std::string> ran;
+  stages.update(std::make_shared<const Design>(design), effort, {{}, [&](const char* stage, size_t, size_t) {
+                                                                   const std::lock_guard lock(mutex);
+                                                                   ran.insert(stage);
+                                                                 }});
+  return ran;
+}
+
+TEST(Stages, WhatAnEditDoesNotTouchIsNotComputedAgain) {
+  Stages stages;
+  Design d = satin();
+  stages.update(std::make_shared<const Design>(d));
+  EXPECT_TRUE(stages_of(stages, d).empty());
+
+  d.scene.lights = "window";
+  EXPECT_EQ(stages_of(stages, d), (std::set<std::string>{"lights"}));
+  d.yarns[0].tex += 1;
+  EXPECT_TRUE(stages_of(stages, d).empty()) << "weighs, and is not visible";
+  d.yarns[0].lobes.along_width = 0.6f;
+  const std::set<std::string> of_lobes = stages_of(stages, d);
+  EXPECT_TRUE(of_lobes.contains("response"));
+  EXPECT_FALSE(of_lobes.contains("drawdown") || of_lobes.contains("front: threads") ||
+               of_lobes.contains("front: maps"));
+
+  d = with_tieup(d, 3, 5, !d.draft.tieup.get(3, 5));
+  const std::set<std::string> painted = stages_of(stages, d, Effort::kQuick);
+  EXPECT_TRUE(painted.contains("front: maps"));
+  EXPECT_FALSE(painted.contains("back: maps") || painted.contains("response")) << "wait for the full update";
+  const std::set<std::string> rest = stages_of(stages, d);
+  EXPECT_TRUE(rest.contains("back: maps") && rest.contains("response"));
+  EXPECT_FALSE(rest.contains("front: maps")) << "are up to date";
+}
+
+// The window stops a full update when a newer design comes.
+TEST(Stages, AStoppedUpdateIsFinishedByTheNext) {
+  const Design before = satin(), after = with_tieup(before, 3, 5, !before.draft.tieup.get(3, 5));
+  Stages fresh;
+  fresh.update(std::make_shared<const Design>(after));
+  for (const std::string last : {"front: maps", "front: mips", "back: maps", "response"}) {
+    SCOPED_TRACE(last);
+    Stages stages;
+    EXPECT_TRUE(stages.update(std::make_shared<const Design>(before), Effort::kQuick).all_maps);
+    std::stop_source stop;
+    const auto starts = [&](const char* stage, size_t, size_t) {
+      if (stage == last) stop.request_stop();
+    };
+    const StageResult stopped =
+        stages.update(std::make_shared<const Design>(before), Effort::kFull, {stop.get_token(), starts});
+    EXPECT_TRUE(stopped.stopped);
+    EXPECT_FALSE(stopped.all_maps || stopped.lobes || !stopped.patches.empty()) << "nothing is handed over by half";
+    const StageResult quick = stages.update(std::make_shared<const Design>(after), Effort::kQuick);
+    EXPECT_FALSE(quick.stopped);
+    const PackedTexture &front = stages.packed().front.textures[0], &back = stages.packed().back.textures[0];
+    EXPECT_EQ(front.width, back.width) << "the faces share textures";
+    EXPECT_EQ(front.levels.size(), back.levels.size());
+    stages.update(std::make_shared<const Design>(after));
+    EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+  }
+}
+
+TEST(Stages, AfterAStopALargeEditIsStillPreviewed) {
+  Stages stages;
+  const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2)),
+               later = with_tieup(after, 1, 1, !before.draft.tieup.get(1, 1));
+  const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
+  stages.update(keep(before));
+  stages.set_visible_part({0, 0, 1e6f, 1e6f, 1.2f});
+  EXPECT_FALSE(stages.update(keep(after), Effort::kQuick).patches.empty());
+  std::stop_source stop;
+  const auto starts = [&](const char* stage, size_t, size_t) {
+    if (std::string_view(stage) == "front: threads") stop.request_stop();
+  };
+  EXPECT_TRUE(stages.update(keep(after), Effort::kFull, {stop.get_token(), starts}).stopped);
+  EXPECT_TRUE(stages_of(stages, later, Effort::kQuick).empty()) << "no stage of the cloth runs";
+  EXPECT_TRUE(stages.update(keep(later)).all_maps);
+  Stages fresh;
+  fresh.update(keep(later));
+  EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+}
+
+TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
+  Stages stages;
+  const Design good = satin();
+  stages.update(std::make_shared<const Design>(good));
+  Design bad = good;
+  bad.draft = Draft{};
+  const auto update = [&](const Design& d) { return stages.update(std::make_shared<const Design>(d)); };
+  const std::string problem = update(bad).problem;
+  EXPECT_FALSE(problem.empty());
+  bad.scene.lights = "window";
+  const StageResult again = update(bad);
+  EXPECT_EQ(again.problem, problem) << "told as long as it is so";
+  EXPECT_TRUE(again.lights) << "the scene does not depend on it";
+  EXPECT_EQ(update(good).problem, "");
+  Stages fresh;
+  fresh.update(std::make_shared<const Design>(good));
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 }
 

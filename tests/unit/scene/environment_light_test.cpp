@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "../statistics.h"
 #include "scene/light_rig.h"
 
 namespace weftlight::scene {
@@ -91,6 +92,47 @@ TEST(Environments, KeepAllTheirLight) {
     for (int x = 0; x < e.picture().width; ++x)
       sampled += e.capped_radiance(middle_of(e.picture(), x, y)) * covers(e.picture(), y);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(sampled[k] / all[k], 1, 0.02);
+}
+
+/// A sky of several tones with a sun, a window and single bright texels.
+Image uneven() {
+  std::minstd_rand random(9);
+  Image image = grey(64, 0);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      put(image, x, y, glm::vec3(1, 1.2f, 1.5f) * (0.2f + 0.02f * static_cast<float>(y % 9)));
+  for (int i = 0; i < 60; ++i)
+    put(image, static_cast<int>(random() % 64), static_cast<int>(random() % 32),
+        glm::vec3(random() % 9, random() % 9, 2));
+  for (int y = 8; y < 13; ++y)
+    for (int x = 20; x < 26; ++x) put(image, x, y, {8, 7, 5});
+  put(image, 40, 5, {300, 250, 200});
+  return image;
+}
+
+TEST(Environments, SamplesAreDistributedAsTheLightAboveTheMean) {
+  const Environment e(uneven());
+  const Image& map = e.picture();
+  std::vector<double> expected, counted(map.texels.size() / 3);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const float* t = &map.texels[static_cast<size_t>(3 * (y * map.width + x))];
+      const glm::dvec3 above = glm::max(glm::dvec3(t[0], t[1], t[2]) - glm::dvec3(e.mean()), glm::dvec3(0));
+      expected.push_back(glm::dot(above, glm::dvec3(0.2126, 0.7152, 0.0722)) * static_cast<double>(covers(map, y)));
+    }
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < 400'000; ++i) {
+    const float u = unit(random);
+    const glm::vec3 d = e.sample(u, unit(random)).towards;
+    const float across = std::atan2(d.x, -d.z) / (2 * kPi) + 0.5f, down = std::acos(d.y) / kPi;
+    const int x = static_cast<int>(across * static_cast<float>(map.width)),
+              y = static_cast<int>(down * static_cast<float>(map.height));
+    ++counted[static_cast<size_t>(y * map.width + x)];
+  }
+  EXPECT_GT(chi_square(counted, expected), kFalseAlarm);
+  *std::max_element(counted.begin(), counted.end()) *= 0.95;
+  EXPECT_LT(chi_square(counted, expected), 1e-6) << "the test sees a texel that is chosen too seldom by five percent";
 }
 
 TEST(Environments, AWindowIsAFewLightsAndASkyIsNone) {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "../hanging_lookup.h"
 #include "../loom_port.h"
 #include "../loom_terminal.h"
 #include "../scratch.h"
@@ -178,6 +179,37 @@ TEST(LoomLink, ASerialLineIsTakenUpAgainWhereItBrokeOff) {
   EXPECT_EQ(loom.heard(), "C00000002") << "the pick that was on its way, once more";
   ASSERT_NO_FATAL_FAILURE(ask(2, "C00000004"));
   EXPECT_EQ(w.design.loom.next_pick, 2);
+}
+
+TEST(LoomLink, EndsWhileTheNameOfALoomIsLookedUp) {
+  const HangingLookup names;
+  {
+    LoomLink link([] {}, names.look_up());
+    link.connect("tcp:loom.invalid:7388");
+    ASSERT_TRUE(names.is_asked());
+  }
+  EXPECT_FALSE(names.answered()) << "it waited for the name server";
+  names.answer({});
+}
+
+TEST(LoomLink, AFloodFromTheLoomIsNotHoarded) {
+  const LoomPort port;
+  LoomLink link([] {});
+  link.connect(port.address());
+  const int loom = port.accepted();
+  std::string flood;
+  for (int i = 0; i < 100000; ++i) flood += "p\n";
+  // Nobody takes the reports: the loom can write only until the buffers between the two are full.
+  size_t written = 0;
+  const timeval patience{1, 0};
+  ::setsockopt(loom, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+  for (ssize_t n; written < (size_t{256} << 20) && (n = ::write(loom, flood.data(), flood.size())) > 0;)
+    written += static_cast<size_t>(n);
+  EXPECT_LT(written, size_t{256} << 20) << "all was read";
+  EXPECT_LE(link.take().reports.size(), LoomLink::kMaxReports + platform::Line::kMaxReceived);
+  size_t more = 0;
+  EXPECT_TRUE(comes_true([&] { return (more += link.take().reports.size()) > 0; })) << "what is taken makes room";
+  ::close(loom);
 }
 
 TEST(LoomLink, SaysWhyThereIsNoLoom) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "draft/edits.h"
-#include "draft/yarn_fields.h"
+#include "design/edits.h"
+#include "design/yarn_fields.h"
 #include "lines.h"
 #include "wif/wif.h"
 

@@ -36,16 +36,16 @@ int lock_of(int file, bool wait) {
 }  // namespace
 
 FileLock::~FileLock() {
-  if (file_ >= 0) ::close(file_);
+  if (handle_ >= 0) ::close(static_cast<int>(handle_));
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
-    : file_(std::exchange(other.file_, -1)),
+    : handle_(std::exchange(other.handle_, -1)),
       answer_(std::exchange(other.answer_, LockAnswer::kNoFile)),
       cause_(other.cause_) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(file_, other.file_);
+  std::swap(handle_, other.handle_);
   std::swap(answer_, other.answer_);
   std::swap(cause_, other.cause_);
   return *this;
@@ -53,14 +53,13 @@ FileLock& FileLock::operator=(FileLock&& other) noexcept {
 
 FileLock FileLock::open(const std::string& path, int flags, unsigned mode, bool wait) {
   FileLock lock;
-  lock.file_ = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC | O_NONBLOCK, mode);
-  if (lock.file_ < 0) {
-    lock.cause_ = errno;
-    return lock;
-  }
-  lock.cause_ = lock_of(lock.file_, wait);
-  const bool taken = lock.cause_ == EAGAIN || lock.cause_ == EACCES || lock.cause_ == EWOULDBLOCK;
-  lock.answer_ = lock.cause_ == 0 ? LockAnswer::kHeld : taken ? LockAnswer::kTaken : LockAnswer::kNoLocks;
+  const int file = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC | O_NONBLOCK, mode);
+  lock.handle_ = file;
+  const int error = file < 0 ? errno : lock_of(file, wait);
+  lock.cause_ = {error, std::generic_category()};
+  if (file < 0) return lock;
+  const bool taken = error == EAGAIN || error == EACCES || error == EWOULDBLOCK;
+  lock.answer_ = error == 0 ? LockAnswer::kHeld : taken ? LockAnswer::kTaken : LockAnswer::kNoLocks;
   return lock;
 }
 
@@ -72,8 +71,8 @@ FileLock FileLock::make(const std::string& path) { return open(path, O_CREAT | O
 bool FileLock::stands_at(const std::string& path) const {
   struct stat held {
   }, there{};
-  return file_ >= 0 && ::fstat(file_, &held) == 0 && ::stat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
-         held.st_ino == there.st_ino;
+  return handle_ >= 0 && ::fstat(static_cast<int>(handle_), &held) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         held.st_dev == there.st_dev && held.st_ino == there.st_ino;
 }
 
 }  // namespace weftlight::platform

@@ -1,10 +1,10 @@
-#include "base/fonts.h"
+#include "platform/fonts.h"
 
 #include <fontconfig/fontconfig.h>
 
 #include <memory>
 
-namespace weftlight::base {
+namespace weftlight::platform {
 namespace {
 
 template <class T, void (*Destroy)(T*)>
@@ -53,4 +53,4 @@ std::string font_file(std::span<const char* const> families, FontWeight weight) 
   return {};
 }
 
-}  // namespace weftlight::base
+}  // namespace weftlight::platform

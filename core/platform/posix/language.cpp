@@ -3,8 +3,9 @@
 #include <libintl.h>
 
 #include <clocale>
-#include <cstdlib>
 #include <cstring>
+
+#include "platform/environment.h"
 
 namespace weftlight::platform {
 namespace {
@@ -22,7 +23,7 @@ void leave_c_locale() {
 
 void use_language(const std::string& language, const std::string& folder) {
   if (!language.empty()) {
-    ::setenv("LANGUAGE", language.c_str(), 1);
+    set_variable("LANGUAGE", language);
     leave_c_locale();
   } else {
     std::setlocale(LC_MESSAGES, "");

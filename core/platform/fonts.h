@@ -1,10 +1,10 @@
 #pragma once
-// Finds fonts of the system through fontconfig.
+// Finds fonts that are installed on the system.
 
 #include <span>
 #include <string>
 
-namespace weftlight::base {
+namespace weftlight::platform {
 
 enum class FontWeight { kRegular, kMedium, kSemiBold };
 
@@ -12,4 +12,4 @@ enum class FontWeight { kRegular, kMedium, kSemiBold };
 /// if none is installed.
 std::string font_file(std::span<const char* const> families, FontWeight weight = FontWeight::kRegular);
 
-}  // namespace weftlight::base
+}  // namespace weftlight::platform

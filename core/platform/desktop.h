@@ -1,0 +1,50 @@
+#pragma once
+// The user's desktop: its file manager and its own dialog for files.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace weftlight::platform {
+
+/// Shows a folder in the file manager, without waiting for it. Returns what is missing for that, or empty.
+std::string show_folder(const std::string& folder);
+
+enum class FileAsk { kOpen, kSave, kFolder };
+
+/// Files of one kind: what the user reads, and the endings' patterns such as "*.wif *.WIF".
+struct FileFilter {
+  std::string name, patterns;
+};
+struct FileQuestion {
+  FileAsk what = FileAsk::kOpen;
+  std::string title;
+  std::string start;                // the file or folder that is proposed; empty: none
+  std::vector<FileFilter> filters;  // the first is in force at the start; none for a folder
+};
+
+/// The desktop's own dialog for a file or a folder. It asks before it gives an existing file to save to.
+class FileDialog {
+ public:
+  FileDialog();
+  /// Closes a dialog that is still open, so that quitting does not wait.
+  ~FileDialog();
+  FileDialog(const FileDialog&) = delete;
+  FileDialog& operator=(const FileDialog&) = delete;
+
+  /// False if there is no such dialog: then ask inside the window.
+  static bool is_there();
+  /// Opens the dialog, unless one is open already.
+  void ask(const FileQuestion& question, std::function<void(const std::string& path)> chosen);
+  bool waiting() const { return asked_ != nullptr; }
+  /// Calls `chosen` once a path is chosen. Never waits.
+  void poll();
+
+ private:
+  struct Asked;  // the open dialog
+  std::unique_ptr<Asked> asked_;
+  std::function<void(const std::string&)> chosen_;
+};
+
+}  // namespace weftlight::platform

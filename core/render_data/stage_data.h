@@ -1,0 +1,73 @@
+#pragma once
+// The outputs of all stages between a design and the renderer, and what changed for the renderer.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/maps.h"
+#include "design/design.h"
+#include "draft/drawdown.h"
+#include "render_data/ambient.h"
+#include "render_data/names.h"
+#include "render_data/packed_maps.h"
+#include "render_data/stage_list.h"
+#include "scene/light_rig.h"
+
+namespace weftlight::render_data {
+
+/// Changes of one update for the renderer; empty parts did not change.
+struct StageResult {
+  std::optional<PreparedMesh> mesh;
+  std::optional<LightRig> lights;
+  bool all_maps = false;  // packed() is new as a whole
+  ClothPatches patches;
+  std::optional<ClothLobes> lobes;
+  std::string problem;
+  bool stopped = false;  // nothing is handed over yet: the next update does it
+};
+
+/// What stages read.
+struct StageInput {
+  std::shared_ptr<const Design> design;
+  std::string drape;     // drape_key() of the design
+  bool shadows = false;  // the maps of method vrst03 are wanted, from its first use on
+  bool engine = false;   // the exported material is wanted, for method `engine`, from its first use on
+};
+
+/// One face of the cloth.
+struct FaceData {
+  Cloth cloth;
+  std::optional<Cloth> mapped;  // what `maps` show, if some cells of `cloth` have changed since
+  Maps maps;
+  std::vector<TexelRect> rebaked;  // parts of `maps` that are not yet in the mips
+};
+
+/// What stages make.
+struct StageData {
+  std::shared_ptr<const Design> drawn;  // the design of `cells`
+  BitMatrix cells;
+  CellRect painted;  // cells that changed since the crossings were packed
+  Period period = Period::kWholeDraft;
+  std::array<FaceData, 2> faces;  // front, back
+  bool coarse = false;            // the maps are from a quick bake
+  float top_mm = 0;               // bound of the threads' heights
+  PackedCloth packed;
+};
+
+/// One update, as the stages see it.
+struct StageWork {
+  const StageInput& input;
+  Effort effort;
+  StageData& data;
+  StageResult& result;
+
+  const Design& design() const { return *input.design; }
+  FaceData& face(Face f) const { return data.faces[static_cast<size_t>(f)]; }
+  PackedFace& packed(Face f) const { return f == Face::kFront ? data.packed.front : data.packed.back; }
+  bool quick() const { return effort == Effort::kQuick; }
+};
+
+}  // namespace weftlight::render_data

@@ -1,0 +1,164 @@
+// Wherever memory ends, what was begun gives an error or std::bad_alloc, which is caught at the border (base/caught.h):
+// no crash, no leak of locks, and no half-written file. What succeeds in spite of it is right.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include "../scratch_fixture.h"
+#include "base/caught.h"
+#include "cloth/cloth.h"
+#include "cloth/maps.h"
+#include "design/edits.h"
+#include "draft/drawdown.h"
+#include "draft/factor.h"
+#include "failing_new.h"
+#include "texture_set/texture_set.h"
+#include "weaves/weaves.h"
+#include "wif/wif.h"
+
+namespace weftlight {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int kMost = 500;  // calls of operator new
+
+/// Runs `job`, once for each call of operator new that fails, until it ends before the nth call. `step`: calls from one
+/// that fails to the next. Returns how often it failed.
+int at_each_allocation(const std::function<void()>& job, const std::function<void(int n)>& after, int step = 1) {
+  int failures = 0;
+  for (int n = 1; n <= kMost; n += step) {
+    bool reached = false;
+    const std::string thrown = base::caught([&] {
+      const NthFails fails(n);
+      const std::string inner = base::caught(job);
+      reached = NthFails::failed();
+      if (!inner.empty()) throw std::bad_alloc();
+    });
+    failures += !thrown.empty();
+    after(n);
+    if (!reached) break;
+  }
+  return failures;
+}
+
+design::Design sample() { return weaves::twill({2, 2}, weaves::Lean::kRight, {8, 8}); }
+
+class NthAllocation : public ScratchTest {};
+
+TEST_F(NthAllocation, OpeningFailsOrReadsTheDraft) {
+  const std::string text = wif::write_new_wif(sample());
+  const design::Design whole = wif::read_wif(text).file->design;
+  std::optional<wif::WifRead> read;
+  const int failures = at_each_allocation([&] { read.reset(), read = wif::read_wif(text); },
+                                          [&](int n) {
+                                            if (read && read->file) {
+                                              EXPECT_EQ(read->file->design, whole) << n;
+                                            }
+                                          });
+  EXPECT_GT(failures, 20);
+}
+
+TEST_F(NthAllocation, SavingFailsOrWritesTheWholeFile) {
+  const std::string old = written("x.wif", "the old file"), text = wif::write_new_wif(sample());
+  const int failures = at_each_allocation(
+      [&] {
+        const std::string error = base::write_file_atomically(old, wif::write_new_wif(sample()));
+        if (!error.empty()) throw std::bad_alloc();
+      },
+      [&](int n) {
+        const std::string now = base::read_file(old).bytes;
+        EXPECT_TRUE(now == "the old file" || now == text) << n << ": " << now.size() << " bytes";
+        size_t files = 0;
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(dir_)) ++files;
+        EXPECT_EQ(files, 1u) << n << ": something is left beside the file";
+        if (now != "the old file") base::write_file_atomically(old, "the old file");
+      });
+  EXPECT_GT(failures, 20);
+}
+
+TEST_F(NthAllocation, EditsAndFactorsFailOrAreRight) {
+  const design::Design design = sample();
+  const design::Design edited = design::with_size(design::with_threading(design, 3, 1, true), 12, 12, 4, 4);
+  std::optional<design::Design> now;
+  EXPECT_GT(at_each_allocation(
+                [&] {
+                  now.reset();
+                  now = design::with_size(design::with_threading(design, 3, 1, true), 12, 12, 4, 4);
+                },
+                [&](int n) {
+                  if (now) {
+                    EXPECT_EQ(*now, edited) << n;
+                  }
+                }),
+            2);
+  const draft::BitMatrix cells = drawdown(edited.draft);
+  const draft::Factored whole = draft::with_drawdown(design.draft, cells, {8, 8});
+  std::optional<draft::Factored> factored;
+  EXPECT_GT(at_each_allocation(
+                [&] {
+                  factored.reset(), factored = draft::with_drawdown(design.draft, cells, {8, 8});
+                },
+                [&](int n) {
+                  if (factored) {
+                    EXPECT_EQ(drawdown(factored->draft), drawdown(whole.draft)) << n;
+                  }
+                }),
+            2);
+}
+
+TEST_F(NthAllocation, MapsFailOrAreWhole) {
+  const design::Design design = sample();
+  const draft::BitMatrix cells = drawdown(design.draft);
+  const auto baked = [&] {
+    return cloth::bake(cloth::lay_out(design, cells, draft::Face::kFront, cloth::Period::kRepeat), {32, 32, 8});
+  };
+  const cloth::Maps whole = baked();
+  std::optional<cloth::Maps> maps;
+  EXPECT_GT(at_each_allocation([&] { maps.reset(), maps = baked(); },
+                               [&](int n) {
+                                 if (maps) {
+                                   EXPECT_EQ(maps->height_mm.at_, whole.height_mm.at_) << n;
+                                 }
+                               }),
+            20);
+}
+
+std::map<std::string, std::string> bytes_in(const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : fs::directory_iterator(folder))
+    all[entry.path().filename().string()] = base::read_file(entry.path().string()).bytes;
+  return all;
+}
+
+TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
+  texture_set::TextureSetOptions options;
+  options.target = texture_set::ExportTarget::kGodot;
+  options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
+  const design::Design before = sample(), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
+  ASSERT_EQ(texture_set::write_texture_set(path("old"), before, {}, options), "");
+  ASSERT_EQ(texture_set::write_texture_set(path("new"), after, {}, options), "");
+  const auto old_set = bytes_in(path("old")), new_set = bytes_in(path("new"));
+  ASSERT_NE(old_set, new_set);
+  ASSERT_EQ(texture_set::write_texture_set(path("set"), before, {}, options), "");
+  constexpr int kStep = 23;  // an export takes long, and asks for much
+  const int failures = at_each_allocation(
+      [&] {
+        if (!texture_set::write_texture_set(path("set"), after, {}, options).empty()) throw std::bad_alloc();
+      },
+      [&](int n) {
+        const auto now = bytes_in(path("set"));
+        EXPECT_TRUE(now == old_set || now == new_set) << n;
+        size_t folders = 0;
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(dir_)) ++folders;
+        EXPECT_EQ(folders, 3u) << n << ": something is left beside the set";
+      },
+      kStep);
+  EXPECT_GT(failures, 10);
+}
+
+}  // namespace
+}  // namespace weftlight

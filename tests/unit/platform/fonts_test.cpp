@@ -1,0 +1,23 @@
+// Fonts that are installed are found by name.
+
+#include "platform/fonts.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace weftlight::platform {
+namespace {
+
+TEST(Fonts, only_the_requested_family_is_found) {
+  const char* const none[] = {"No Such Family 71"};
+  EXPECT_EQ(font_file(none), "");
+  const char* const some[] = {"No Such Family 71", "Inter", "DejaVu Sans", "Noto Sans"};
+  const std::string regular = font_file(some), bold = font_file(some, FontWeight::kSemiBold);
+  if (regular.empty()) GTEST_SKIP() << "none of these fonts is installed";
+  EXPECT_TRUE(std::filesystem::exists(regular)) << regular;
+  EXPECT_NE(regular, bold);
+}
+
+}  // namespace
+}  // namespace weftlight::platform

@@ -1,0 +1,45 @@
+// Other programs: what they print and how they end.
+
+#include "platform/process.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+namespace weftlight::platform {
+namespace {
+
+void wait_for_end(Process& program) {
+  for (int i = 0; i < 10000 && program.running(); ++i) {
+    program.look();
+    ::poll(nullptr, 0, 1);
+  }
+}
+
+TEST(ProcessTest, what_it_prints_is_read_to_the_end) {
+  Process program({"sh", "-c", "head -c 200000 /dev/zero; echo end"});
+  ASSERT_TRUE(program.running());
+  wait_for_end(program);
+  EXPECT_TRUE(program.succeeded());
+  EXPECT_EQ(program.output().size(), 200004u);
+  EXPECT_TRUE(program.output().ends_with("end\n"));
+}
+
+TEST(ProcessTest, a_failure_is_told_from_success) {
+  Process failing({"sh", "-c", "exit 3"});
+  Process moved;
+  moved = std::move(failing);
+  wait_for_end(moved);
+  EXPECT_FALSE(moved.running() || moved.succeeded());
+}
+
+TEST(ProcessTest, a_program_that_is_not_there_does_not_start) {
+  const std::vector<std::string> words = {"no-such-program-71"};
+  Process program(words);
+  program.look();
+  EXPECT_FALSE(program.running() || program.succeeded());
+  EXPECT_FALSE(start_program(words));
+  EXPECT_TRUE(start_program({"true"}));
+}
+
+}  // namespace
+}  // namespace weftlight::platform

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/text.h"
@@ -107,7 +108,7 @@ std::string thickness_text(const Draft& draft, System system, std::span<const in
   return text + "\n";
 }
 
-ThreadPropertiesRead read_thread_properties(std::string_view text) {
+base::Result<ThreadProperties> read_thread_properties(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
   ThreadProperties properties;
   bool whole = false;
@@ -115,9 +116,10 @@ ThreadPropertiesRead read_thread_properties(std::string_view text) {
   else if (text.starts_with(kThickness))
     whole = read_values(text.substr(kThickness.size()), properties.thickness_mm, thickness_of);
   if (!whole)
-    return {{},
-            base::tr("The clipboard holds no colours or thicknesses of threads; select threads and copy theirs first")};
-  return {std::move(properties), {}};
+    return base::failure(
+        base::ErrorKind::kInput,
+        base::tr("The clipboard holds no colours or thicknesses of threads; select threads and copy theirs first"));
+  return properties;
 }
 
 Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& properties) {

@@ -1,12 +1,12 @@
 #pragma once
 // Colours or thicknesses of threads as a line of text, to copy them alone through the clipboard.
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "design/design.h"
 
 namespace weftlight::design {
@@ -23,12 +23,8 @@ std::string color_text(const Draft& draft, System system, std::span<const int> t
 /// "weftlight thickness: 0.5 - 0.8": in mm, - where it follows from the yarn.
 std::string thickness_text(const Draft& draft, System system, std::span<const int> threads);
 
-struct ThreadPropertiesRead {
-  std::optional<ThreadProperties> properties;
-  std::string problem;  // why there are none, and what to do; in the user's language
-};
 /// Accepts any bytes; reads at most kMaxThreads values.
-ThreadPropertiesRead read_thread_properties(std::string_view text);
+base::Result<ThreadProperties> read_thread_properties(std::string_view text);
 
 /// Applies the properties to the threads, repeated as needed. Colours that the palette lacks are added to it.
 Design with_properties(Design design, System system, std::span<const int> threads, const ThreadProperties& properties);

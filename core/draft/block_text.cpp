@@ -1,6 +1,7 @@
 #include "draft/block_text.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,24 +57,24 @@ std::optional<BitGrid> grid_named(std::string_view head) {
   return {};
 }
 
-BlockRead failed(const char* problem) { return {{}, problem}; }
+base::Failure refused(const char* problem) { return base::failure(base::ErrorKind::kInput, problem); }
 
-BlockRead read_rows(BitGrid from, const std::vector<std::string_view>& lines) {
-  if (lines.empty()) return failed(tr("The clipboard holds no cells."));
-  if (!std::ranges::all_of(lines, is_row)) return failed(tr("The clipboard holds text that is not cells."));
+base::Result<CellBlock> read_rows(BitGrid from, const std::vector<std::string_view>& lines) {
+  if (lines.empty()) return refused(tr("The clipboard holds no cells."));
+  if (!std::ranges::all_of(lines, is_row)) return refused(tr("The clipboard holds text that is not cells."));
   const size_t stride = std::ranges::all_of(lines, is_separated) ? 2 : 1;
   size_t columns = 0;
   for (std::string_view line : lines) columns = std::max(columns, (line.size() + stride - 1) / stride);
-  if (columns == 0) return failed(tr("The clipboard holds no cells."));
+  if (columns == 0) return refused(tr("The clipboard holds no cells."));
   const auto most = static_cast<size_t>(kMaxThreads);
   if (columns > most || lines.size() > most || columns * lines.size() > static_cast<size_t>(kMaxBlockCells))
-    return failed(tr("The clipboard holds more cells than can be pasted."));
+    return refused(tr("The clipboard holds more cells than can be pasted."));
   CellBlock block{from, BitMatrix(static_cast<int>(lines.size()), static_cast<int>(columns))};
   for (size_t r = 0; r < lines.size(); ++r)
     for (size_t i = 0; i < lines[r].size(); i += stride)
       if (kMarks.find(lines[r][i]) != kMarks.npos)
         block.cells.set(static_cast<int>(r), static_cast<int>(i / stride), true);
-  return {std::move(block), {}};
+  return block;
 }
 
 }  // namespace
@@ -97,15 +98,15 @@ std::string block_text(const CellBlock& block) {
   return text;
 }
 
-BlockRead read_block_text(std::string_view text) {
+base::Result<CellBlock> read_block_text(std::string_view text) {
   // Twice the cells leave room for separators and line ends.
   if (text.size() > static_cast<size_t>(2 * kMaxBlockCells + kMaxThreads))
-    return failed(tr("The clipboard holds more cells than can be pasted."));
+    return refused(tr("The clipboard holds more cells than can be pasted."));
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   std::vector<std::string_view> lines = lines_of(text);
   if (lines.empty() || lines[0].substr(0, kHead.size()) != kHead) return read_rows(BitGrid::kDrawdown, lines);
   const std::optional<BitGrid> from = grid_named(lines[0].substr(kHead.size()));
-  if (!from) return failed(tr("The clipboard holds cells of an unknown grid."));
+  if (!from) return refused(tr("The clipboard holds cells of an unknown grid."));
   lines.erase(lines.begin());
   return read_rows(*from, lines);
 }

@@ -9,10 +9,10 @@
 // `weftlight drawdown` writes. Without the first line the text is read as crossings. # X x * 1 are marks; . 0 - _ and
 // blanks are empty cells.
 
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
 #include "draft/selection.h"
 
 namespace weftlight::draft {
@@ -20,15 +20,10 @@ namespace weftlight::draft {
 /// Limit of a text: a clipboard takes no more than a few million bytes.
 inline constexpr int64_t kMaxBlockCells = int64_t{1} << 22;
 
-struct BlockRead {
-  std::optional<CellBlock> block;
-  std::string problem;  // why there is no block; in the user's language
-};
-
 /// Empty when the block has no cells or more than kMaxBlockCells.
 std::string block_text(const CellBlock& block);
 /// Accepts any bytes and any line ends. Short rows are filled up with empty cells.
-BlockRead read_block_text(std::string_view text);
+base::Result<CellBlock> read_block_text(std::string_view text);
 
 /// "threading", "tieup", ... as in the first line of the text.
 const char* bit_grid_name(BitGrid grid);

@@ -16,7 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 constexpr size_t kMaxCached = 48;  // files of half a megabyte
 
@@ -29,7 +32,7 @@ std::string shipped_path(const std::string& file) {
   return (fs::path(presets_dir()) / "meshes" / (file + ".glb")).string();
 }
 
-ReadMesh load_shipped(const Design& design) {
+Result<Mesh> load_shipped(const Design& design) {
   const std::string& name = design.scene.mesh;
   const std::string file = can_drape(design) ? shipped_file(design) : name, path = shipped_path(file);
   std::error_code ec;
@@ -38,17 +41,19 @@ ReadMesh load_shipped(const Design& design) {
 }
 
 /// Loads the cached drape. A file in the cache may be old or foreign: it must have the pattern of the shipped drape.
-ReadMesh load_cached(const Design& design) {
+Result<Mesh> load_cached(const Design& design) {
   const std::string path = kept_drape_path(design);
   std::error_code ec;
-  if (path.empty() || !fs::exists(path, ec)) return {};
-  ReadMesh cached = read_mesh(path);
-  if (!cached.mesh) return cached;
-  const ReadMesh shipped = load_drape(design.scene.mesh);
+  if (path.empty() || !fs::exists(path, ec)) return failure(ErrorKind::kInput, tr("no such file"), path);
+  Result<Mesh> cached = read_mesh(path);
+  if (!cached) return cached;
+  const Result<Mesh> shipped = load_drape(design.scene.mesh);
   const auto near = [](Vec2 a, Vec2 b) { return glm::distance(a, b) < 0.01f; };
-  const bool same = shipped.mesh && cached.mesh->index == shipped.mesh->index &&
-                    std::ranges::equal(cached.mesh->uv_mm, shipped.mesh->uv_mm, near);
-  if (!same) return {{}, fill(tr("{file}: is not a mesh of this drape; it is simulated again"), arg("file", path))};
+  const bool same =
+      shipped && cached->index == shipped->index && std::ranges::equal(cached->uv_mm, shipped->uv_mm, near);
+  if (!same)
+    return failure(ErrorKind::kInput,
+                   fill(tr("{file}: is not a mesh of this drape; it is simulated again"), arg("file", path)));
   return cached;
 }
 
@@ -70,26 +75,26 @@ std::string kept_drape_path(const Design& design) {
   return (fs::path(cache_folder()) / "drapes" / file).string();
 }
 
-bool is_draped(const Design& design) { return load_cached(design).mesh.has_value(); }
+bool is_draped(const Design& design) { return load_cached(design).has_value(); }
 
 Mesh simulate_design_drape(const Design& design, const std::function<bool(double progress)>& keep_going) {
   return can_drape(design) ? simulate_drape(design.scene.mesh, drape_parameters_of(design), keep_going) : Mesh{};
 }
 
-std::string drape_cloth(const Design& design, const std::function<bool(double progress)>& keep_going) {
+Result<void> drape_cloth(const Design& design, const std::function<bool(double progress)>& keep_going) {
   const std::string path = kept_drape_path(design);
   if (path.empty()) return {};
   const fs::path folder = fs::path(path).parent_path();
   std::error_code ec;
   fs::create_directories(folder, ec);
   if (ec)
-    return fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", folder.string()),
-                arg("cause", cause_of(ec)));
+    return failure(ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made: {cause}"),
+                                            arg("folder", folder.string()), arg("cause", cause_of(ec))));
   const Mesh mesh = simulate_design_drape(design, keep_going);
   if (mesh.position_mm.empty()) return {};
-  std::string problem = write_mesh(path, mesh, nullptr);
-  if (problem.empty()) keep_newest(folder.string(), ".glb", kMaxCached);
-  return problem;
+  Result<void> kept = write_mesh(path, mesh, nullptr);
+  if (kept) keep_newest(folder.string(), ".glb", kMaxCached);
+  return kept;
 }
 
 std::string drape_key(const Design& design) {
@@ -104,11 +109,11 @@ std::string drape_key(const Design& design) {
   return shipped_file(design);
 }
 
-ReadMesh load_design_drape(const Design& design) {
-  ReadMesh read = design.scene.simulated_drape ? load_cached(design) : ReadMesh{};
-  if (!read.mesh) read = load_shipped(design);
+Result<Mesh> load_design_drape(const Design& design) {
+  Result<Mesh> read = design.scene.simulated_drape ? load_cached(design) : load_shipped(design);
+  if (!read) read = load_shipped(design);
   // The name selects the body, which does not depend on the stiffness.
-  if (read.mesh && can_drape(design)) read.mesh->name = design.scene.mesh;
+  if (read && can_drape(design)) read->name = design.scene.mesh;
   return read;
 }
 

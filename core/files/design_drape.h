@@ -13,7 +13,7 @@ namespace weftlight::files {
 /// Like load_drape() of the scene's mesh. A shipped drape is taken in the version for the fabric
 /// (presets/meshes/NAME.glb, NAME_limp.glb, NAME_stiff.glb); the simulated drape if the scene asks for it and it is in
 /// the cache.
-ReadMesh load_design_drape(const Design& design);
+base::Result<Mesh> load_design_drape(const Design& design);
 /// A key that is equal for designs with the same mesh; it changes when the simulated drape enters the cache.
 std::string drape_key(const Design& design);
 
@@ -26,7 +26,7 @@ bool is_draped(const Design& design);
 /// Simulates the drape of this fabric, in seconds; empty if it cannot be simulated. `keep_going`: see
 /// drape::simulate_drape().
 Mesh simulate_design_drape(const Design& design, const std::function<bool(double progress)>& keep_going = {});
-/// The same, into the cache, which drops its oldest files. Returns an error, or an empty string if done or stopped.
-std::string drape_cloth(const Design& design, const std::function<bool(double progress)>& keep_going = {});
+/// The same, into the cache, which drops its oldest files. Stopped it writes nothing, without an error.
+base::Result<void> drape_cloth(const Design& design, const std::function<bool(double progress)>& keep_going = {});
 
 }  // namespace weftlight::files

@@ -10,13 +10,17 @@
 #include <numbers>
 
 #include "base/caught.h"
-#include "files/file_problem.h"
+#include "base/text.h"
 
 namespace weftlight::files {
 namespace {
 
 using base::arg;
+using base::ErrorKind;
+using base::failed;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 using base::tr_n;
 
@@ -119,51 +123,50 @@ bool read_rows(OIIO::ImageInput& in, int y, int end, const Channels& c, std::vec
                        rows.data());
 }
 
-/// Null, with `error`, if the header is not usable.
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path, std::string& error) {
+/// The file, with a header that can be used.
+Result<std::unique_ptr<OIIO::ImageInput>> open(const std::string& path) {
   std::error_code ec;
-  if (!std::filesystem::is_regular_file(path, ec)) {
-    error = fill(tr("{file}: no such file; choose another picture"), arg("file", path));
-    return nullptr;
-  }
+  if (!std::filesystem::is_regular_file(path, ec))
+    return failure(ErrorKind::kInput, fill(tr("{file}: no such file; choose another picture"), arg("file", path)));
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
   if (!in)
-    error = fill(tr("{file}: {problem}; give an .hdr or an .exr that is whole"), arg("file", path),
-                 arg("problem", OIIO::geterror()));
-  else if (const std::string why = header_problem(in->format_name(), in->spec()); !why.empty())
-    error = file_problem(path, why);
-  return error.empty() ? std::move(in) : nullptr;
+    return failure(ErrorKind::kInput, fill(tr("{file}: {problem}; give an .hdr or an .exr that is whole"),
+                                           arg("file", path), arg("problem", OIIO::geterror())));
+  if (const std::string why = header_problem(in->format_name(), in->spec()); !why.empty())
+    return failure(ErrorKind::kInput, why, path);
+  return in;
 }
 
-std::string broken_file(const std::string& path, const std::string& problem) {
-  return fill(tr("{file}: {problem}; the file is broken"), arg("file", path), arg("problem", problem));
+/// What OpenImageIO threw.
+base::Failure broken_file(const std::string& path, const std::string& problem) {
+  return failure(ErrorKind::kInput,
+                 fill(tr("{file}: {problem}; the file is broken"), arg("file", path), arg("problem", problem)));
 }
 
-ReadEnvironment read_from(const std::string& path) {
-  std::string error;
-  const std::unique_ptr<OIIO::ImageInput> in = open(path, error);
-  if (!in) return {{}, error, {}};
+Result<EnvironmentPicture> read_from(const std::string& path) {
+  Result<std::unique_ptr<OIIO::ImageInput>> opened = open(path);
+  if (!opened) return failed(opened);
+  const std::unique_ptr<OIIO::ImageInput> in = std::move(*opened);
   const OIIO::ImageSpec& spec = in->spec();
   const Channels channels = channels_of(spec);
   // Tiles are read in whole rows of tiles.
   constexpr int64_t kMaxValues = int64_t{1} << 26;  // 256 MB
   const int band = std::min(spec.tile_height > 0 ? spec.tile_height : kBandRows, spec.height);
   const int64_t values = int64_t{spec.width} * band * channels.count;
-  if (values > kMaxValues) return {{}, file_problem(path, tr("its tiles are too large; save it with scan lines")), {}};
+  if (values > kMaxValues)
+    return failure(ErrorKind::kInput, tr("its tiles are too large; save it with scan lines"), path);
   std::vector<float> rows(static_cast<size_t>(values));
   TexelAverager averager(spec.width, spec.height);
   for (int y = 0; y < spec.height; y += band) {
     const int end = std::min(y + band, spec.height);
     if (!read_rows(*in, y, end, channels, rows))
-      return {{},
-              fill(tr("{file}: from row {row} on: {problem}; the file is broken"), arg("file", path), arg("row", y + 1),
-                   arg("problem", in->geterror())),
-              {}};
+      return failure(ErrorKind::kInput, fill(tr("{file}: from row {row} on: {problem}; the file is broken"),
+                                             arg("file", path), arg("row", y + 1), arg("problem", in->geterror())));
     const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(channels.count);
     for (int k = y; k < end; ++k) averager.add_row(k, &rows[static_cast<size_t>(k - y) * row], channels);
   }
-  ReadEnvironment read{averager.picture(), {}, {}};
-  if (!averager.lit()) return {{}, file_problem(path, tr("is black everywhere; there is no light in it")), {}};
+  EnvironmentPicture read{averager.picture(), {}};
+  if (!averager.lit()) return failure(ErrorKind::kInput, tr("is black everywhere; there is no light in it"), path);
   if (averager.invalid() > 0)
     read.remarks.push_back(
         fill(tr_n("{file}: {count} value is below 0 or not a number; taken as 0",
@@ -178,24 +181,24 @@ ReadEnvironment read_from(const std::string& path) {
 
 }  // namespace
 
-ReadEnvironment read_environment(const std::string& path) {
+Result<EnvironmentPicture> read_environment(const std::string& path) {
   try {
     return read_from(path);
   } catch (const std::bad_alloc&) {
-    return {{}, file_problem(path, base::tr(base::kNoMemory)), {}};
+    return failure(ErrorKind::kMemory, tr(base::kNoMemory), path);
   } catch (const std::exception& e) {
-    return {{}, broken_file(path, e.what()), {}};
+    return broken_file(path, e.what());
   }
 }
 
-std::string environment_problem(const std::string& path) {
-  std::string error;
+Result<void> check_environment(const std::string& path) {
   try {
-    open(path, error);
+    const Result<std::unique_ptr<OIIO::ImageInput>> opened = open(path);
+    if (!opened) return failed(opened);
+    return {};
   } catch (const std::exception& e) {
-    error = broken_file(path, e.what());
+    return broken_file(path, e.what());
   }
-  return error;
 }
 
 }  // namespace weftlight::files

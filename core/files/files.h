@@ -1,11 +1,11 @@
 #pragma once
 // Images and meshes in files. The only folder that uses OpenImageIO and tinygltf.
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/resources.h"
+#include "base/result.h"
 #include "cloth/maps.h"
 #include "drape/mesh.h"
 #include "files/names.h"
@@ -21,27 +21,18 @@ enum class PixelType { kU8, kU16, kHalf, kFloat };
 
 /// Writes .png, .exr, .tif or .jpg by extension, atomically. 8- and 16-bit values are stored as given (0..1): the
 /// caller encodes sRGB. `channels`: names for an .exr, one per channel or none; other formats do not store them.
-/// Returns an error, or an empty string.
-std::string write_image(const std::string& path, const Image& image, PixelType type,
-                        const std::vector<std::string>& channels = {});
+base::Result<void> write_image(const std::string& path, const Image& image, PixelType type,
+                               const std::vector<std::string>& channels = {});
 /// Writes a tiled EXR with a mip chain; each level has half the size of the one before. `type`: kHalf or kFloat.
-std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                                const std::vector<std::string>& channels = {});
-struct ReadImage {
-  std::optional<Image> image;
-  std::string error;
-};
+base::Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
+                                       const std::vector<std::string>& channels = {});
 /// `level`: of a mip chain; 0 for other images.
-ReadImage read_image(const std::string& path, int level = 0);
+base::Result<Image> read_image(const std::string& path, int level = 0);
 
-struct ReadMesh {
-  std::optional<Mesh> mesh;
-  std::string error;  // what is wrong and what to do
-};
 /// Reads the default scene of a .glb or .gltf: primitives are joined, node transforms applied, metres become
 /// millimetres. UVs are millimetres if asset.extras.weftlight_uv_mm is set, otherwise they are scaled so that texture
 /// area equals surface area.
-ReadMesh read_mesh(const std::string& path);
+base::Result<Mesh> read_mesh(const std::string& path);
 
 /// A PNG of a material: bytes, or a file in the folder of the mesh.
 struct GltfImage {
@@ -65,11 +56,11 @@ struct GltfMaterial {
 /// Writes the mesh as .glb, or as .gltf with files beside it. Without material if `front` is null. With `back` the
 /// triangles are written twice, each side with its own material; otherwise the material is double sided.
 /// KHR_materials_diffuse_transmission is only written to a .gltf, since the Khronos validator does not support it yet.
-std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
-                       const GltfMaterial* back = nullptr);
+base::Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
+                              const GltfMaterial* back = nullptr);
 
 /// Reads a shipped drape by name (presets/meshes/NAME.glb), or a file by path.
-ReadMesh load_drape(const std::string& name_or_path);
+base::Result<Mesh> load_drape(const std::string& name_or_path);
 
 /// Draws a line of text into an image; (x, y) is the left end of the base line, `size` the height in texels. Needs a
 /// font of the system (third_party/packages.txt installs one); without a font nothing is drawn.

@@ -11,17 +11,20 @@
 #include <cstring>
 #include <filesystem>
 
-#include "base/caught.h"
 #include "base/files.h"
-#include "files/file_problem.h"
+#include "base/text.h"
 #include "files/files.h"
 #include "files/image_rows.h"
+#include "files/written.h"
 
 namespace weftlight::files {
 namespace {
 
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 
 constexpr int kMaxSide = 65536;
@@ -34,14 +37,17 @@ constexpr int kPngLevel = 1;
 // size (normal map: 112 against 64 ms, 1560 against 1573 KB).
 constexpr int kPngFilterUp = 32;
 
-std::string check_shape(const Image& image) {
+Result<void> check_shape(const Image& image, const std::string& path) {
   const int64_t values = int64_t{image.width} * image.height * image.channels;
   const bool fits = image.width >= 1 && image.width <= kMaxSide && image.height >= 1 && image.height <= kMaxSide &&
                     image.channels >= 1 && image.channels <= kMaxChannels && values <= kMaxValues;
   if (!fits)
-    return fill(tr("an image of {width} x {height} x {channels} channels cannot be written"), arg("width", image.width),
-                arg("height", image.height), arg("channels", image.channels));
-  if (static_cast<int64_t>(image.texels.size()) != values) return tr("the texels of the image do not match its size");
+    return failure(ErrorKind::kOutput,
+                   fill(tr("an image of {width} x {height} x {channels} channels cannot be written"),
+                        arg("width", image.width), arg("height", image.height), arg("channels", image.channels)),
+                   path);
+  if (static_cast<int64_t>(image.texels.size()) != values)
+    return failure(ErrorKind::kOutput, tr("the texels of the image do not match its size"), path);
   return {};
 }
 
@@ -183,24 +189,25 @@ class DiskFile : public OIIO::Filesystem::IOProxy {
   bool whole_;
 };
 
-ReadImage read_from(const std::string& path, int level) {
+Result<Image> read_from(const std::string& path, int level) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
-  if (!in) return {{}, OIIO::geterror()};
+  if (!in) return failure(ErrorKind::kInput, OIIO::geterror());  // which names the file
   if (!in->seek_subimage(0, level))
-    return {{}, fill(tr("{file}: has no mip level {level}"), arg("file", path), arg("level", level))};
+    return failure(ErrorKind::kInput,
+                   fill(tr("{file}: has no mip level {level}"), arg("file", path), arg("level", level)));
   const OIIO::ImageSpec& spec = in->spec();
   const int64_t values = int64_t{spec.width} * spec.height * spec.nchannels;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
       spec.nchannels > kMaxChannels || values > kMaxValues || spec.depth > 1) {
-    return {{}, file_problem(path, tr("an image of this size is not read; scale it down"))};
+    return failure(ErrorKind::kInput, tr("an image of this size is not read; scale it down"), path);
   }
   Image image{spec.width, spec.height, spec.nchannels, std::vector<float>(static_cast<size_t>(values))};
   if (!in->read_image(0, level, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.texels.data())) {
-    return {{}, file_problem(path, in->geterror())};
+    return failure(ErrorKind::kInput, in->geterror(), path);
   }
-  return {std::move(image), {}};
+  return image;
 }
 
 }  // namespace
@@ -231,8 +238,8 @@ ImageRows::~ImageRows() {
   }
 }
 
-std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, int height, int channels, PixelType type,
-                                           const Names& names, std::string& problem) {
+Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int width, int height, int channels,
+                                                   PixelType type, const Names& names) {
   auto file = std::make_unique<File>();
   file->path = path, file->width = width, file->height = height, file->channels = channels, file->type = type;
   try {
@@ -242,17 +249,16 @@ std::unique_ptr<ImageRows> ImageRows::open(const std::string& path, int width, i
     OIIO::ImageSpec spec = spec_for({width, height, channels, {}}, type, exr ? names : Names{});
     if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
     if (file->out && file->out->open(path, spec)) return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
-    problem = file_problem(path, file->out ? file->out->geterror() : OIIO::geterror());
+    return failure(ErrorKind::kOutput, file->out ? file->out->geterror() : OIIO::geterror(), path);
   } catch (...) {
-    problem = file_problem(path, base::words_of_thrown());
+    return base::thrown(ErrorKind::kOutput, path);
   }
-  return nullptr;
 }
 
-std::string ImageRows::add(const Image& band) {
+Result<void> ImageRows::add(const Image& band) {
   File& f = *file_;
   if (band.width != f.width || band.channels != f.channels || f.next + band.height > f.height)
-    return file_problem(f.path, tr("a band does not fit the image"));
+    return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
   const int end = f.next + band.height;
   bool written = false;
   switch (f.type) {
@@ -269,59 +275,62 @@ std::string ImageRows::add(const Image& band) {
       written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::FLOAT, band.texels.data());
   }
   f.next = end;
-  return written ? std::string{} : file_problem(f.path, f.out->geterror());
+  if (!written) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
+  return {};
 }
 
-std::string ImageRows::close() {
+Result<void> ImageRows::close() {
   File& f = *file_;
-  if (f.next != f.height) return file_problem(f.path, tr("rows of the image are missing"));
-  if (!f.out->close()) return file_problem(f.path, f.out->geterror());
+  if (f.next != f.height) return failure(ErrorKind::kOutput, tr("rows of the image are missing"), f.path);
+  if (!f.out->close()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
   if (!f.disk) return {};
   f.disk->close();
-  return f.disk->whole() ? std::string{}
-                         : fill(tr("{file}: cannot be written: {cause}"), arg("file", f.path),
-                                arg("cause", cause_of(errno ? errno : ENOSPC)));
+  if (f.disk->whole()) return {};
+  return failure(ErrorKind::kOutput, fill(tr("{file}: cannot be written: {cause}"), arg("file", f.path),
+                                          arg("cause", cause_of(errno ? errno : ENOSPC))));
 }
 
-std::string write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
-  if (std::string problem = check_shape(image); !problem.empty()) return file_problem(path, problem);
+Result<void> write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
+  if (Result<void> shape = check_shape(image, path); !shape) return shape;
   if (!channels.empty() && channels.size() != static_cast<size_t>(image.channels))
-    return file_problem(path, tr("some channels have no name"));
+    return failure(ErrorKind::kOutput, tr("some channels have no name"), path);
   if (is_png(path)) {
     const std::vector<unsigned char> bytes = encode_png(image, type);
-    if (bytes.empty()) return file_problem(path, tr("cannot be encoded"));
-    return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (bytes.empty()) return failure(ErrorKind::kOutput, tr("cannot be encoded"), path);
+    return written(write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
   }
-  return write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
+  return written(
+      write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); }));
 }
 
-std::string write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                                const Names& channels) {
-  if (levels.empty()) return file_problem(path, tr("there is no mip level to write"));
+Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
+                                 const Names& channels) {
+  if (levels.empty()) return failure(ErrorKind::kOutput, tr("there is no mip level to write"), path);
   for (size_t i = 0; i < levels.size(); ++i) {
-    if (std::string problem = check_shape(levels[i]); !problem.empty()) return file_problem(path, problem);
+    if (Result<void> shape = check_shape(levels[i], path); !shape) return shape;
     const Image& above = levels[i > 0 ? i - 1 : 0];
     const bool halves =
         i == 0 || (levels[i].width == std::max(above.width / 2, 1) &&
                    levels[i].height == std::max(above.height / 2, 1) && levels[i].channels == above.channels);
-    if (!halves) return file_problem(path, tr("a mip level does not have half the size of the one before"));
+    if (!halves)
+      return failure(ErrorKind::kOutput, tr("a mip level does not have half the size of the one before"), path);
   }
-  return write_through(path,
-                       [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
+  return written(write_through(
+      path, [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); }));
 }
 
-ReadImage read_image(const std::string& path, int level) {
+Result<Image> read_image(const std::string& path, int level) {
   std::error_code ec;
-  if (!std::filesystem::is_regular_file(path, ec)) return {{}, file_problem(path, tr("no such file"))};
+  if (!std::filesystem::is_regular_file(path, ec)) return failure(ErrorKind::kInput, tr("no such file"), path);
   try {
     return read_from(path, level);
   } catch (...) {
-    return {{}, file_problem(path, base::words_of_thrown())};
+    return base::thrown(ErrorKind::kInput, path);
   }
 }
 
 std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
-  if (!check_shape(image).empty()) return {};
+  if (!check_shape(image, {})) return {};
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("memory.png", &memory);

@@ -11,14 +11,14 @@ namespace weftlight::files {
 
 class ImageRows {
  public:
-  /// Opens .png or .exr by extension. `channels`: names for an .exr, or none. Null: error, in `problem`.
-  static std::unique_ptr<ImageRows> open(const std::string& path, int width, int height, int channels, PixelType type,
-                                         const std::vector<std::string>& names, std::string& problem);
+  /// Opens .png or .exr by extension. `names`: of the channels of an .exr, or none.
+  static base::Result<std::unique_ptr<ImageRows>> open(const std::string& path, int width, int height, int channels,
+                                                       PixelType type, const std::vector<std::string>& names);
   ~ImageRows();
-  /// Writes the next rows; they have the width and channels of the image. Returns an error, or an empty string.
-  std::string add(const Image& band);
+  /// Writes the next rows; they have the width and channels of the image.
+  base::Result<void> add(const Image& band);
   /// Call it after the last row. On the disk it is when it is put in place (platform/durable_file.h).
-  std::string close();
+  base::Result<void> close();
 
  private:
   struct File;

@@ -16,7 +16,6 @@
 
 #include "base/caught.h"
 #include "base/files.h"
-#include "files/file_problem.h"
 #include "files/files.h"
 
 namespace weftlight::files {
@@ -64,7 +63,7 @@ bool read_within(std::vector<unsigned char>* out, std::string* error, const std:
   const FileBytes file = is_file_within(path, folder) ? read_file(path, kMaxFileBytes)
                                                       : FileBytes{{}, tr("is not a file in the folder of the .gltf")};
   out->assign(file.bytes.begin(), file.bytes.end());
-  if (!file.error.empty() && error) *error += file_problem(path, file.error);
+  if (!file.error.empty() && error) *error += message({base::ErrorKind::kInput, file.error, path});
   return file.error.empty();
 }
 
@@ -563,11 +562,11 @@ Mesh read_checked(const std::string& path) {
 
 }  // namespace
 
-ReadMesh read_mesh(const std::string& path) {
+base::Result<Mesh> read_mesh(const std::string& path) {
   try {
-    return {read_checked(path), {}};
+    return read_checked(path);
   } catch (...) {
-    return {{}, file_problem(path, base::words_of_thrown())};
+    return base::thrown(base::ErrorKind::kInput, path);
   }
 }
 

@@ -18,14 +18,18 @@
 #include <span>
 
 #include "base/files.h"
-#include "files/file_problem.h"
+#include "base/text.h"
 #include "files/files.h"
+#include "files/written.h"
 
 namespace weftlight::files {
 namespace {
 
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 using nlohmann::json;
 using Bytes = std::vector<unsigned char>;
@@ -263,14 +267,15 @@ void add_materials(Document& doc, const GltfMaterial& front, const GltfMaterial*
   use(doc, "KHR_texture_transform");
 }
 
-std::string check_mesh(const Mesh& mesh) {
+Result<void> check_mesh(const Mesh& mesh, const std::string& path) {
+  const auto refused = [&](const char* why) { return failure(ErrorKind::kOutput, why, path); };
   const size_t n = mesh.position_mm.size();
   if (mesh.normal.size() != n || mesh.uv_mm.size() != n || mesh.tangent.size() != n) {
-    return tr("the mesh lacks normals, tangents or texture coordinates");
+    return refused(tr("the mesh lacks normals, tangents or texture coordinates"));
   }
-  if (proper_triangles(mesh).empty()) return tr("the mesh has no triangles");
+  if (proper_triangles(mesh).empty()) return refused(tr("the mesh has no triangles"));
   for (uint32_t i : mesh.index) {
-    if (i >= n) return tr("the mesh refers to a missing vertex");
+    if (i >= n) return refused(tr("the mesh refers to a missing vertex"));
   }
   return {};
 }
@@ -278,18 +283,18 @@ std::string check_mesh(const Mesh& mesh) {
 std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 /// Writes the pieces one after the other; joined in memory they could be large.
-std::string write_pieces(const std::string& path, std::initializer_list<std::span<const unsigned char>> pieces) {
-  return write_through(path, [&](const std::string& beside) {
+Result<void> write_pieces(const std::string& path, std::initializer_list<std::span<const unsigned char>> pieces) {
+  return written(write_through(path, [&](const std::string& beside) {
     std::FILE* file = std::fopen(beside.c_str(), "wb");
     bool whole = file != nullptr;
     for (const auto& piece : pieces) whole = whole && std::fwrite(piece.data(), 1, piece.size(), file) == piece.size();
     const int error = errno;
     whole = file && std::fclose(file) == 0 && whole;
     return whole ? std::string{} : cause_of(error);
-  });
+  }));
 }
 
-std::string write_glb(const std::string& path, Document& doc) {
+Result<void> write_glb(const std::string& path, Document& doc) {
   pad(doc.binary, 0);
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}}});
   const std::string text = doc.root.dump();
@@ -297,7 +302,7 @@ std::string write_glb(const std::string& path, Document& doc) {
   pad(head, ' ');
   const uint64_t total = 12 + 8 + head.size() + 8 + doc.binary.size();
   if (total > std::numeric_limits<uint32_t>::max())
-    return file_problem(path, tr("a .glb cannot be larger than 4 GB; export smaller textures"));
+    return failure(ErrorKind::kOutput, tr("a .glb cannot be larger than 4 GB; export smaller textures"), path);
   Bytes start{'g', 'l', 'T', 'F'}, between;
   for (uint32_t v : {uint32_t{2}, static_cast<uint32_t>(total), static_cast<uint32_t>(head.size()), kJsonChunk}) {
     append_u32(start, v);
@@ -308,21 +313,22 @@ std::string write_glb(const std::string& path, Document& doc) {
 }
 
 /// Writes the other files first, so that the .gltf never refers to a missing file.
-std::string write_gltf(const std::string& path, Document& doc) {
+Result<void> write_gltf(const std::string& path, Document& doc) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}, {"uri", doc.stem + ".bin"}}});
   doc.files.emplace_back(doc.stem + ".bin", std::move(doc.binary));
   for (const auto& [name, bytes] : doc.files) {
-    if (std::string problem = write_file_atomically((folder / name).string(), text_of(bytes)); !problem.empty())
-      return problem;
+    if (Result<void> file = written(write_file_atomically((folder / name).string(), text_of(bytes))); !file)
+      return file;
   }
-  return write_file_atomically(path, doc.root.dump(1) + "\n");
+  return written(write_file_atomically(path, doc.root.dump(1) + "\n"));
 }
 
 }  // namespace
 
-std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back) {
-  if (std::string problem = check_mesh(mesh); !problem.empty()) return file_problem(path, problem);
+Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
+                        const GltfMaterial* back) {
+  if (Result<void> whole = check_mesh(mesh, path); !whole) return whole;
   const std::filesystem::path target(path);
   Document doc;
   doc.embed = target.extension() != ".gltf";
@@ -331,11 +337,11 @@ std::string write_mesh(const std::string& path, const Mesh& mesh, const GltfMate
   doc.root["asset"] = {{"version", "2.0"}, {"generator", "Weftlight"}, {"extras", {{"weftlight_uv_mm", true}}}};
   add_mesh(doc, mesh, front, back);
   if (front) add_materials(doc, *front, back);
-  if (!doc.problem.empty()) return doc.problem;
+  if (!doc.problem.empty()) return failure(ErrorKind::kInput, doc.problem);
   try {
     return doc.embed ? write_glb(path, doc) : write_gltf(path, doc);
   } catch (const json::exception& e) {  // a name that is not UTF-8
-    return file_problem(path, e.what());
+    return failure(ErrorKind::kOutput, e.what(), path);
   }
 }
 

@@ -12,13 +12,16 @@
 #include <vector>
 
 #include "base/files.h"
-#include "files/file_problem.h"
+#include "base/text.h"
 
 namespace weftlight::files {
 namespace {
 
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 
 constexpr int kMaxSide = 16384;  // with all levels 1.4 GiB, within a long of every system
@@ -108,8 +111,9 @@ Bytes ktx_header(std::vector<Level>& levels, int stored, bool srgb) {
   return all;
 }
 
-std::string not_written(const std::string& path) {
-  return fill(tr("{file}: cannot be written: {cause}"), arg("file", path), arg("cause", cause_of(errno)));
+base::Failure not_written(const std::string& path) {
+  return failure(ErrorKind::kOutput,
+                 fill(tr("{file}: cannot be written: {cause}"), arg("file", path), arg("cause", cause_of(errno))));
 }
 
 }  // namespace
@@ -130,14 +134,14 @@ const char* extension_of(MipContainer container) { return container == MipContai
 MipFile::MipFile(std::unique_ptr<File> file) : file_(std::move(file)) {}
 MipFile::~MipFile() = default;
 
-std::unique_ptr<MipFile> MipFile::open(const std::string& path, MipContainer container, int width, int height,
-                                       int channels, bool srgb, std::string& problem) {
+Result<std::unique_ptr<MipFile>> MipFile::open(const std::string& path, MipContainer container, int width, int height,
+                                               int channels, bool srgb) {
   const bool fits = width >= 1 && width <= kMaxSide && height >= 1 && height <= kMaxSide;
-  if (!fits || (channels != 1 && channels != 3 && channels != 4)) {
-    problem = file_problem(path, fill(tr("an image of {width} x {height} x {channels} channels cannot be written"),
-                                      arg("width", width), arg("height", height), arg("channels", channels)));
-    return nullptr;
-  }
+  if (!fits || (channels != 1 && channels != 3 && channels != 4))
+    return failure(ErrorKind::kOutput,
+                   fill(tr("an image of {width} x {height} x {channels} channels cannot be written"),
+                        arg("width", width), arg("height", height), arg("channels", channels)),
+                   path);
   auto file = std::make_unique<File>();
   file->path = path, file->channels = channels, file->stored = channels == 1 ? 1 : 4;
   file->blue_first = container == MipContainer::kDds && channels > 1;
@@ -152,21 +156,19 @@ std::unique_ptr<MipFile> MipFile::open(const std::string& path, MipContainer con
     header = ktx_header(file->levels, file->stored, srgb);
   }
   file->out = std::fopen(path.c_str(), "wb");
-  if (!file->out || std::fwrite(header.all().data(), 1, header.size(), file->out) != header.size()) {
-    problem = not_written(path);
-    return nullptr;
-  }
+  if (!file->out || std::fwrite(header.all().data(), 1, header.size(), file->out) != header.size())
+    return not_written(path);
   return std::unique_ptr<MipFile>(new MipFile(std::move(file)));
 }
 
 int MipFile::levels() const { return static_cast<int>(file_->levels.size()); }
 
-std::string MipFile::add(int level, const Image& rows) {
+Result<void> MipFile::add(int level, const Image& rows) {
   File& f = *file_;
-  if (level < 0 || level >= levels()) return file_problem(f.path, tr("has no such mip level"));
+  if (level < 0 || level >= levels()) return failure(ErrorKind::kOutput, tr("has no such mip level"), f.path);
   Level& l = f.levels[static_cast<size_t>(level)];
   if (rows.width != l.width || rows.channels != f.channels || l.next + rows.height > l.height)
-    return file_problem(f.path, tr("rows do not fit the mip level"));
+    return failure(ErrorKind::kOutput, tr("rows do not fit the mip level"), f.path);
   const size_t texels = static_cast<size_t>(rows.width) * static_cast<size_t>(rows.height);
   const auto stored = static_cast<size_t>(f.stored), channels = static_cast<size_t>(f.channels);
   std::vector<uint8_t> bytes(texels * stored, 255);
@@ -181,16 +183,18 @@ std::string MipFile::add(int level, const Image& rows) {
   l.next += rows.height;
   const bool written = std::fseek(f.out, static_cast<long>(offset), SEEK_SET) == 0 &&
                        std::fwrite(bytes.data(), 1, bytes.size(), f.out) == bytes.size();
-  return written ? std::string{} : not_written(f.path);
+  if (!written) return not_written(f.path);
+  return {};
 }
 
-std::string MipFile::close() {
+Result<void> MipFile::close() {
   File& f = *file_;
   for (const Level& l : f.levels)
-    if (l.next != l.height) return file_problem(f.path, tr("rows of a mip level are missing"));
+    if (l.next != l.height) return failure(ErrorKind::kOutput, tr("rows of a mip level are missing"), f.path);
   const bool closed = std::fclose(f.out) == 0;
   f.out = nullptr;
-  return closed ? std::string{} : not_written(f.path);
+  if (!closed) return not_written(f.path);
+  return {};
 }
 
 }  // namespace weftlight::files

@@ -18,15 +18,15 @@ class MipFile {
  public:
   /// Level k has max(width >> k, 1) x max(height >> k, 1) texels, down to 1 x 1. One channel stays one; three become
   /// four, opaque. `srgb` is stored in a KTX2; this kind of DDS, which every reader supports, has no field for it.
-  /// Sides 1..16384. Null: error, in `problem`.
-  static std::unique_ptr<MipFile> open(const std::string& path, MipContainer container, int width, int height,
-                                       int channels, bool srgb, std::string& problem);
+  /// Sides 1..16384.
+  static base::Result<std::unique_ptr<MipFile>> open(const std::string& path, MipContainer container, int width,
+                                                     int height, int channels, bool srgb);
   ~MipFile();
   int levels() const;
-  /// Writes the next rows of a level, from the top; levels in any order. Returns an error, or an empty string.
-  std::string add(int level, const Image& rows);
+  /// Writes the next rows of a level, from the top; levels in any order.
+  base::Result<void> add(int level, const Image& rows);
   /// Call it after the last row of all levels. On the disk it is when it is put in place (platform/durable_file.h).
-  std::string close();
+  base::Result<void> close();
 
  private:
   struct File;

@@ -74,19 +74,18 @@ bool is_picture(const std::string& path) {
 }
 
 WifRead read_picture_draft(const std::string& path, const PictureDraft& options) {
-  ReadImage read = read_image(path);
+  base::Result<Image> read = read_image(path);
   const auto rejected = [](std::string what, std::string remedy) {
     return WifRead{{}, {{Severity::kError, 0, std::move(what), std::move(remedy)}}};
   };
-  if (!read.image || read.image->channels < 1) return rejected(read.error, tr("choose a PNG or TIFF picture"));
-  if (options.ends > 0 && options.ends != read.image->width)
-    read.image = scaled_to_width(std::move(*read.image), options.ends);
-  if (read.image->width > kMaxShafts || read.image->height > kMaxThreads)
-    return rejected(fill(tr("the picture is {width} by {height}"), arg("width", read.image->width),
-                         arg("height", read.image->height)),
-                    fill(tr("at most {across} pixels across and {down} down become a draft; make it smaller"),
-                         arg("across", int{kMaxShafts}), arg("down", int{kMaxThreads})));
-  const std::optional<Design> design = jacquard_design(crossings_of(pixels_of(*read.image), options));
+  if (!read) return rejected(message(read.error()), tr("choose a PNG or TIFF picture"));
+  if (options.ends > 0 && options.ends != read->width) read = scaled_to_width(std::move(*read), options.ends);
+  if (read->width > kMaxShafts || read->height > kMaxThreads)
+    return rejected(
+        fill(tr("the picture is {width} by {height}"), arg("width", read->width), arg("height", read->height)),
+        fill(tr("at most {across} pixels across and {down} down become a draft; make it smaller"),
+             arg("across", int{kMaxShafts}), arg("down", int{kMaxThreads})));
+  const std::optional<Design> design = jacquard_design(crossings_of(pixels_of(*read), options));
   if (!design) return rejected(tr("the picture has no pixels"), tr("choose another"));
   WifFile file;
   file.design = *design;

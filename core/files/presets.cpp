@@ -8,6 +8,7 @@ namespace weftlight::files {
 namespace fs = std::filesystem;
 using base::arg;
 using base::fill;
+using base::Result;
 using base::tr;
 
 namespace {
@@ -20,21 +21,21 @@ std::string names_of_drapes() {
 
 }  // namespace
 
-ReadMesh load_drape(const std::string& name_or_path) {
+Result<Mesh> load_drape(const std::string& name_or_path) {
   std::error_code ec;
   for (const std::string& name : drape_names()) {
     if (name != name_or_path) continue;
     const fs::path shipped = fs::path(presets_dir()) / "meshes" / (name + ".glb");
-    if (!fs::exists(shipped, ec)) return {simulate_drape(name), {}};
-    ReadMesh read = read_mesh(shipped.string());
-    if (read.mesh) read.mesh->name = name;
+    if (!fs::exists(shipped, ec)) return simulate_drape(name);
+    Result<Mesh> read = read_mesh(shipped.string());
+    if (read) read->name = name;
     return read;
   }
   const std::string extension = fs::path(name_or_path).extension().string();
   if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return read_mesh(name_or_path);
-  return {{},
-          fill(tr("no mesh is called '{name}'; give one of {names}, or a .glb or .gltf file"),
-               arg("name", name_or_path), arg("names", names_of_drapes()))};
+  return base::failure(base::ErrorKind::kInput,
+                       fill(tr("no mesh is called '{name}'; give one of {names}, or a .glb or .gltf file"),
+                            arg("name", name_or_path), arg("names", names_of_drapes())));
 }
 
 }  // namespace weftlight::files

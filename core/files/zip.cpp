@@ -14,6 +14,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "files/written.h"
 
 namespace weftlight::files {
 namespace {
@@ -134,15 +135,17 @@ std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, Z
 
 }  // namespace
 
-std::string write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
-  if (entries.size() > 0xFFFF) return fill(tr("{file}: an archive holds at most 65535 files"), arg("file", path));
-  return write_through(path, [&](const std::string& beside) {
+base::Result<void> write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
+  if (entries.size() > 0xFFFF)
+    return base::failure(base::ErrorKind::kOutput,
+                         fill(tr("{file}: an archive holds at most 65535 files"), arg("file", path)));
+  return written(write_through(path, [&](const std::string& beside) {
     std::FILE* file = std::fopen(beside.c_str(), "wb");
     if (!file) return cause_of(errno);
     std::string problem = write_entries(file, entries, kind);
     if (std::fclose(file) != 0 && problem.empty()) problem = cause_of(errno);
     return problem;
-  });
+  }));
 }
 
 }  // namespace weftlight::files

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "files/names.h"
 
 namespace weftlight::files {
@@ -16,7 +17,7 @@ struct ZipEntry {
 };
 enum class ZipKind { kPlain, kU3ma, kUsdz };
 
-/// Writes the archive atomically; at most 4 GB. Returns an error, or an empty string.
-std::string write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind);
+/// Writes the archive atomically; at most 4 GB.
+base::Result<void> write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind);
 
 }  // namespace weftlight::files

@@ -12,6 +12,8 @@
 namespace weftlight::light {
 
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
 using base::tr;
 
@@ -115,7 +117,7 @@ LodTable default_lod_table() {
   return lod_table;
 }
 
-LodTable read_lod_table(std::string_view csv, std::string& problem) {
+base::Result<LodTable> read_lod_table(std::string_view csv) {
   constexpr std::array<std::string_view, 6> kColumns{
       "method", "samples", "yarns_per_pixel", "ns_per_pixel", "rel_rmse_filtering", "rel_rmse_model"};
   const std::vector<std::string_view> lines = split(csv, '\n');
@@ -123,10 +125,9 @@ LodTable read_lod_table(std::string_view csv, std::string& problem) {
   std::array<size_t, kColumns.size()> at{};
   for (size_t c = 0; c < at.size(); ++c) {
     at[c] = static_cast<size_t>(std::find(head.begin(), head.end(), kColumns[c]) - head.begin());
-    if (at[c] == head.size()) {
-      problem = fill(tr("line {line}: column {column} is missing"), arg("line", 1), arg("column", kColumns[c]));
-      return {};
-    }
+    if (at[c] == head.size())
+      return failure(ErrorKind::kInput,
+                     fill(tr("line {line}: column {column} is missing"), arg("line", 1), arg("column", kColumns[c])));
   }
   MergedPoints all;
   for (size_t l = 1; l < lines.size(); ++l) {
@@ -136,10 +137,8 @@ LodTable read_lod_table(std::string_view csv, std::string& problem) {
     const bool whole = cells.size() >= head.size();
     for (size_t c = 0; whole && c < v.size(); ++c) v[c] = number(cells[at[c + 1]]);
     const bool numbers = std::all_of(v.begin(), v.end(), [](const auto& n) { return n.has_value(); });
-    if (!numbers || *v[0] < 1 || *v[0] > kMaxSamples || *v[1] <= 0) {
-      problem = fill(tr("line {line}: not a row of numbers"), arg("line", l + 1));
-      return {};
-    }
+    if (!numbers || *v[0] < 1 || *v[0] > kMaxSamples || *v[1] <= 0)
+      return failure(ErrorKind::kInput, fill(tr("line {line}: not a row of numbers"), arg("line", l + 1)));
     if (const std::optional<Method> m = method_from_name(cells[at[0]]))
       merge(all, {*m, *v[1], *v[2], *v[3], *v[4], static_cast<int>(*v[0])});
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "design/methods.h"
 #include "light/formulas.h"
 #include "light/names.h"
@@ -27,9 +28,9 @@ using LodTable = std::vector<LodPoint>;
 /// Default bands, before any measurement.
 LodTable default_lod_table();
 
-/// From the text of lod_table.csv or chart.csv (columns by name; others are ignored). Empty, with `problem` set, when a
-/// column is missing or a number cannot be read.
-LodTable read_lod_table(std::string_view csv, std::string& problem);
+/// From the text of lod_table.csv or chart.csv (columns by name; others are ignored). An error when a column is
+/// missing or a number cannot be read.
+base::Result<LodTable> read_lod_table(std::string_view csv);
 
 /// The larger of both errors, interpolated in the logarithm of the footprint and constant beyond the ends. Infinity if
 /// the table has no point of the method with that many samples.

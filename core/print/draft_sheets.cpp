@@ -228,15 +228,14 @@ void draw_title(const Pen& pen, const Drawing& g, const SheetPart& part, int she
 
 }  // namespace
 
-std::vector<Sheet> draft_sheets(const Design& design, const PrintOptions& options, std::string& why) {
+base::Result<std::vector<Sheet>> draft_sheets(const Design& design, const PrintOptions& options) {
   const Layout layout = layout_of(design.draft, options);
   const int64_t sheets = int64_t{layout.sheets_across} * layout.sheets_down;
-  if (sheets > kMaxSheets) {
-    why = fill(tr_n("this takes {count} sheet; choose a smaller scale",
-                    "this takes {count} sheets; choose a smaller scale", sheets),
-               arg("count", sheets));
-    return {};
-  }
+  if (sheets > kMaxSheets)
+    return base::failure(base::ErrorKind::kInput,
+                         fill(tr_n("this takes {count} sheet; choose a smaller scale",
+                                   "this takes {count} sheets; choose a smaller scale", sheets),
+                              arg("count", sheets)));
   std::vector<Sheet> out;
   const auto cells = std::make_shared<const BitMatrix>(drawdown(design.draft));
   for (int down = 0; down < layout.sheets_down; ++down)

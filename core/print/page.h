@@ -42,7 +42,7 @@ class Pen {
 using Sheet = std::function<void(const Pen&)>;
 
 /// The sheets with the grids of the draft; if there are too many, none and `why`.
-std::vector<Sheet> draft_sheets(const Design& design, const PrintOptions& options, std::string& why);
+base::Result<std::vector<Sheet>> draft_sheets(const Design& design, const PrintOptions& options);
 /// Lists, heddles, yarn and swatch.
 std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options);
 

@@ -16,6 +16,11 @@
 
 namespace weftlight::print {
 
+using base::ErrorKind;
+using base::failed;
+using base::failure;
+using base::Result;
+
 using base::mark;
 using base::tr;
 
@@ -97,32 +102,30 @@ std::string png_of(const Sheet& sheet, const PrintOptions& o) {
 
 constexpr const char* kDrawingFailed = mark("the drawing library failed; there may be too little memory");
 
-/// All sheets; empty, with `why`, if there are none.
-std::vector<Sheet> all_sheets(const Design& design, const PrintOptions& options, std::string& why) {
-  std::vector<Sheet> sheets;
-  if (options.parts.grids) sheets = draft_sheets(design, options, why);
-  if (!why.empty()) return {};
-  for (Sheet& sheet : list_sheets(design, options)) sheets.push_back(std::move(sheet));
-  if (sheets.empty()) why = tr("nothing was selected for printing");
+/// All sheets, at least one.
+Result<std::vector<Sheet>> all_sheets(const Design& design, const PrintOptions& options) {
+  Result<std::vector<Sheet>> sheets;
+  if (options.parts.grids) sheets = draft_sheets(design, options);
+  if (!sheets) return sheets;
+  for (Sheet& sheet : list_sheets(design, options)) sheets->push_back(std::move(sheet));
+  if (sheets->empty()) return failure(ErrorKind::kInput, tr("nothing was selected for printing"));
   return sheets;
 }
 
 }  // namespace
 
-SheetPicture picture_of_sheet(const Design& design, const PrintOptions& options, int sheet, double pixels_per_mm) {
+Result<SheetPicture> picture_of_sheet(const Design& design, const PrintOptions& options, int sheet,
+                                      double pixels_per_mm) {
+  const Result<std::vector<Sheet>> sheets = all_sheets(design, options);
+  if (!sheets) return failed(sheets);
   SheetPicture out;
-  const std::vector<Sheet> sheets = all_sheets(design, options, out.why);
-  if (!out.why.empty()) return out;
-  out.sheets = static_cast<int>(sheets.size());
+  out.sheets = static_cast<int>(sheets->size());
   out.sheet = std::clamp(sheet, 0, out.sheets - 1);
   CairoSurface to(blank_picture(options.paper, std::clamp(pixels_per_mm, 0.1, 50.0)));
-  paint_picture(sheets[static_cast<size_t>(out.sheet)], to.context, pixels_per_mm);
+  paint_picture((*sheets)[static_cast<size_t>(out.sheet)], to.context, pixels_per_mm);
   cairo_surface_flush(to.surface);
   const unsigned char* bytes = cairo_image_surface_get_data(to.surface);
-  if (bytes == nullptr) {
-    out.why = tr(kDrawingFailed);
-    return out;
-  }
+  if (bytes == nullptr) return failure(ErrorKind::kMemory, tr(kDrawingFailed));
   out.width = cairo_image_surface_get_width(to.surface);
   out.height = cairo_image_surface_get_height(to.surface);
   const int stride = cairo_image_surface_get_stride(to.surface);
@@ -142,21 +145,19 @@ std::string sheet_file(const std::string& out, size_t sheet, size_t sheets) {
   return path.string();
 }
 
-Printed printed(const Design& design, PrintFormat format, const PrintOptions& options) {
+Result<Printed> printed(const Design& design, PrintFormat format, const PrintOptions& options) {
+  const Result<std::vector<Sheet>> sheets = all_sheets(design, options);
+  if (!sheets) return failed(sheets);
   Printed out;
-  const std::vector<Sheet> sheets = all_sheets(design, options, out.why);
-  if (!out.why.empty()) return out;
-  out.sheets = static_cast<int>(sheets.size());
+  out.sheets = static_cast<int>(sheets->size());
   if (format == PrintFormat::kPdf) {
-    out.files.push_back(pdf_of(sheets, options));
+    out.files.push_back(pdf_of(*sheets, options));
   } else {
-    for (const Sheet& sheet : sheets)
+    for (const Sheet& sheet : *sheets)
       out.files.push_back(format == PrintFormat::kSvg ? svg_of(sheet, options) : png_of(sheet, options));
   }
-  if (std::ranges::any_of(out.files, [](const std::string& file) { return file.empty(); })) {
-    out.files.clear();
-    out.why = tr(kDrawingFailed);
-  }
+  if (std::ranges::any_of(out.files, [](const std::string& file) { return file.empty(); }))
+    return failure(ErrorKind::kMemory, tr(kDrawingFailed));
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "analysis/threads.h"
 #include "base/mark.h"
+#include "base/result.h"
 #include "design/design.h"
 #include "print/names.h"
 
@@ -67,18 +68,17 @@ inline constexpr int kMaxSheets = 400;
 struct Printed {
   std::vector<std::string> files;  // PDF: one; SVG and PNG: one per sheet
   int sheets = 0;
-  std::string why;  // why there are none; in the user's language
 };
-Printed printed(const Design& design, PrintFormat format, const PrintOptions& options);
+base::Result<Printed> printed(const Design& design, PrintFormat format, const PrintOptions& options);
 
 /// Print preview of one sheet.
 struct SheetPicture {
   int width = 0, height = 0;
   std::vector<uint32_t> pixels;  // bytes R, G, B, 255; row 0 on top
   int sheet = 0, sheets = 0;     // clamped to the number of sheets
-  std::string why;               // why there is none
 };
-SheetPicture picture_of_sheet(const Design& design, const PrintOptions& options, int sheet, double pixels_per_mm);
+base::Result<SheetPicture> picture_of_sheet(const Design& design, const PrintOptions& options, int sheet,
+                                            double pixels_per_mm);
 
 /// File name of a sheet: OUT.svg if there is only one, otherwise OUT-1.svg, OUT-2.svg ...; `sheet` counts from 0.
 std::string sheet_file(const std::string& out, size_t sheet, size_t sheets);

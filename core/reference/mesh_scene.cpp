@@ -8,6 +8,8 @@
 
 namespace weftlight::reference {
 
+using base::ErrorKind;
+using base::failure;
 using base::tr;
 
 namespace {
@@ -35,15 +37,13 @@ struct MeshScene::Parts {
 MeshScene::MeshScene() : parts_(std::make_unique<Parts>()) {}
 MeshScene::~MeshScene() = default;
 
-std::unique_ptr<MeshScene> MeshScene::build(const Mesh& mesh, std::string& error) {
+base::Result<std::unique_ptr<MeshScene>> MeshScene::build(const Mesh& mesh) {
   std::unique_ptr<MeshScene> out(new MeshScene);
   Parts& parts = *out->parts_;
   parts.mesh = mesh;
   parts.device = rtcNewDevice(nullptr);
-  if (!parts.device || mesh.index.empty()) {
-    error = mesh.index.empty() ? tr("the mesh has no triangles") : tr("the ray tracer (Embree) could not be started");
-    return nullptr;
-  }
+  if (mesh.index.empty()) return failure(ErrorKind::kInput, tr("the mesh has no triangles"));
+  if (!parts.device) return failure(ErrorKind::kInput, tr("the ray tracer (Embree) could not be started"));
   parts.scene = rtcNewScene(parts.device);
   rtcSetSceneFlags(parts.scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(parts.device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -60,10 +60,7 @@ std::unique_ptr<MeshScene> MeshScene::build(const Mesh& mesh, std::string& error
     rtcCommitScene(parts.scene);
   }
   rtcReleaseGeometry(geometry);
-  if (!room) {
-    error = tr("not enough memory for the mesh");
-    return nullptr;
-  }
+  if (!room) return failure(ErrorKind::kMemory, tr("not enough memory for the mesh"));
   return out;
 }
 

@@ -3,8 +3,8 @@
 
 #include <glm/glm.hpp>
 #include <memory>
-#include <string>
 
+#include "base/result.h"
 #include "drape/mesh.h"
 #include "reference/names.h"
 
@@ -21,7 +21,7 @@ struct MeshHit {
 
 class MeshScene {
  public:
-  static std::unique_ptr<MeshScene> build(const Mesh& mesh, std::string& error);
+  static base::Result<std::unique_ptr<MeshScene>> build(const Mesh& mesh);
   ~MeshScene();
   MeshScene(const MeshScene&) = delete;
   MeshScene& operator=(const MeshScene&) = delete;

@@ -18,6 +18,8 @@
 namespace weftlight::reference {
 
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
 using base::tr;
 
@@ -274,29 +276,24 @@ bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, 
   return false;
 }
 
-std::unique_ptr<TubeScene> TubeScene::build(const Cloth& cloth, const TubeOptions& options, std::string& error) {
+base::Result<std::unique_ptr<TubeScene>> TubeScene::build(const Cloth& cloth, const TubeOptions& options) {
   std::unique_ptr<TubeScene> scene(new TubeScene);
   Parts& parts = *scene->parts_;
-  if (cloth.ends.empty() || cloth.picks.empty() || !(cloth.width_mm > 0) || !(cloth.depth_mm > 0)) {
-    error = tr("the cloth has no size");
-    return nullptr;
-  }
+  if (cloth.ends.empty() || cloth.picks.empty() || !(cloth.width_mm > 0) || !(cloth.depth_mm > 0))
+    return failure(ErrorKind::kInput, tr("the cloth has no size"));
   parts.cloth = cloth;
-  if (!parts.choose_resolution(options)) {
-    error =
+  if (!parts.choose_resolution(options))
+    return failure(
+        ErrorKind::kInput,
         fill(tr("a repeat of {ends} ends and {picks} picks is too large to trace thread by thread; use `render`, or "
                 "trace a smaller draft"),
-             arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()));
-    return nullptr;
-  }
+             arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size())));
   for (int i = 0; i < layer_count(cloth); ++i) {
     parts.layers.push_back(one_layer(cloth, i));
     parts.lines.push_back(centre_lines(parts.layers.back()));
   }
-  if (!parts.make_scene()) {
-    error = tr("the ray tracer (Embree) could not be started, or memory is short");
-    return nullptr;
-  }
+  if (!parts.make_scene())
+    return failure(ErrorKind::kMemory, tr("the ray tracer (Embree) could not be started, or memory is short"));
   return scene;
 }
 

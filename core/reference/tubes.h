@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "base/result.h"
 #include "cloth/cloth.h"
 #include "reference/names.h"
 
@@ -30,8 +31,8 @@ struct TubeHit {
 
 class TubeScene {
  public:
-  /// Null with `error` set if the period has too many crossings for the triangle budget.
-  static std::unique_ptr<TubeScene> build(const Cloth& cloth, const TubeOptions& options, std::string& error);
+  /// An error if the period has too many crossings for the triangle budget.
+  static base::Result<std::unique_ptr<TubeScene>> build(const Cloth& cloth, const TubeOptions& options);
   ~TubeScene();
   TubeScene(const TubeScene&) = delete;
   TubeScene& operator=(const TubeScene&) = delete;

@@ -23,9 +23,8 @@ constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bound
 class Occluders {
  public:
   Occluders(const Mesh& cloth, const Mesh& body, float lift_mm) : lift_mm_(lift_mm) {
-    std::string none;
     for (const Mesh* mesh : {&cloth, &body}) {
-      if (std::unique_ptr<MeshScene> scene = MeshScene::build(*mesh, none)) scenes_.push_back(std::move(scene));
+      if (auto scene = MeshScene::build(*mesh)) scenes_.push_back(std::move(*scene));
     }
   }
   /// Fraction of the cosine-weighted sky about n.

@@ -12,6 +12,10 @@
 #include "render_data/face_cloth.h"
 
 namespace weftlight::render_data {
+
+using base::failed;
+using base::Result;
+
 namespace {
 
 glm::vec3 texel(const Image& image, size_t pixel) {
@@ -30,50 +34,54 @@ glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int 
 
 }  // namespace
 
-std::string ReferenceScene::update(const Design& design, const TubeOptions& options) {
+Result<void> ReferenceScene::update(const Design& design, const TubeOptions& options) {
   // Files that may be unreadable come before the threads, which take long.
-  if (std::string error = update_lights(design.scene.lights); !error.empty()) return error;
-  if (std::string error = update_drape(design); !error.empty()) return error;
+  if (Result<void> lights = update_lights(design.scene.lights); !lights) return lights;
+  if (Result<void> drape = update_drape(design); !drape) return drape;
   return update_threads(design, options);
 }
 
-std::string ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
+Result<void> ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
   if (tubes_ && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
-  std::string error;
   tubes_ = nullptr;  // two at once could double the memory
   const BitMatrix cells = drawdown(design.draft);
   // Same period as the preview, so that each thread has the same fibres, unless the tubes would lose resolution.
   const int64_t kFineCrossings = is_uneven(design) ? 20'000 : 3000;
   const bool fine = int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
-  tubes_ = TubeScene::build(lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat),
-                            options, error);
+  auto built = TubeScene::build(
+      lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat), options);
+  if (!built) return failed(built);
+  tubes_ = std::move(*built);
   draft_ = design.draft;
   yarns_ = design.yarns, finish_ = design.finish;
-  return tubes_ ? std::string() : error;
+  return {};
 }
 
-std::string ReferenceScene::update_drape(const Design& design) {
+Result<void> ReferenceScene::update_drape(const Design& design) {
   const std::string key = drape_key(design);
   if (drape_ && mesh_name_ == key) return {};
   drape_ = nullptr;
-  ReadMesh read = load_design_drape(design);
-  if (!read.mesh) return read.error;
-  std::string error;
-  mesh_ = std::move(*read.mesh);
+  Result<Mesh> read = load_design_drape(design);
+  if (!read) return failed(read);
+  mesh_ = std::move(*read);
   bounds_ = bounds_of(mesh_);
   const Mesh form = form_under(design.scene.mesh, bounds_);
-  body_ = form.index.empty() ? nullptr : MeshScene::build(form, error);
-  drape_ = MeshScene::build(mesh_, error);
+  body_ = nullptr;
+  if (!form.index.empty()) body_ = MeshScene::build(form).value_or(nullptr);
+  auto drape = MeshScene::build(mesh_);
+  if (!drape) return failed(drape);
+  drape_ = std::move(*drape);
   mesh_name_ = key;
-  return drape_ ? std::string() : error;
+  return {};
 }
 
-std::string ReferenceScene::update_lights(const std::string& name) {
+Result<void> ReferenceScene::update_lights(const std::string& name) {
   if (lights_name_ == name) return {};
-  std::string error;
-  rig_ = load_light_rig(name, error);
-  if (error.empty()) lights_name_ = name;
-  return error;
+  Result<LightRig> read = load_light_rig(name);
+  if (!read) return failed(read);
+  rig_ = std::move(*read);
+  lights_name_ = name;
+  return {};
 }
 
 TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& progress) const {

@@ -30,15 +30,15 @@ struct ReferenceView {
 
 class ReferenceScene {
  public:
-  /// Updates to the design; what it shares with the previous one is kept. Returns an error, or empty.
-  std::string update(const Design& design, const TubeOptions& options = {});
+  /// Updates to the design; what it shares with the previous one is kept.
+  base::Result<void> update(const Design& design, const TubeOptions& options = {});
   /// After a successful update.
   TracedImage trace(const ReferenceView& view, const Progress& progress) const;
 
  private:
-  std::string update_threads(const Design& design, const TubeOptions& options);
-  std::string update_drape(const Design& design);
-  std::string update_lights(const std::string& name);
+  base::Result<void> update_threads(const Design& design, const TubeOptions& options);
+  base::Result<void> update_drape(const Design& design);
+  base::Result<void> update_lights(const std::string& name);
 
   Draft draft_;
   std::vector<Yarn> yarns_;

@@ -14,12 +14,14 @@ ShippedLodTable shipped_lod_table() {
   constexpr uint64_t kMaxBytes = uint64_t{1} << 24;
   const std::string path = presets_dir() + "/lod_table.csv";
   const FileBytes file = read_file(path, kMaxBytes);
-  ShippedLodTable shipped{{}, file.error};
-  if (file.error.empty()) shipped.lod_table = read_lod_table(file.bytes, shipped.problem);
-  if (shipped.problem.empty() && shipped.lod_table.empty()) shipped.problem = tr("has no line that can be used");
-  if (shipped.problem.empty()) return shipped;
+  std::string problem = file.error;
+  if (problem.empty()) {
+    base::Result<LodTable> read = read_lod_table(file.bytes);
+    if (read && !read->empty()) return {std::move(*read), {}};
+    problem = read ? tr("has no line that can be used") : message(read.error());
+  }
   return {default_lod_table(), fill(tr("{file}: {problem}; methods are chosen by the built-in LOD table"),
-                                    arg("file", path), arg("problem", shipped.problem))};
+                                    arg("file", path), arg("problem", problem))};
 }
 
 }  // namespace weftlight::render_data

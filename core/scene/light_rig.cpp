@@ -173,17 +173,16 @@ LightRig rig_of(const json& object, Lines& lines) {
 
 }  // namespace
 
-LightRig light_rig_from(std::string_view text, std::string& error) {
+base::Result<LightRig> light_rig_from(std::string_view text) {
   Lines lines;
   try {
     const json object = parse(text, lines);
     return rig_of(object, lines);
   } catch (const InvalidValue& problem) {
-    error = std::to_string(lines.now) + ": " + problem.what;
+    return base::failure(base::ErrorKind::kInput, problem.what, {}, lines.now);
   } catch (const json::exception&) {
-    error = std::to_string(lines.now) + ": " + tr("is not JSON from here on");
+    return base::failure(base::ErrorKind::kInput, tr("is not JSON from here on"), {}, lines.now);
   }
-  return {};
 }
 
 glm::vec3 sky_radiance(const Harmonics& sky, glm::vec3 towards) {

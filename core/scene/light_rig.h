@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "design/design.h"
 #include "scene/environment_light.h"
 #include "scene/names.h"
@@ -26,11 +27,11 @@ struct LightRig {
   std::vector<std::string> remarks;                // what was corrected in the environment map
 };
 
-/// From the text of a preset. `error` is "LINE: what is wrong", else empty.
-LightRig light_rig_from(std::string_view json, std::string& error);
+/// From the text of a preset. Errors have the line.
+base::Result<LightRig> light_rig_from(std::string_view json);
 /// A lighting preset by name, presets/lights/NAME.json, or an environment map by its path (is_environment of
-/// lights.h). `error` is "FILE: what is wrong, and what to do", with the line if known, else empty.
-LightRig load_light_rig(const std::string& name, std::string& error);
+/// lights.h). Errors have the file, and the line if it is known.
+base::Result<LightRig> load_light_rig(const std::string& name);
 
 /// Lights of a scene: one to kMaxLights lights, the first the key light, and the sky.
 struct SceneLight {

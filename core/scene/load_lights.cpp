@@ -10,37 +10,40 @@
 namespace weftlight::scene {
 
 using base::arg;
+using base::ErrorKind;
+using base::failed;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 
 namespace {
 
-LightRig load_environment(const std::string& path, std::string& error) {
+Result<LightRig> load_environment(const std::string& path) {
+  Result<EnvironmentPicture> read = read_environment(path);
+  if (!read) return failed(read);
   LightRig rig;
-  ReadEnvironment read = read_environment(path);
-  error = read.error;
-  rig.remarks = std::move(read.remarks);
-  if (read.picture) rig.environment = std::make_shared<const Environment>(std::move(*read.picture));
+  rig.remarks = std::move(read->remarks);
+  rig.environment = std::make_shared<const Environment>(std::move(read->picture));
   return rig;
 }
 
 }  // namespace
 
-LightRig load_light_rig(const std::string& name, std::string& error) {
+Result<LightRig> load_light_rig(const std::string& name) {
   constexpr uint64_t kMaxBytes = uint64_t{1} << 20;
-  if (is_environment(name)) return load_environment(name, error);
+  if (is_environment(name)) return load_environment(name);
   const std::string path = presets_dir() + "/lights/" + name + ".json";
   const FileBytes file = read_file(path, kMaxBytes);
-  if (!file.error.empty()) {
-    error = fill(tr("{file}: {problem}; set WEFTLIGHT_PRESETS to the folder of presets"), arg("file", path),
-                 arg("problem", file.error));
-    return {};
-  }
-  LightRig rig = light_rig_from(file.bytes, error);
-  if (!error.empty())
-    error =
-        fill(tr("{file}:{problem}; correct it, or restore the shipped file"), arg("file", path), arg("problem", error));
-  return rig;
+  if (!file.error.empty())
+    return failure(ErrorKind::kInput,
+                   fill(tr("{problem}; set WEFTLIGHT_PRESETS to the folder of presets"), arg("problem", file.error)),
+                   path);
+  Result<LightRig> rig = light_rig_from(file.bytes);
+  if (rig) return rig;
+  return failure(ErrorKind::kInput,
+                 fill(tr("{problem}; correct it, or restore the shipped file"), arg("problem", rig.error().text)), path,
+                 rig.error().line);
 }
 
 }  // namespace weftlight::scene

@@ -82,7 +82,7 @@ Mesh scale_quad() {
 }
 
 std::string write_scale_quad(const SetFacts& set) {
-  return write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr);
+  return problem_of(write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr));
 }
 
 }  // namespace weftlight::texture_set

@@ -8,6 +8,9 @@
 #include "base/loops.h"
 
 namespace weftlight::texture_set {
+
+using base::Result;
+
 namespace {
 
 constexpr float kCut = 0.5f;  // threshold of a mask
@@ -42,20 +45,27 @@ std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size) {
   }
 }
 
-MipImages::MipImages(std::span<const ImageRow> rows, const std::vector<std::string>& stems, const FaceSource& source,
-                     std::optional<MipContainer> container, bool cut_out, std::string& problem)
-    : source_(source), container_(container) {
-  if (!container) return;
-  for (size_t i = 0; i < rows.size() && problem.empty(); ++i) {
+MipImages::MipImages(std::span<const ImageRow> rows, const FaceSource& source, std::optional<MipContainer> container,
+                     bool cut_out)
+    : source_(source), container_(container), all_rows_(rows) {
+  if (container && cut_out) scales_ = mask_scales(source.small(), source.size());
+}
+
+Result<void> MipImages::open(const std::vector<std::string>& stems) {
+  if (!container_) return {};
+  const TextureSize size = source_.size();
+  for (size_t i = 0; i < all_rows_.size(); ++i) {
     names_.emplace_back();
-    const int channels = channels_of(rows[i]);
-    if (rows[i].type != PixelType::kU8 || channels == 2) continue;
-    const std::string path = stems[i] + extension_of(*container);
-    files_.push_back(
-        MipFile::open(path, *container, source.size().width, source.size().height, channels, rows[i].srgb, problem));
-    rows_.push_back(rows[i]), names_.back() = std::filesystem::path(path).filename().string();
+    const ImageRow& row = all_rows_[i];
+    const int channels = channels_of(row);
+    if (row.type != PixelType::kU8 || channels == 2) continue;
+    const std::string path = stems[i] + extension_of(*container_);
+    auto file = MipFile::open(path, *container_, size.width, size.height, channels, row.srgb);
+    if (!file) return base::failed(file);
+    files_.push_back(std::move(*file));
+    rows_.push_back(row), names_.back() = std::filesystem::path(path).filename().string();
   }
-  if (cut_out) scales_ = mask_scales(source.small(), source.size());
+  return {};
 }
 
 std::vector<Image> MipImages::packed_level(const SurfaceTexels& raw, int level, int y0) const {
@@ -79,21 +89,21 @@ MipImages::Band MipImages::packed(SurfaceTexels raw, int y0) const {
   return out;
 }
 
-std::string MipImages::write(int level, const std::vector<Image>& images) {
+Result<void> MipImages::write(int level, const std::vector<Image>& images) {
   for (size_t i = 0; i < files_.size(); ++i)
-    if (std::string problem = files_[i]->add(level, images[i]); !problem.empty()) return problem;
+    if (Result<void> added = files_[i]->add(level, images[i]); !added) return added;
   return {};
 }
 
-std::string MipImages::add(Band band) {
+Result<void> MipImages::add(Band band) {
   for (size_t k = 0; k < band.levels.size(); ++k)
-    if (std::string problem = write(static_cast<int>(k), band.levels[k]); !problem.empty()) return problem;
+    if (Result<void> written = write(static_cast<int>(k), band.levels[k]); !written) return written;
   first_rest_ = static_cast<int>(band.levels.size()) - 1;
   rest_.push_back(std::move(band.rest));
   return {};
 }
 
-std::string MipImages::close() {
+Result<void> MipImages::close() {
   if (files_.empty()) return {};
   SurfaceTexels level{rest_[0].width_mm,
                       rest_[0].depth_mm,
@@ -105,10 +115,10 @@ std::string MipImages::close() {
     std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
   for (int k = first_rest_ + 1; k < levels(); ++k) {
     level = half_of(level, 1);
-    if (std::string problem = write(k, packed_level(level, k, 0)); !problem.empty()) return problem;
+    if (Result<void> written = write(k, packed_level(level, k, 0)); !written) return written;
   }
   for (const std::unique_ptr<MipFile>& file : files_)
-    if (std::string problem = file->close(); !problem.empty()) return problem;
+    if (Result<void> closed = file->close(); !closed) return closed;
   return {};
 }
 

@@ -21,9 +21,11 @@ std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size);
 
 class MipImages {
  public:
-  /// Opens stem.dds or stem.ktx2 for the 8-bit rows. `problem`: error. `cut_out`: alpha is a mask.
-  MipImages(std::span<const ImageRow> rows, const std::vector<std::string>& stems, const FaceSource& source,
-            std::optional<MipContainer> container, bool cut_out, std::string& problem);
+  /// `cut_out`: alpha is a mask. Without a container there are no such files.
+  MipImages(std::span<const ImageRow> rows, const FaceSource& source, std::optional<MipContainer> container,
+            bool cut_out);
+  /// Opens stem.dds or stem.ktx2 for the 8-bit rows; one stem per row.
+  base::Result<void> open(const std::vector<std::string>& stems);
   bool wanted() const { return container_.has_value(); }
   int levels() const { return files_.empty() ? 0 : files_[0]->levels(); }
   /// File names, one entry per row; empty for a row without a file.
@@ -36,16 +38,17 @@ class MipImages {
   };
   /// Packs rows of FaceSource::raw_rows() from row y0 on. Thread safe.
   Band packed(SurfaceTexels raw, int y0) const;
-  /// Adds the bands in order. Returns an error, or an empty string.
-  std::string add(Band band);
-  std::string close();
+  /// Adds the bands in order.
+  base::Result<void> add(Band band);
+  base::Result<void> close();
 
  private:
   std::vector<Image> packed_level(const SurfaceTexels& raw, int level, int y0) const;
-  std::string write(int level, const std::vector<Image>& images);
+  base::Result<void> write(int level, const std::vector<Image>& images);
 
   const FaceSource& source_;
   std::optional<MipContainer> container_;
+  std::span<const ImageRow> all_rows_;
   std::vector<ImageRow> rows_;  // with a file
   std::vector<std::unique_ptr<MipFile>> files_;
   std::vector<std::string> names_;

@@ -132,7 +132,7 @@ void write_mips(SetImages& set, std::vector<Image> levels, Face face) {
     names.emplace_back(exr_name(c));
     channels[names.back()] = channel_description(c);
   }
-  set.problem = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
+  set.problem = problem_of(write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names));
   record(set, file, face, false, PixelType::kHalf, {levels[0].width, levels[0].height}, std::move(channels));
   set.maps.back()["mip_levels"] = levels.size();
 }
@@ -149,7 +149,7 @@ void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, cons
     names.emplace_back(name);
     channels[name] = "sine of the horizon's elevation, " + what + ", towards this azimuth in degrees, from right to up";
   }
-  set.problem = write_image(set.folder + "/" + file, image, PixelType::kHalf, names);
+  set.problem = problem_of(write_image(set.folder + "/" + file, image, PixelType::kHalf, names));
   record(set, file, face, false, PixelType::kHalf, {image.width, image.height}, std::move(channels));
   set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(image)});
 }
@@ -178,9 +178,10 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
   std::vector<std::unique_ptr<ImageRows>> images;
   for (const ImageRow& row : rows) {
     const std::string path = set.folder + "/" + image_file(set.target, row, set.name, face);
-    images.push_back(
-        ImageRows::open(path, size.width, size.height, channels_of(row), row.type, channel_names(row), set.problem));
-    if (!images.back()) return;
+    auto opened = ImageRows::open(path, size.width, size.height, channels_of(row), row.type, channel_names(row));
+    if (!opened) set.problem = message(opened.error());
+    if (!opened) return;
+    images.push_back(std::move(*opened));
   }
   std::vector<std::string> problems(rows.size());
   const auto first_problem = [&] {
@@ -200,7 +201,7 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     });
     for_all(rows.size(), [&](size_t i) {
       for (const PackedBand& band : bands)
-        if (problems[i].empty()) problems[i] = images[i]->add(band.images[i]);
+        if (problems[i].empty()) problems[i] = problem_of(images[i]->add(band.images[i]));
     });
     const int done = y + source.band() * static_cast<int>(bands.size());
     if (set.keep_going && !set.keep_going(static_cast<float>(done) / static_cast<float>(size.height)))
@@ -208,11 +209,11 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     if (first_problem()) return;
     for (PackedBand& band : bands) {
       mips.add(band.surface);
-      if (own.wanted() && set.problem.empty()) set.problem = own.add(std::move(band.mips));
+      if (own.wanted() && set.problem.empty()) set.problem = problem_of(own.add(std::move(band.mips)));
     }
   }
-  for_all(rows.size(), [&](size_t i) { problems[i] = images[i]->close(); });
-  if (!first_problem()) set.problem = own.close();
+  for_all(rows.size(), [&](size_t i) { problems[i] = problem_of(images[i]->close()); });
+  if (!first_problem()) set.problem = problem_of(own.close());
 }
 
 /// Paths of a face's images without their extensions.
@@ -241,7 +242,8 @@ void write_face(SetImages& set, const FaceSource& source, Face face) {
   const TextureSize size = source.size();
   RawMips mips(set.target.raw);
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
-  MipImages own(set.target.images, stems_of(set, face), source, set.mips, cut_out, set.problem);
+  MipImages own(set.target.images, source, set.mips, cut_out);
+  set.problem = problem_of(own.open(stems_of(set, face)));
   if (!set.problem.empty()) return;
   write_rows(set, source, size, face, mips, own);
   if (!set.problem.empty()) return;

@@ -140,8 +140,8 @@ std::string write_sheet(const SetImages& images, const SetFacts& set) {
                                  arg("target", set.target.id), arg("size", size_text(set.front.small())),
                                  arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()),
                                  arg("width", set.front.size().width), arg("height", set.front.size().height));
-  return write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, set.front.small(), images.sheet),
-                     PixelType::kU8);
+  return problem_of(write_image(set.folder + "/contact_sheet.png",
+                                contact_sheet(title, facts, set.front.small(), images.sheet), PixelType::kU8));
 }
 
 SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options) {

@@ -74,9 +74,9 @@ void cut_selection(ActionHost& e) {
 }
 
 void paste(ActionHost& e, bool as_marks) {
-  BlockRead read = read_block_text(e.clipboard());
-  if (!read.block) return e.say(read.problem);
-  hold_block(e.view().select, e.document().now().draft, std::move(*read.block), as_marks);
+  base::Result<CellBlock> read = read_block_text(e.clipboard());
+  if (!read) return e.say(message(read.error()));
+  hold_block(e.view().select, e.document().now().draft, std::move(*read), as_marks);
   if (const auto grid = bit_grid_of(e.hover().grid)) hold_block_over(e.view().select, *grid, e.hover().cell);
 }
 

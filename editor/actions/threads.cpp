@@ -83,13 +83,13 @@ void copy_properties(ActionHost& e, const char* what, ThreadText text) {
 }
 
 void paste_properties(ActionHost& e) {
-  const ThreadPropertiesRead read = read_thread_properties(e.clipboard());
-  if (!read.properties) return e.say(read.problem);
+  const base::Result<ThreadProperties> read = read_thread_properties(e.clipboard());
+  if (!read) return e.say(message(read.error()));
   const ThreadChoice& choice = e.view().chosen;
   const std::vector<int> threads = concerned(choice, e.document().now().draft);
-  const char* what = read.properties->colors.empty() ? tr("Paste thickness") : tr("Paste colours");
+  const char* what = read->colors.empty() ? tr("Paste thickness") : tr("Paste colours");
   e.commit({thread_label(what, choice.system, threads.size()),
-            [threads, system = choice.system, properties = *read.properties](Design d) {
+            [threads, system = choice.system, properties = *read](Design d) {
               return with_properties(std::move(d), system, threads, properties);
             }});
 }

@@ -37,20 +37,13 @@ std::string refused_flag(const EditorOptions& o) {
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
-  if (const std::string refused = refused_flag(options); !refused.empty()) {
-    std::fprintf(stderr, "weftlight: %s\n", refused.c_str());
-    return kUsage;
-  }
+  if (const std::string refused = refused_flag(options); !refused.empty()) return refuse(refused);
   platform::survive_size_limit();
   const Settings settings = load_settings();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
-  std::string error;
-  const auto window = Window::open(settings.width, settings.height, error);
-  if (!window) {
-    std::fprintf(stderr, "weftlight: %s\n", error.c_str());
-    return kNoGraphics;
-  }
-  Editor(*window, options).run();
+  const auto window = Window::open(settings.width, settings.height);
+  if (!window) return fail(window.error());
+  Editor(**window, options).run();
   return kDone;
 }
 

@@ -146,7 +146,7 @@ void Editor::ask_environment() {
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
         if (!is_environment(path)) return say(tr("An environment picture ends in .hdr or .exr."));
-        if (const std::string problem = environment_problem(path); !problem.empty()) return say(problem);
+        if (const auto readable = check_environment(path); !readable) return say(message(readable.error()));
         commit({tr("Environment picture"), [path](Design d) {
                   d.scene = lit_by_environment(d.scene, path);
                   return d;
@@ -178,10 +178,10 @@ void Editor::ask_print() {
 void Editor::start_print(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
     exporter_.run(path, fill(tr("Printed to {path}"), arg("path", path)), [path, p, design = document().snapshot()] {
-      const print::Printed printed = print::printed(*design, p.format, chosen_options(p));
-      std::string problem = printed.why;
-      for (size_t i = 0; i < printed.files.size() && problem.empty(); ++i)
-        problem = write_file_atomically(print::sheet_file(path, i, printed.files.size()), printed.files[i]);
+      const base::Result<print::Printed> printed = print::printed(*design, p.format, chosen_options(p));
+      std::string problem = problem_of(printed);
+      for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i)
+        problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
       return problem.empty() ? problem : fill(tr("Not printed: {problem}"), arg("problem", problem));
     });
     say(tr("Printing\xE2\x80\xA6"));

@@ -28,8 +28,10 @@ constexpr float kMinScale = 0.3f, kMaxMovingScale = 0.9f;
 
 }  // namespace
 
-PictureMaker::PictureMaker(Pipeline& pipeline) : renderer_(Renderer::create(problem_)), pipeline_(pipeline) {
-  if (!renderer_) problem_ = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", problem_));
+PictureMaker::PictureMaker(Pipeline& pipeline) : pipeline_(pipeline) {
+  auto made = Renderer::create();
+  if (made) renderer_ = std::move(*made);
+  else problem_ = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(made.error())));
 }
 
 void PictureMaker::submit(std::shared_ptr<const Design> design) {

@@ -71,7 +71,7 @@ class PictureMaker {
   void follow_reference(const PictureRequest& request, bool changed);
   TraceJob job_of(const PictureRequest& request);
 
-  std::string problem_;  // filled while the renderer is made
+  std::string problem_;  // why there is no renderer
   std::unique_ptr<Renderer> renderer_;
   Pipeline& pipeline_;
   std::shared_ptr<const Design> design_;

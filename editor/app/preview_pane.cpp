@@ -92,9 +92,8 @@ void PreviewPane::work() {
     Pipeline pipeline;
     const std::shared_ptr<const Design> first = first_design(pipeline);
     if (!first) return;
-    std::string error;
-    const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
-    if (!context) return fail(error);
+    const auto context = HeadlessContext::create();
+    if (!context) return fail(message(context.error()));
     PictureMaker maker(pipeline);
     maker.follow(first);
     if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())

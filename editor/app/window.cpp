@@ -263,20 +263,18 @@ bool Window::take_focus() { return std::exchange(inbox_->focused, false); }
 
 bool Window::has_input() const { return !inbox_->input.empty(); }
 
-std::unique_ptr<Window> Window::open(int width, int height, std::string& error) {
-  if (!glfwInit()) {
-    error = fill(
-        tr("the window system cannot be reached ({problem}); without a display, use the commands: weftlight --help"),
-        arg("problem", glfw_problem()));
-    return nullptr;
-  }
+base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
+  if (!glfwInit())
+    return base::failure(base::ErrorKind::kGraphics, fill(tr("the window system cannot be reached ({problem}); without "
+                                                             "a display, use the commands: weftlight --help"),
+                                                          arg("problem", glfw_problem())));
   std::unique_ptr<Window> w(new Window);
   w->window_ = make_window(width, height);
-  if (w->window_ == nullptr) {
-    error = fill(tr("no window with OpenGL 3.3 can be made ({problem}); install or update the graphics driver"),
-                 arg("problem", glfw_problem()));
-    return nullptr;
-  }
+  if (w->window_ == nullptr)
+    return base::failure(
+        base::ErrorKind::kGraphics,
+        fill(tr("no window with OpenGL 3.3 can be made ({problem}); install or update the graphics driver"),
+             arg("problem", glfw_problem())));
   fit_to_screen(w->window_);
   glfwMakeContextCurrent(w->window_);
   glfwSwapInterval(1);

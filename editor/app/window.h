@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/names.h"
+#include "base/result.h"
 #include "ui/redraw.h"
 #include "ui/style.h"
 
@@ -17,7 +18,7 @@ namespace weftlight::app {
 class Window {
  public:
   /// Null with `error` set without a display or without OpenGL 3.3.
-  static std::unique_ptr<Window> open(int width, int height, std::string& error);
+  static base::Result<std::unique_ptr<Window>> open(int width, int height);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

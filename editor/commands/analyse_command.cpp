@@ -74,7 +74,7 @@ bool apply_prices(const Design& design, const std::vector<std::string>& prices, 
   for (const std::string& one : prices) {
     const std::string wrong = apply_price(design, one, plan);
     if (wrong.empty()) continue;
-    fail(kUsage, fill(tr("--price {value}: {problem}"), arg("value", one), arg("problem", wrong)));
+    refuse(fill(tr("--price {value}: {problem}"), arg("value", one), arg("problem", wrong)));
     return false;
   }
   return true;

@@ -86,7 +86,7 @@ class ChartRun {
     report(cell);
     std::string error;
     const std::optional<ChartRow> row = bench_.measure(cell, error);
-    if (!row) return fail(kBadInput, error);
+    if (!row) return fail({base::ErrorKind::kInput, error});
     rows_.push_back(*row);
     return save();
   }
@@ -105,7 +105,7 @@ class ChartRun {
   int save() const {
     std::string error = write_file_atomically(dir_ + "/chart.csv", chart_csv(in_order()));
     if (error.empty() && rows_.size() == 1) error = write_file_atomically(dir_ + "/chart.state", bench_.fingerprint());
-    return error.empty() ? kDone : fail(kNotWritten, error);
+    return error.empty() ? kDone : fail({base::ErrorKind::kOutput, error});
   }
 
   int finish() {
@@ -121,7 +121,7 @@ class ChartRun {
     if (error.empty()) error = write_file_atomically(dir_ + "/drapes.csv", drapes_csv(draped));
     const std::string frame_times = error.empty() ? frames(error) : "";
     if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", frame_times);
-    return error.empty() ? kDone : fail(kNotWritten, error);
+    return error.empty() ? kDone : fail({base::ErrorKind::kOutput, error});
   }
 
   /// Under other lights: close up and from afar, at normal and oblique views.
@@ -232,12 +232,13 @@ int chart_command(const ChartOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (!std::filesystem::is_directory(options.out))
-    return fail(kNotWritten, fill(tr("{folder}: the folder cannot be made"), arg("folder", options.out)));
+    return fail(
+        {base::ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made"), arg("folder", options.out))});
   ChartEffort effort = chart_effort(options.quick);
   effort.count_instructions = options.count;
   std::string error;
   const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, error);
-  if (!bench) return fail(kNoGraphics, error);
+  if (!bench) return fail({base::ErrorKind::kGraphics, error});
   return ChartRun(*bench, options.out, options.part).all();
 }
 

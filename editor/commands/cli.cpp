@@ -102,10 +102,10 @@ bool refuse_mistyped_verb(CLI::App& app, const std::string& word) {
     all.append(all.empty() ? "" : ", ").append(verb->get_name());
   }
   const std::string closest = closest_verb(verbs, word);
-  fail(kUsage, closest.empty() ? fill(tr("{word} is neither a command nor a file; the commands are {commands}"),
-                                      arg("word", quoted(word)), arg("commands", all))
-                               : fill(tr("{word} is neither a command nor a file; did you mean '{command}'?"),
-                                      arg("word", quoted(word)), arg("command", closest)));
+  refuse(closest.empty() ? fill(tr("{word} is neither a command nor a file; the commands are {commands}"),
+                                arg("word", quoted(word)), arg("commands", all))
+                         : fill(tr("{word} is neither a command nor a file; did you mean '{command}'?"),
+                                arg("word", quoted(word)), arg("command", closest)));
   return true;
 }
 
@@ -127,9 +127,8 @@ int with_output_flushed(int code) {
   const bool flushed = std::fflush(stdout) == 0;
   const int error = errno;
   if (flushed && !std::ferror(stdout) && std::cout) return code;
-  fail(kNotWritten, error == 0
-                        ? std::string(tr("the standard output cannot be written"))
-                        : fill(tr("the standard output cannot be written: {cause}"), arg("cause", cause_of(error))));
+  print_problem(error == 0 ? std::string(tr("the standard output cannot be written"))
+                           : fill(tr("the standard output cannot be written: {cause}"), arg("cause", cause_of(error))));
   std::clearerr(stdout);
   std::cout.clear();
   return code == kDone ? kNotWritten : code;

@@ -65,7 +65,7 @@ bool apply_picture_texts(PictureVerb& verb) {
   float w = 0, h = 0;
   parse_pair(verb.size, 'x', w, h);
   if (w < 1 || h < 1 || w > kMaxSide || h > kMaxSide || w != std::floor(w) || h != std::floor(h)) {
-    fail(kUsage, fill(tr("--size {size}: give whole pixels from 1x1 to 16384x16384"), arg("size", verb.size)));
+    refuse(fill(tr("--size {size}: give whole pixels from 1x1 to 16384x16384"), arg("size", verb.size)));
     return false;
   }
   o.width = static_cast<int>(w);
@@ -270,7 +270,7 @@ RunVerb add_drape(CLI::App& verb) {
   return [options] {
     DrapeOptions& command = options->command;
     if (!command.stiffness.empty() && !options->hang.empty())
-      return fail(kUsage, tr("--hang is the earlier name of --stiffness; give only one of them"));
+      return refuse(tr("--hang is the earlier name of --stiffness; give only one of them"));
     if (command.stiffness.empty()) command.stiffness = options->hang;
     return drape_command(command);
   };

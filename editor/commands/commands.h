@@ -7,6 +7,7 @@
 
 #include "analysis/floats.h"
 #include "analysis/threads.h"
+#include "base/result.h"
 #include "chart/rows.h"
 #include "commands/names.h"
 #include "design/design.h"
@@ -157,10 +158,15 @@ std::string longest_float_text(const analysis::LongestFloats& floats);
 void print_row(const std::string& label, const std::string& value);
 /// Prints "weftlight: problem" on stderr.
 void print_problem(const std::string& problem);
-/// The same; returns the exit code.
-int fail(int code, const std::string& problem);
-/// Prints "file: cannot be written: cause; what to do" on stderr; returns kNotWritten.
-int not_written(const std::string& problem);
+/// The exit code of the contract for an error of this kind.
+Exit exit_code(base::ErrorKind kind);
+/// Prints the error on stderr, as "file:line: what; what to do" or "weftlight: what; what to do"; returns its exit
+/// code.
+int fail(const base::Error& error);
+/// The same for a request that makes no sense.
+int refuse(const std::string& problem);
+/// kDone, or the same for its error.
+int finish(const base::Result<void>& result);
 /// Reads a draft and prints its problems on stderr; not `ok` if it cannot be used. `picture`: how a picture becomes a
 /// draft.
 OpenedDesign open_design(const std::string& path, bool print_warnings = false, const files::PictureDraft& picture = {});

@@ -8,11 +8,13 @@
 #include "commands/commands.h"
 #include "design/edits.h"
 #include "draft/factor.h"
+#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
 
 using base::arg;
+using base::ErrorKind;
 using base::fill;
 using base::tr;
 using base::tr_n;
@@ -36,10 +38,9 @@ int set_shed_control(Design& design, const ConvertOptions& options) {
   if (options.shed_control != ConvertShedControl::kTreadling) return kDone;
   design = to_treadling(std::move(design));
   if (design.draft.shed_control == ShedControl::kTreadling) return kDone;
-  const std::string line = fill(tr("{file}: the draft needs more than {count} treadles; keep its liftplan"),
-                                arg("file", options.in), arg("count", int{kMaxShafts}));
-  std::fprintf(stderr, "%s\n", line.c_str());
-  return kBadInput;
+  return fail({ErrorKind::kInput,
+               fill(tr("the draft needs more than {count} treadles; keep its liftplan"), arg("count", int{kMaxShafts})),
+               options.in});
 }
 
 /// Makes the draft fit the loom. Returns an exit code; the problem is printed.
@@ -47,10 +48,9 @@ int fit(Design& design, const ConvertOptions& options) {
   if (!asks_for_loom(options)) return kDone;
   Factored fitted = within_loom(design.draft, options.loom);
   if (!fitted.done() && !options.nearest) {
-    const std::string line = fill(tr("{file}: {problem}; --nearest gives the closest weave for that loom"),
-                                  arg("file", options.in), arg("problem", fitted.why));
-    std::fprintf(stderr, "%s\n", line.c_str());
-    return kBadInput;
+    return fail({ErrorKind::kInput,
+                 fill(tr("{problem}; --nearest gives the closest weave for that loom"), arg("problem", fitted.why)),
+                 options.in});
   }
   if (!fitted.done()) {
     fitted = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
@@ -68,16 +68,15 @@ int fit(Design& design, const ConvertOptions& options) {
 
 int convert_command(const ConvertOptions& options) {
   if (options.picture != files::PictureDraft{} && !is_picture(options.in)) {
-    return fail(kUsage, fill(tr("--ends, --colors and --floats apply to pictures only, and {file} is not a picture"),
-                             arg("file", options.in)));
+    return refuse(fill(tr("--ends, --colors and --floats apply to pictures only, and {file} is not a picture"),
+                       arg("file", options.in)));
   }
   const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;
   Design design = opened.design;
   if (const int code = set_shed_control(design, options); code != kDone) return code;
   if (const int code = fit(design, options); code != kDone) return code;
-  const std::string error = write_file_atomically(options.out, converted(opened.file, design, options));
-  return error.empty() ? kDone : not_written(error);
+  return finish(files::written(write_file_atomically(options.out, converted(opened.file, design, options))));
 }
 
 }  // namespace weftlight::commands

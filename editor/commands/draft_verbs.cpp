@@ -183,7 +183,7 @@ RunVerb add_convert(CLI::App& verb) {
   add_picture_draft_options(verb, o.picture);
   return [options, shafts, treadles] {
     if (!options->nearest || shafts->count() + treadles->count() > 0) return convert_command(*options);
-    return fail(kUsage, tr("--nearest: give the loom's --shafts or --treadles with it"));
+    return refuse(tr("--nearest: give the loom's --shafts or --treadles with it"));
   };
 }
 

@@ -11,6 +11,7 @@
 #include "drape/stiffness.h"
 #include "files/design_drape.h"
 #include "files/files.h"
+#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
@@ -20,14 +21,11 @@ using base::fill;
 using base::tr;
 
 int write_one(const Mesh& mesh, const std::string& path) {
-  const std::string problem = write_mesh(path, mesh, nullptr);
-  if (problem.empty()) {
-    const std::string line = fill(tr("{file}: {vertices} vertices, {triangles} triangles"), arg("file", path),
-                                  arg("vertices", mesh.position_mm.size()), arg("triangles", mesh.index.size() / 3));
-    std::printf("%s\n", line.c_str());
-    return kDone;
-  }
-  return not_written(problem);
+  if (const auto saved = write_mesh(path, mesh, nullptr); !saved) return fail(saved.error());
+  const std::string line = fill(tr("{file}: {vertices} vertices, {triangles} triangles"), arg("file", path),
+                                arg("vertices", mesh.position_mm.size()), arg("triangles", mesh.index.size() / 3));
+  std::printf("%s\n", line.c_str());
+  return kDone;
 }
 
 DrapeStiffness stiffness_from_name(const std::string& name) {
@@ -54,14 +52,13 @@ bool is_drape_name(const std::string& name) {
 int refuse_name(const std::string& name, const char* first) {
   std::string names = first;
   for (const std::string& known : drape_names()) names.append(names.empty() ? "" : ", ").append(known);
-  return fail(kUsage,
-              fill(tr("no drape is called '{name}'; choose from {names}"), arg("name", name), arg("names", names)));
+  return refuse(fill(tr("no drape is called '{name}'; choose from {names}"), arg("name", name), arg("names", names)));
 }
 
 /// The drape of this fabric from the cache, or simulated.
 Mesh simulated_mesh(Design& design) {
   design.scene.simulated_drape = true;
-  if (is_draped(design)) return load_design_drape(design).mesh.value_or(Mesh{});
+  if (is_draped(design)) return load_design_drape(design).value_or(Mesh{});
   StatusLine status;
   Mesh mesh = simulate_design_drape(design, [&status](double done) {
     status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * done))));
@@ -74,7 +71,7 @@ Mesh simulated_mesh(Design& design) {
 /// Writes the drape of a draft, simulated with its own yarns and sett.
 int write_design_drape(const DrapeOptions& options) {
   if (!options.stiffness.empty())
-    return fail(kUsage, tr("--stiffness is for a generic fabric; a draft is simulated with its own yarns and sett"));
+    return refuse(tr("--stiffness is for a generic fabric; a draft is simulated with its own yarns and sett"));
   if (!options.mesh.empty() && (!is_drape_name(options.mesh) || options.mesh == "plane"))
     return refuse_name(options.mesh, "");
   OpenedDesign opened = open_design(options.name);
@@ -82,9 +79,9 @@ int write_design_drape(const DrapeOptions& options) {
   Design& design = opened.design;
   if (!options.mesh.empty()) design.scene.mesh = options.mesh;
   if (!can_drape(design))
-    return fail(kUsage, fill(tr("{file}: the mesh of its scene, {mesh}, cannot be simulated; give --mesh"),
-                             arg("file", options.name), arg("mesh", design.scene.mesh)));
-  if (const std::string why = why_not_writable(options.out); !why.empty()) return not_written(why);
+    return refuse(fill(tr("{file}: the mesh of its scene, {mesh}, cannot be simulated; give --mesh"),
+                       arg("file", options.name), arg("mesh", design.scene.mesh)));
+  if (const auto place = written(why_not_writable(options.out)); !place) return fail(place.error());
   return write_drape(design.scene.mesh, simulated_mesh(design), options.out);
 }
 
@@ -95,10 +92,10 @@ int write_named(const DrapeOptions& options) {
   if (!known && !name.has_extension() && !std::filesystem::exists(name, ec)) return refuse_name(options.name, "all");
   const std::string extension = std::filesystem::path(options.out).extension().string();
   if (extension != ".glb" && extension != ".gltf")
-    return fail(kUsage, fill(tr("{file}: a drape is written as .glb or .gltf"), arg("file", options.out)));
+    return refuse(fill(tr("{file}: a drape is written as .glb or .gltf"), arg("file", options.out)));
   if (!known) return write_design_drape(options);
   if (!options.mesh.empty())
-    return fail(kUsage, fill(tr("--mesh is for a draft; {name} is a drape itself"), arg("name", options.name)));
+    return refuse(fill(tr("--mesh is for a draft; {name} is a drape itself"), arg("name", options.name)));
   return write_drape(options.name, simulate_drape(options.name, stiffness_from_name(options.stiffness)), options.out);
 }
 
@@ -109,10 +106,8 @@ int drape_command(const DrapeOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) {
-    const std::string line = fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", options.out),
-                                  arg("cause", cause_of(problem)));
-    std::fprintf(stderr, "%s\n", line.c_str());
-    return kNotWritten;
+    return fail({base::ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made: {cause}"),
+                                                arg("folder", options.out), arg("cause", cause_of(problem)))});
   }
   for (const std::string& name : drape_names()) {
     const std::filesystem::path folder(options.out);

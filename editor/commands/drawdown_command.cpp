@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "commands/drawdown_picture.h"
+#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
@@ -43,11 +44,11 @@ Form form_of(const std::string& out) {
 int drawdown_command(const DrawdownOptions& options) {
   const Form form = form_of(options.out);
   if (options.points && form != Form::kImage) {
-    return fail(kUsage, tr("--points: write a picture, -o OUT.png or .tif"));
+    return refuse(tr("--points: write a picture, -o OUT.png or .tif"));
   }
   if (form == Form::kNone) {
-    return fail(kUsage, fill(tr("{file}: a drawdown is written as .txt, .png, .jpg, .tif, .svg or .pdf"),
-                             arg("file", options.out)));
+    return refuse(
+        fill(tr("{file}: a drawdown is written as .txt, .png, .jpg, .tif, .svg or .pdf"), arg("file", options.out)));
   }
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
@@ -60,11 +61,10 @@ int drawdown_command(const DrawdownOptions& options) {
   }
   const Draft& draft = opened.design.draft;
   const std::string& out = options.out;
-  const std::string error = form == Form::kText    ? write_file_atomically(out, as_text(cells))
-                            : options.points       ? write_drawdown_points(out, cells)
-                            : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.origin)
-                                                   : write_drawdown_drawing(out, cells, draft, options.origin);
-  return error.empty() ? kDone : not_written(error);
+  return finish(form == Form::kText    ? files::written(write_file_atomically(out, as_text(cells)))
+                : options.points       ? write_drawdown_points(out, cells)
+                : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.origin)
+                                       : write_drawdown_drawing(out, cells, draft, options.origin));
 }
 
 }  // namespace weftlight::commands

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "files/files.h"
+#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
@@ -35,14 +36,18 @@ int cell_size(const BitMatrix& cells) {
   return std::clamp(kWanted / std::max({cells.rows(), cells.cols(), 1}), 1, kLargest);
 }
 
-std::string too_many_for_image(const std::string& path, const BitMatrix& cells) {
-  return fill(tr("{file}: {ends} by {picks} crossings are too many for a picture; write text instead"),
-              arg("file", path), arg("ends", cells.cols()), arg("picks", cells.rows()));
+base::Failure too_many_for_image(const std::string& path, const BitMatrix& cells) {
+  return base::failure(base::ErrorKind::kOutput,
+                       fill(tr("{ends} by {picks} crossings are too many for a picture; write text instead"),
+                            arg("ends", cells.cols()), arg("picks", cells.rows())),
+                       path);
 }
 
-std::string too_many_for_drawing(const std::string& path, const BitMatrix& cells) {
-  return fill(tr("{file}: {ends} by {picks} crossings are too many for a drawing; write a .png instead"),
-              arg("file", path), arg("ends", cells.cols()), arg("picks", cells.rows()));
+base::Failure too_many_for_drawing(const std::string& path, const BitMatrix& cells) {
+  return base::failure(base::ErrorKind::kOutput,
+                       fill(tr("{ends} by {picks} crossings are too many for a drawing; write a .png instead"),
+                            arg("ends", cells.cols()), arg("picks", cells.rows())),
+                       path);
 }
 
 /// Neighbours of the same colour in a row become one rectangle.
@@ -64,8 +69,8 @@ void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrig
 
 }  // namespace
 
-std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
-                                 DrawdownOrigin origin) {
+base::Result<void> write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                        DrawdownOrigin origin) {
   if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   const int size = cell_size(cells);
   Image image{cells.cols() * size, cells.rows() * size, 3, {}};
@@ -79,7 +84,7 @@ std::string write_drawdown_image(const std::string& path, const BitMatrix& cells
   return write_image(path, image, PixelType::kU8);
 }
 
-std::string write_drawdown_points(const std::string& path, const BitMatrix& cells) {
+base::Result<void> write_drawdown_points(const std::string& path, const BitMatrix& cells) {
   if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   Image image{cells.cols(), cells.rows(), 3, {}};
   image.texels.reserve(static_cast<size_t>(cells.cols()) * static_cast<size_t>(cells.rows()) * 3);
@@ -89,12 +94,12 @@ std::string write_drawdown_points(const std::string& path, const BitMatrix& cell
   return write_image(path, image, PixelType::kU8);
 }
 
-std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
-                                   DrawdownOrigin origin) {
+base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                          DrawdownOrigin origin) {
   if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many_for_drawing(path, cells);
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
-  return write_through(path, [&](const std::string& beside) -> std::string {
+  return files::written(write_through(path, [&](const std::string& beside) -> std::string {
     const auto create =
         beside.ends_with(".svg") || beside.ends_with(".SVG") ? cairo_svg_surface_create : cairo_pdf_surface_create;
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> sheet(
@@ -105,7 +110,7 @@ std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cel
     const cairo_status_t drawn = cairo_status(pen.get()), whole = cairo_surface_status(sheet.get());
     const cairo_status_t status = drawn != CAIRO_STATUS_SUCCESS ? drawn : whole;
     return status == CAIRO_STATUS_SUCCESS ? "" : cairo_status_to_string(status);
-  });
+  }));
 }
 
 }  // namespace weftlight::commands

@@ -9,14 +9,14 @@
 
 namespace weftlight::commands {
 
-/// Writes a .png, .jpg or .tif, its longer side about 1,024 pixels. Returns an error, or an empty string.
-std::string write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
-                                 DrawdownOrigin origin);
+/// Writes a .png, .jpg or .tif, its longer side about 1,024 pixels.
+base::Result<void> write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                        DrawdownOrigin origin);
 /// The point paper of a Jacquard loom: one pixel per crossing, black where the warp is on top, end 1 at the right and
 /// pick 1 at the top.
-std::string write_drawdown_points(const std::string& path, const BitMatrix& cells);
+base::Result<void> write_drawdown_points(const std::string& path, const BitMatrix& cells);
 /// Writes a .svg or .pdf with 2 mm per crossing; less if a side would be longer than a metre.
-std::string write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
-                                   DrawdownOrigin origin);
+base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
+                                          DrawdownOrigin origin);
 
 }  // namespace weftlight::commands

@@ -148,7 +148,7 @@ std::string write_archive(const Job& job, bool force) {
   const std::string top = fs::path(job.folder).filename().string();
   for (const std::string& name : listed_files(job.folder))
     entries.push_back({top + "/" + name, (fs::path(job.folder) / name).string()});
-  return write_zip(path, entries, ZipKind::kPlain);
+  return problem_of(write_zip(path, entries, ZipKind::kPlain));
 }
 
 void report(ExportRun& run, int code, const std::string& problem) {
@@ -163,7 +163,9 @@ void report(ExportRun& run, int code, const std::string& problem) {
 std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
   design.scene.mesh = run.options.mesh;
   if (run.mesh.index.empty() || drape_key(design) == run.options.mesh) return {};
-  return load_design_drape(design).mesh;
+  base::Result<Mesh> read = load_design_drape(design);
+  if (!read) return {};
+  return std::move(*read);
 }
 
 void run_job(Job job, ExportRun& run) {
@@ -239,28 +241,25 @@ int export_command(const ExportOptions& options) {
   std::vector<const ExportTarget*> targets;
   for (const std::string& name : options.targets) {
     const ExportTarget* const target = target_named(name);
-    if (!target) return fail(kUsage, fill(tr("there is no target '{name}'"), arg("name", name)));
+    if (!target) return refuse(fill(tr("there is no target '{name}'"), arg("name", name)));
     if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
   }
   if (!is_power_of_two(options.size) || options.size < 16 || options.size > 8192)
-    return fail(kUsage, fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
+    return refuse(fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
-    return fail(kUsage, fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
+    return refuse(fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
   const bool mesh_wanted = std::ranges::any_of(targets, &ExportTarget::wears_mesh);
-  const ReadMesh mesh = mesh_wanted ? load_drape(options.mesh) : ReadMesh{Mesh{}, {}};
-  if (!mesh.mesh) {
-    return fail(kBadInput, fill(tr("--mesh: {problem}"), arg("problem", mesh.error)));
-  }
+  const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
+  if (!mesh)
+    return fail({base::ErrorKind::kInput, fill(tr("--mesh: {problem}"), arg("problem", message(mesh.error())))});
   const std::vector<Job> jobs = jobs_of(options, targets);
   if (jobs.empty()) {
-    const std::string line =
-        fill(tr("{file}: there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts"),
-             arg("file", options.files[0]));
-    std::fprintf(stderr, "%s\n", line.c_str());
-    return kBadInput;
+    return fail({base::ErrorKind::kInput,
+                 tr("there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts"),
+                 options.files[0]});
   }
-  const int code = run_all(jobs, options, *mesh.mesh);
-  if (options.watch) watch(jobs, options, *mesh.mesh);
+  const int code = run_all(jobs, options, *mesh);
+  if (options.watch) watch(jobs, options, *mesh);
   return code;
 }
 

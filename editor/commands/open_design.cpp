@@ -8,6 +8,7 @@
 namespace weftlight::commands {
 
 using base::arg;
+using base::ErrorKind;
 using base::fill;
 using base::tr;
 
@@ -29,23 +30,40 @@ void print_row(const std::string& label, const std::string& value) {
 
 void print_problem(const std::string& problem) { std::fprintf(stderr, "weftlight: %s\n", problem.c_str()); }
 
-int fail(int code, const std::string& problem) {
-  print_problem(problem);
-  return code;
-}
-
-int not_written(const std::string& problem) {
-  std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another place"), arg("problem", problem)).c_str());
+Exit exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kUsage:
+      return kUsage;
+    case ErrorKind::kInput:
+    case ErrorKind::kMemory:  // for what was read
+      return kBadInput;
+    case ErrorKind::kGraphics:
+      return kNoGraphics;
+    case ErrorKind::kOutput:
+    case ErrorKind::kCancelled:
+      break;
+  }
   return kNotWritten;
 }
+
+int fail(const base::Error& error) {
+  const std::string what = message(error);
+  if (error.kind == ErrorKind::kOutput)
+    std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another place"), arg("problem", what)).c_str());
+  else if (error.file.empty()) print_problem(what);
+  else std::fprintf(stderr, "%s\n", what.c_str());
+  return exit_code(error.kind);
+}
+
+int refuse(const std::string& problem) { return fail({ErrorKind::kUsage, problem}); }
+
+int finish(const base::Result<void>& result) { return result ? kDone : fail(result.error()); }
 
 OpenedDesign open_design(const std::string& path, bool print_warnings, const files::PictureDraft& picture) {
   OpenedDesign result;
   const FileBytes file = read_file(path);
   if (!file.error.empty()) {
-    const std::string line =
-        fill(tr("{file}: {problem}; give the path of a draft"), arg("file", path), arg("problem", file.error));
-    std::fprintf(stderr, "%s\n", line.c_str());
+    fail({ErrorKind::kInput, fill(tr("{problem}; give the path of a draft"), arg("problem", file.error)), path});
     return result;
   }
   WifRead read = is_picture(path) ? read_picture_draft(path, picture) : read_draft(file.bytes);

@@ -8,6 +8,7 @@
 #include "design/lights.h"
 #include "files/design_drape.h"
 #include "files/files.h"
+#include "files/written.h"
 #include "gl/pipeline.h"
 #include "light/lod_table.h"
 #include "scene/named_views.h"
@@ -41,13 +42,14 @@ void apply_options(Design& design, const PictureOptions& o) {
 /// Simulates this fabric's drape if the scene asks for it and it is not cached yet.
 void drape(const Design& design, StatusLine& status) {
   if (!design.scene.simulated_drape || !can_drape(design) || is_draped(design)) return;
-  const std::string problem = drape_cloth(design, [&status](double done) {
-    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * done))));
+  const base::Result<void> done = drape_cloth(design, [&status](double share) {
+    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * share))));
     return true;
   });
   status.clear();
-  if (!problem.empty())
-    print_problem(fill(tr("warning: {problem}; the generic drape is drawn instead"), arg("problem", problem)));
+  if (!done)
+    print_problem(
+        fill(tr("warning: {problem}; the generic drape is drawn instead"), arg("problem", message(done.error()))));
 }
 
 std::string no_view_text(const Design& design, const std::string& name) {
@@ -60,9 +62,10 @@ std::string no_view_text(const Design& design, const std::string& name) {
 
 int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
-    return fail(kUsage, fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
+    return refuse(fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
   }
-  if (const std::string why = o.turntable > 0 ? "" : why_not_writable(o.out); !why.empty()) return not_written(why);
+  if (const auto place = o.turntable > 0 ? written({}) : written(why_not_writable(o.out)); !place)
+    return fail(place.error());
   status.show(fill(tr("reading {file}"), arg("file", o.file)));
   OpenedDesign opened = open_design(o.file);
   status.clear();
@@ -72,23 +75,33 @@ int PictureSetup::open(const PictureOptions& o) {
     const std::optional<NamedView> view =
         view_named(design, o.view_name, static_cast<float>(o.width), static_cast<float>(o.height));
     if (!view)
-      return fail(kUsage, fill(tr("{file}: {problem}"), arg("file", o.file),
-                               arg("problem", no_view_text(design, o.view_name))));
+      return refuse(
+          fill(tr("{file}: {problem}"), arg("file", o.file), arg("problem", no_view_text(design, o.view_name))));
     design.scene = drawn_scene(*view);
   }
   apply_options(design, o);
   drape(design, status);
-  std::string error;
-  context = HeadlessContext::create(error);
-  if (context) renderer = Renderer::create(error);
-  if (!renderer) return fail(kNoGraphics, fill(tr("no graphics: {problem}"), arg("problem", error)));
+  if (const int code = open_graphics(); code != kDone) return code;
   if (const std::string& problem = renderer->lod_table_problem(); !problem.empty()) print_problem(problem);
   const Draft& d = design.draft;
   status.show(fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks())));
-  error = upload_once(std::make_shared<const Design>(design), *renderer);
+  const base::Result<void> shown = upload_once(std::make_shared<const Design>(design), *renderer);
   status.clear();
   for (const std::string& remark : renderer->light_remarks()) print_problem(remark);
-  return error.empty() ? kDone : fail(kBadInput, error);
+  return finish(shown);
+}
+
+int PictureSetup::open_graphics() {
+  const auto none = [](const base::Error& error) {
+    return fail({base::ErrorKind::kGraphics, fill(tr("no graphics: {problem}"), arg("problem", message(error)))});
+  };
+  auto opened = HeadlessContext::create();
+  if (!opened) return none(opened.error());
+  context = std::move(*opened);
+  auto made = Renderer::create();
+  if (!made) return none(made.error());
+  renderer = std::move(*made);
+  return kDone;
 }
 
 Frame PictureSetup::frame(const PictureOptions& o) const {
@@ -102,7 +115,7 @@ Frame PictureSetup::frame(const PictureOptions& o) const {
 
 bool writes_linear(const std::string& path) { return extension_of(path) == ".exr"; }
 
-std::string write_picture(const std::string& path, const Image& image) {
+base::Result<void> write_picture(const std::string& path, const Image& image) {
   if (writes_linear(path)) return write_image(path, image, PixelType::kHalf);
   // The picture is opaque, and a PNG without alpha is smaller and read by every program.
   Image rgb{image.width, image.height, 3, {}};

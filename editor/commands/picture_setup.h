@@ -23,11 +23,13 @@ struct PictureSetup {
   /// Returns an exit code of the contract; problems are printed.
   int open(const PictureOptions& options);
   Frame frame(const PictureOptions& options) const;
+
+ private:
+  int open_graphics();
 };
 
 /// True for .exr, which holds scene-linear values; a .png is tone mapped.
 bool writes_linear(const std::string& path);
-/// Returns an error, or an empty string.
-std::string write_picture(const std::string& path, const Image& image);
+base::Result<void> write_picture(const std::string& path, const Image& image);
 
 }  // namespace weftlight::commands

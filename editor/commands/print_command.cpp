@@ -5,11 +5,13 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "files/written.h"
 #include "print/print.h"
 
 namespace weftlight::commands {
 
 using base::arg;
+using base::ErrorKind;
 using base::fill;
 using base::tr;
 using base::tr_n;
@@ -17,28 +19,23 @@ using base::tr_n;
 int print_command(const PrintCommand& options) {
   const bool pdf = options.out.ends_with(".pdf"), svg = options.out.ends_with(".svg");
   if (!pdf && !svg && !options.out.ends_with(".png")) {
-    const std::string line = fill(tr("{file}: not a format for print; give a name that ends in .pdf, .svg or .png"),
-                                  arg("file", options.out));
-    std::fprintf(stderr, "%s\n", line.c_str());
-    return kUsage;
+    return fail(
+        {ErrorKind::kUsage, tr("not a format for print; give a name that ends in .pdf, .svg or .png"), options.out});
   }
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
   const auto format = pdf ? print::PrintFormat::kPdf : svg ? print::PrintFormat::kSvg : print::PrintFormat::kPng;
   print::PrintOptions named = options.options;
   named.name = std::filesystem::path(options.file).stem().string();
-  const print::Printed printed = print::printed(opened.design, format, named);
-  if (!printed.why.empty()) {
-    const std::string line = fill(tr("{file}: {problem}"), arg("file", options.file), arg("problem", printed.why));
-    std::fprintf(stderr, "%s\n", line.c_str());
-    return kBadInput;
+  const base::Result<print::Printed> printed = print::printed(opened.design, format, named);
+  if (!printed) return fail({ErrorKind::kInput, printed.error().text, options.file});
+  for (size_t i = 0; i < printed->files.size(); ++i) {
+    const std::string path = print::sheet_file(options.out, i, printed->files.size());
+    if (const auto saved = files::written(write_file_atomically(path, printed->files[i])); !saved)
+      return fail(saved.error());
   }
-  for (size_t i = 0; i < printed.files.size(); ++i) {
-    const std::string path = print::sheet_file(options.out, i, printed.files.size());
-    const std::string error = write_file_atomically(path, printed.files[i]);
-    if (!error.empty()) return not_written(error);
-  }
-  const std::string line = fill(tr_n("{count} sheet", "{count} sheets", printed.sheets), arg("count", printed.sheets));
+  const std::string line =
+      fill(tr_n("{count} sheet", "{count} sheets", printed->sheets), arg("count", printed->sheets));
   std::printf("%s\n", line.c_str());
   return kDone;
 }

@@ -39,8 +39,8 @@ int reference_command(const PictureOptions& o) {
   if (const int code = setup.open(o); code != kDone) return code;
   const Design& design = setup.design;
   ReferenceScene scene;
-  std::string error = scene.update(design);
-  if (!error.empty()) return fail(kBadInput, fill(tr("{file}: {problem}"), arg("file", o.file), arg("problem", error)));
+  if (const auto updated = scene.update(design); !updated)
+    return fail({updated.error().kind, message(updated.error()), o.file});
 
   Frame frame = setup.frame(o);
   frame.cloth = false;
@@ -50,8 +50,7 @@ int reference_command(const PictureOptions& o) {
   const TracedImage traced = scene.trace(view_of(o, design.scene), progress_on(setup.status));
   setup.status.clear();
   lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
-  error = write_picture(o.out, picture);
-  return error.empty() ? kDone : not_written(error);
+  return finish(write_picture(o.out, picture));
 }
 
 }  // namespace weftlight::commands

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "commands/picture_setup.h"
+#include "files/written.h"
 #include "light/lod_table.h"
 #include "render_data/method_weights.h"
 #include "wif/wif.h"
@@ -18,7 +19,8 @@ using base::arg;
 using base::fill;
 using base::tr;
 
-std::string write_stats(const std::string& path, const FrameStats& stats, float tolerance, const PictureOptions& o) {
+base::Result<void> write_stats(const std::string& path, const FrameStats& stats, float tolerance,
+                               const PictureOptions& o) {
   const nlohmann::json json{{"method", method_name(stats.method)},
                             {"gpu_ms", stats.gpu_ms},
                             {"hair_ms", stats.flyaway_ms},
@@ -30,7 +32,7 @@ std::string write_stats(const std::string& path, const FrameStats& stats, float 
                             {"bytes", stats.texture_bytes},
                             {"width", o.width},
                             {"height", o.height}};
-  return write_file_atomically(path, json.dump(2) + "\n");
+  return written(write_file_atomically(path, json.dump(2) + "\n"));
 }
 
 /// "picture_001.png" from "picture.png" and 1.
@@ -53,12 +55,12 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
     setup.renderer->draw(scene, setup.design.look, frame);
     if (const FrameStats stats = setup.renderer->measure(); !stats.problem.empty()) {
       setup.status.clear();
-      return fail(kNoGraphics, stats.problem);
+      return fail({base::ErrorKind::kGraphics, stats.problem});
     }
-    const std::string error = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
-    if (!error.empty()) {
+    const auto saved = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
+    if (!saved) {
       setup.status.clear();
-      return not_written(error);
+      return fail(saved.error());
     }
   }
   setup.status.clear();
@@ -79,8 +81,7 @@ void keep_within(double budget_ms, PictureSetup& setup, Frame frame) {
 
 int render_command(const PictureOptions& o) {
   PictureSetup setup;
-  if (o.turntable > 0 && !o.stats.empty())
-    return fail(kUsage, tr("--stats is for one picture; leave it or --turntable out"));
+  if (o.turntable > 0 && !o.stats.empty()) return refuse(tr("--stats is for one picture; leave it or --turntable out"));
   if (const int code = setup.open(o); code != kDone) return code;
   if (o.budget_ms > 0) keep_within(o.budget_ms, setup, setup.frame(o));
   if (o.turntable > 0) return draw_turntable(setup, o);
@@ -91,14 +92,14 @@ int render_command(const PictureOptions& o) {
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   setup.status.clear();
-  if (!stats.problem.empty()) return fail(kNoGraphics, stats.problem);
+  if (!stats.problem.empty()) return fail({base::ErrorKind::kGraphics, stats.problem});
   if (requested != Method::kAuto && requested != stats.method) {
     print_problem(fill(tr("drawn with the method {method}, the closest one available"),
                        arg("method", std::string(method_name(stats.method)))));
   }
-  std::string error = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
-  if (error.empty() && !o.stats.empty()) error = write_stats(o.stats, stats, setup.design.look.tolerance, o);
-  return error.empty() ? kDone : not_written(error);
+  base::Result<void> saved = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
+  if (saved && !o.stats.empty()) saved = write_stats(o.stats, stats, setup.design.look.tolerance, o);
+  return finish(saved);
 }
 
 }  // namespace weftlight::commands

@@ -11,6 +11,7 @@
 #include "commands/picture_setup.h"
 #include "design/methods.h"
 #include "files/files.h"
+#include "files/written.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
@@ -22,7 +23,10 @@ namespace weftlight::commands {
 namespace {
 
 using base::arg;
+using base::ErrorKind;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 
 constexpr int kTracedPixels = 32;  // along each side of the repeat, each with `spp` rays
@@ -50,7 +54,7 @@ glm::vec3 unit(bool warp, double degrees) {
   return warp ? glm::vec3(0, side, up) : glm::vec3(side, 0, up);
 }
 
-/// One value for each direction; empty after an error.
+/// One value for each direction.
 using Radiances = std::vector<glm::vec3>;
 
 Cloth one_face(const Design& design, Face face) {
@@ -66,11 +70,10 @@ Radiances evaluated(const Cloth& cloth, const std::vector<Directions>& direction
   return out;
 }
 
-Radiances traced(const Cloth& cloth, const ResponseOptions& o, const std::vector<Directions>& directions,
-                 std::string& error) {
-  const std::unique_ptr<TubeScene> tubes = TubeScene::build(cloth, {}, error);
+Result<Radiances> traced(const Cloth& cloth, const ResponseOptions& o, const std::vector<Directions>& directions) {
+  const auto tubes = TubeScene::build(cloth, {});
+  if (!tubes) return failure(tubes.error().kind, message(tubes.error()), o.file);
   Radiances out;
-  if (!tubes) return out;
   FlatPicture picture;
   picture.width = picture.height = kTracedPixels;
   picture.spp = o.spp;
@@ -79,7 +82,7 @@ Radiances traced(const Cloth& cloth, const ResponseOptions& o, const std::vector
   for (const Directions& d : directions) {
     picture.view = unit(d.warp, d.view_deg), picture.around.light_towards = unit(d.warp, d.light_deg);
     glm::vec3 sum(0);
-    for (const glm::vec4& p : trace_flat(*tubes, picture, {}).pixels) sum += glm::vec3(p);
+    for (const glm::vec4& p : trace_flat(**tubes, picture, {}).pixels) sum += glm::vec3(p);
     out.push_back(sum / static_cast<float>(kTracedPixels * kTracedPixels));
   }
   return out;
@@ -99,12 +102,17 @@ FlatPatch far_patch(const PackedCloth& packed, Face face) {
   return patch;
 }
 
-Radiances drawn(const Design& design, const ResponseOptions& o, const std::vector<Directions>& directions,
-                std::string& error) {
+base::Failure no_graphics(const base::Error& error) {
+  return failure(ErrorKind::kGraphics, fill(tr("no graphics: {problem}"), arg("problem", message(error))));
+}
+
+Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const std::vector<Directions>& directions) {
+  const auto context = HeadlessContext::create();
+  if (!context) return no_graphics(context.error());
+  const auto made = Renderer::create();
+  if (!made) return no_graphics(made.error());
+  const std::unique_ptr<Renderer>& renderer = *made;
   Radiances out;
-  const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
-  const std::unique_ptr<Renderer> renderer = context ? Renderer::create(error) : nullptr;
-  if (!renderer) return out;
   Design shown = design;
   shown.look = Look{};
   shown.look.method = method_from_name(o.method).value_or(Method::kAuto);
@@ -140,26 +148,18 @@ std::string as_csv(const std::vector<Directions>& directions, const Radiances& r
 }  // namespace
 
 int response_command(const ResponseOptions& o) {
-  if (const std::string why = why_not_writable(o.out); !why.empty()) return not_written(why);
+  if (const auto place = written(why_not_writable(o.out)); !place) return fail(place.error());
   const OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
-    return fail(kBadInput, fill(tr("{file}: the draft has no threads; give it at least one end and one pick"),
-                                arg("file", o.file)));
+    return fail({ErrorKind::kInput, tr("the draft has no threads; give it at least one end and one pick"), o.file});
   }
   const std::vector<Directions> directions = directions_of(o);
-  std::string error;
-  Radiances radiances;
-  if (o.method == "cloth") radiances = evaluated(one_face(opened.design, o.face), directions);
-  else if (o.method == "reference") radiances = traced(one_face(opened.design, o.face), o, directions, error);
-  else radiances = drawn(opened.design, o, directions, error);
-  if (radiances.size() != directions.size()) {
-    return o.method == "reference"
-               ? fail(kBadInput, fill(tr("{file}: {problem}"), arg("file", o.file), arg("problem", error)))
-               : fail(kNoGraphics, fill(tr("no graphics: {problem}"), arg("problem", error)));
-  }
-  error = write_file_atomically(o.out, as_csv(directions, radiances));
-  return error.empty() ? kDone : not_written(error);
+  const Result<Radiances> radiances = o.method == "cloth"       ? evaluated(one_face(opened.design, o.face), directions)
+                                      : o.method == "reference" ? traced(one_face(opened.design, o.face), o, directions)
+                                                                : drawn(opened.design, o, directions);
+  if (!radiances) return fail(radiances.error());
+  return finish(written(write_file_atomically(o.out, as_csv(directions, *radiances))));
 }
 
 }  // namespace weftlight::commands

@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/edits.h"
+#include "files/written.h"
 #include "weaves/table.h"
 
 namespace weftlight::commands {
@@ -44,8 +45,8 @@ bool read_values(const WeaveKind& kind, const std::vector<std::string>& set, Wea
     const size_t equals = one.find('=');
     const std::string id = one.substr(0, equals);
     if (equals == std::string::npos || !has_parameter(kind, id)) {
-      fail(kUsage, fill(tr("--set {value}: the weave {weave} has no such parameter; see weftlight weave --list"),
-                        arg("value", one), arg("weave", kind.id)));
+      refuse(fill(tr("--set {value}: the weave {weave} has no such parameter; see weftlight weave --list"),
+                  arg("value", one), arg("weave", kind.id)));
       return false;
     }
     values.emplace_back(id, one.substr(equals + 1));
@@ -62,8 +63,8 @@ int weave_command(const WeaveOptions& options) {
   }
   const WeaveKind* kind = find_weave(options.weave);
   if (!kind || options.out.empty()) {
-    return fail(kUsage, kind ? tr("give a name for the draft with -o; see weftlight weave --help")
-                             : tr("there is no such weave; see weftlight weave --list"));
+    return refuse(kind ? tr("give a name for the draft with -o; see weftlight weave --help")
+                       : tr("there is no such weave; see weftlight weave --list"));
   }
   WeaveValues values;
   if (!read_values(*kind, options.set, values)) return kUsage;
@@ -74,8 +75,7 @@ int weave_command(const WeaveOptions& options) {
         fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", generated.why));
     std::fprintf(stderr, "%s\n", line.c_str());
   }
-  const std::string error = write_file_atomically(options.out, write_new_wif(generated.design));
-  return error.empty() ? kDone : not_written(error);
+  return finish(files::written(write_file_atomically(options.out, write_new_wif(generated.design))));
 }
 
 }  // namespace weftlight::commands

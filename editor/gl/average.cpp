@@ -4,10 +4,7 @@
 
 namespace weftlight::gl {
 
-bool Average::build(std::string& error) {
-  program_ = build_program("backdrop.vert", "average.frag", {}, error);
-  return error.empty();
-}
+base::Result<void> Average::build() { return build_into(program_, "backdrop.vert", "average.frag", {}); }
 
 void Average::draw(GLuint from, GLuint to) {
   glBindFramebuffer(GL_FRAMEBUFFER, to);

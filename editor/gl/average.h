@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/result.h"
 #include "gl/gl_objects.h"
 #include "gl/names.h"
 
@@ -11,7 +12,7 @@ namespace weftlight::gl {
 
 class Average {
  public:
-  bool build(std::string& error);
+  base::Result<void> build();
   /// Averages the sRGB-encoded picture into the mean with this weight, above 0 to 1 (1 starts anew), and replaces the
   /// picture by the mean.
   void add(GLuint texture, GLuint framebuffer, int width, int height, float weight);

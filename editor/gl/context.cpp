@@ -61,32 +61,23 @@ EGLContext open_context(EGLDisplay display) {
 
 }  // namespace
 
-std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
-  error = missing_library();
-  if (!error.empty()) return nullptr;
+base::Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
+  const auto none = [](std::string why) { return base::failure(base::ErrorKind::kGraphics, std::move(why)); };
+  if (std::string missing = missing_library(); !missing.empty()) return none(std::move(missing));
   std::unique_ptr<HeadlessContext> made(new HeadlessContext);
   const EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY) {
-    error = tr("no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)");
-    return nullptr;
-  }
+  if (display == EGL_NO_DISPLAY)
+    return none(tr("no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)"));
   made->display_ = display;
-  if (!eglBindAPI(EGL_OPENGL_API)) {
-    error = tr("EGL has no desktop OpenGL: install Mesa (Debian: libgl1-mesa-dri)");
-    return nullptr;
-  }
+  if (!eglBindAPI(EGL_OPENGL_API)) return none(tr("EGL has no desktop OpenGL: install Mesa (Debian: libgl1-mesa-dri)"));
   const EGLContext context = open_context(display);
-  if (context == EGL_NO_CONTEXT) {
-    error =
+  if (context == EGL_NO_CONTEXT)
+    return none(
         tr("OpenGL 3.3 core is not there: update the graphics driver, or use Mesa's software renderer "
-           "(LIBGL_ALWAYS_SOFTWARE=1)");
-    return nullptr;
-  }
+           "(LIBGL_ALWAYS_SOFTWARE=1)"));
   made->context_ = context;
-  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-    error = tr("the OpenGL context cannot be used without a window: update the graphics driver");
-    return nullptr;
-  }
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+    return none(tr("the OpenGL context cannot be used without a window: update the graphics driver"));
   return made;
 }
 

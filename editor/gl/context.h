@@ -2,16 +2,16 @@
 // An OpenGL 3.3+ core context without a window, through EGL surfaceless (GPU or llvmpipe).
 
 #include <memory>
-#include <string>
 
+#include "base/result.h"
 #include "gl/names.h"
 
 namespace weftlight::gl {
 
 class HeadlessContext {
  public:
-  /// Makes a context current on this thread. Null with `error` set without graphics.
-  static std::unique_ptr<HeadlessContext> create(std::string& error);
+  /// Makes a context current on this thread. An error without graphics.
+  static base::Result<std::unique_ptr<HeadlessContext>> create();
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;
   HeadlessContext& operator=(const HeadlessContext&) = delete;

@@ -23,9 +23,8 @@ int flyaway_pieces(const FlyawayGrowth& growth, float pixel_mm) {
   return std::clamp(static_cast<int>(std::ceil(1.5f * std::sqrt(pixels))), kMin, kMax);
 }
 
-bool GpuFlyaways::build(std::string& error) {
-  program_ = build_program("flyaway.vert", "flyaway.frag", {"SHADOW_TAPS 4"}, error);
-  if (!error.empty()) return false;
+base::Result<void> GpuFlyaways::build() {
+  if (auto built = build_into(program_, "flyaway.vert", "flyaway.frag", {"SHADOW_TAPS 4"}); !built) return built;
   glBindVertexArray(array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, roots_.get());
   attribute(kPosition, 3, offsetof(Flyaway, root));
@@ -34,7 +33,7 @@ bool GpuFlyaways::build(std::string& error) {
   attribute(kSky, 2, offsetof(Flyaway, sky));
   attribute(kFlyaway, 4, offsetof(Flyaway, seed));
   glBindVertexArray(0);
-  return true;
+  return {};
 }
 
 void GpuFlyaways::scatter(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/result.h"
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
 #include "gl/names.h"
@@ -12,7 +13,7 @@ namespace weftlight::gl {
 
 class GpuFlyaways {
  public:
-  bool build(std::string& error);
+  base::Result<void> build();
   /// Call for a new mesh: its hems are computed again.
   void invalidate() { known_mesh_ = false; }
   void scatter(const GpuMesh& mesh, const FlyawayGrowth& growth, const FlyawayView& view);

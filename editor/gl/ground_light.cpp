@@ -5,11 +5,9 @@
 
 namespace weftlight::gl {
 
-bool GroundLight::build(std::string& error) {
-  bake_ = build_program("backdrop.vert", "ground_bake.frag", {"SHADOW_TAPS 4"}, error);
-  if (!error.empty()) return false;
-  program_ = build_program("ground.vert", "ground.frag", {"SHADOW_TAPS 4"}, error);
-  if (!error.empty()) return false;
+base::Result<void> GroundLight::build() {
+  if (auto built = build_into(bake_, "backdrop.vert", "ground_bake.frag", {"SHADOW_TAPS 4"}); !built) return built;
+  if (auto built = build_into(program_, "ground.vert", "ground.frag", {"SHADOW_TAPS 4"}); !built) return built;
   glBindTexture(GL_TEXTURE_2D, light_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, kSize, kSize, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -18,7 +16,7 @@ bool GroundLight::build(std::string& error) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, light_.get(), 0);
-  return true;
+  return {};
 }
 
 void GroundLight::update(GLuint sun_depth, GLuint ground_sky) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/result.h"
 #include "gl/gl_objects.h"
 #include "gl/names.h"
 
@@ -11,7 +12,7 @@ namespace weftlight::gl {
 
 class GroundLight {
  public:
-  bool build(std::string& error);
+  base::Result<void> build();
   /// Needs the frame block bound; reads the shadow map of the key light and the sky visibility of the ground.
   void update(GLuint sun_depth, GLuint ground_sky);
   /// Blends the ground into the bound target.

@@ -142,10 +142,11 @@ bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false)
 
 void Pipeline::wait() const { parts_->worker.wait(); }
 
-std::string Pipeline::finish(Renderer& renderer) {
+base::Result<void> Pipeline::finish(Renderer& renderer) {
   wait();
   parts_->upload(renderer, true);
-  return problem();
+  if (std::string why = problem(); !why.empty()) return base::failure(base::ErrorKind::kInput, std::move(why));
+  return {};
 }
 
 std::string Pipeline::problem() const {
@@ -159,13 +160,14 @@ bool Pipeline::busy() const {
   return parts_->has_updates();
 }
 
-std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer) {
+base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer) {
   Stages stages;
   StageResult result = stages.update(std::move(design), Effort::kOnce);
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
   if (result.lights) renderer.set_lights(std::move(*result.lights));
   if (result.all_maps) renderer.upload(stages.release_packed());
-  return std::move(result.problem);
+  if (!result.problem.empty()) return base::failure(base::ErrorKind::kInput, std::move(result.problem));
+  return {};
 }
 
 }  // namespace weftlight::gl

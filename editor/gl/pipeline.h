@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "base/result.h"
 #include "design/design.h"
 #include "gl/names.h"
 #include "gl/renderer.h"
@@ -26,9 +27,9 @@ class Pipeline {
   bool poll(Renderer& renderer);
   /// Waits until the last submitted design is computed; poll() then uploads it.
   void wait() const;
-  /// Headless: waits until the last submitted design is ready and uploads it. Returns an error (a mesh that cannot be
-  /// read), or empty.
-  std::string finish(Renderer& renderer);
+  /// Headless: waits until the last submitted design is ready and uploads it. An error if, for
+  /// one, a mesh cannot be read.
+  base::Result<void> finish(Renderer& renderer);
   /// Problem of the last design, if any (shown by the window).
   std::string problem() const;
   /// Whether a submitted design is not yet computed and uploaded.
@@ -40,6 +41,6 @@ class Pipeline {
 };
 
 /// For a single picture, without a worker: computes and uploads, and keeps nothing else. Returns as finish().
-std::string upload_once(std::shared_ptr<const Design> design, Renderer& renderer);
+base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer);
 
 }  // namespace weftlight::gl

@@ -75,7 +75,7 @@ struct Renderer::Parts {
   ShippedLodTable shipped = shipped_lod_table();
   LodTable asked = shipped.lod_table, lod_table = asked;  // the given one, and the one fitted to this cloth
 
-  bool build(std::string& error);
+  base::Result<void> build();
   void set_lights(LightRig lights);
   const ClothProgram& cloth_program(Method method, int taps, int methods, bool more_lit, ThreadKind kind = {});
   int methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
@@ -100,21 +100,25 @@ struct Renderer::Parts {
   void read_queries(bool wait);
 };
 
-bool Renderer::Parts::build(std::string& error) {
+base::Result<void> Renderer::Parts::build() {
   const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   software = name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
-  rig = load_light_rig("studio", error);
-  if (!error.empty()) return false;
+  base::Result<LightRig> studio = load_light_rig("studio");
+  if (!studio) return base::failed(studio);
+  rig = std::move(*studio);
   const std::vector<std::string> taps{"SHADOW_TAPS " + std::to_string(kFullTaps)};
-  backdrop = build_program("backdrop.vert", "backdrop.frag", taps, error);
-  if (!error.empty()) return false;
-  body = build_program("body.vert", "body.frag", taps, error);
-  if (!error.empty() || !sun.build(error) || !ground.build(error) || !flyaways.build(error) || !average.build(error))
-    return false;
+  if (auto built = build_into(backdrop, "backdrop.vert", "backdrop.frag", taps); !built) return built;
+  if (auto built = build_into(body, "body.vert", "body.frag", taps); !built) return built;
+  if (auto built = sun.build(); !built) return built;
+  if (auto built = ground.build(); !built) return built;
+  if (auto built = flyaways.build(); !built) return built;
+  if (auto built = average.build(); !built) return built;
   // Without a graphics card the first picture is a quick one, with its own program.
-  error = software ? cloth_program(Method::kAuto, kQuickTaps, kRepeatMethod, false).problem
-                   : cloth_program(Method::kAuto, kFullTaps, kAllMethods & ~kCellMethod, false).problem;
-  return error.empty();
+  const std::string& problem = software
+                                   ? cloth_program(Method::kAuto, kQuickTaps, kRepeatMethod, false).problem
+                                   : cloth_program(Method::kAuto, kFullTaps, kAllMethods & ~kCellMethod, false).problem;
+  if (!problem.empty()) return base::failure(base::ErrorKind::kGraphics, problem);
+  return {};
 }
 
 /// Methods and samples of a picture by footprint. Moving pictures get at most two samples: a blurred thread looks
@@ -150,7 +154,7 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
     if (kind.smooth) defines.push_back("SMOOTH_YARNS");
-    made.program = build_program("cloth.vert", "cloth.frag", defines, made.problem);
+    made.problem = problem_of(build_into(made.program, "cloth.vert", "cloth.frag", defines));
     if (!made.problem.empty()) made.problem = name + ": " + made.problem;
   }
   return made;
@@ -471,13 +475,12 @@ void Renderer::Parts::read_queries(bool wait) {
 Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
 Renderer::~Renderer() = default;
 
-std::unique_ptr<Renderer> Renderer::create(std::string& error) {
-  if (epoxy_gl_version() < 33) {
-    error = base::tr("OpenGL 3.3 is needed: update the graphics driver");
-    return nullptr;
-  }
+base::Result<std::unique_ptr<Renderer>> Renderer::create() {
+  if (epoxy_gl_version() < 33)
+    return base::failure(base::ErrorKind::kGraphics, base::tr("OpenGL 3.3 is needed: update the graphics driver"));
   std::unique_ptr<Renderer> made(new Renderer);
-  return made->parts_->build(error) ? std::move(made) : nullptr;
+  if (auto built = made->parts_->build(); !built) return base::failed(built);
+  return made;
 }
 
 void Renderer::set_mesh(PreparedMesh mesh) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "design/design.h"
 #include "drape/mesh.h"
 #include "files/files.h"
@@ -57,8 +58,8 @@ struct FrameStats {
 
 class Renderer {
  public:
-  /// Compiles the shaders of shaders/. Null with `error` set if they do not build.
-  static std::unique_ptr<Renderer> create(std::string& error);
+  /// Compiles the shaders of shaders/.
+  static base::Result<std::unique_ptr<Renderer>> create();
   ~Renderer();
 
   /// prepare_mesh (ambient.h) takes 0.2 to 0.4 s for a drape; the window runs it on its worker.

@@ -13,7 +13,11 @@
 namespace weftlight::gl {
 
 using base::arg;
+using base::ErrorKind;
+using base::failed;
+using base::failure;
 using base::fill;
+using base::Result;
 using base::tr;
 
 namespace {
@@ -66,7 +70,7 @@ std::string method_of(const std::vector<std::string>& defines) {
   return {};
 }
 
-GLuint compile(GLenum stage, const std::string& name, const std::string& text, std::string& error) {
+Result<GLuint> compile(GLenum stage, const std::string& name, const std::string& text) {
   const GLuint shader = glCreateShader(stage);
   const char* source = text.c_str();
   glShaderSource(shader, 1, &source, nullptr);
@@ -76,9 +80,9 @@ GLuint compile(GLenum stage, const std::string& name, const std::string& text, s
   if (ok) return shader;
   char log[4096] = "";
   glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  error = fill(tr("{file} does not compile: {log}"), arg("file", name), arg("log", std::string(log)));
   glDeleteShader(shader);
-  return 0;
+  return failure(ErrorKind::kGraphics,
+                 fill(tr("{file} does not compile: {log}"), arg("file", name), arg("log", std::string(log))));
 }
 
 void bind_slots(GLuint program) {
@@ -89,75 +93,84 @@ void bind_slots(GLuint program) {
   }
 }
 
-/// Checks the block size of the driver against the C++ struct (interop.h asserts the offsets). Returns an error, or
-/// empty.
-std::string bind_block(GLuint program, const char* name, GLuint binding, size_t bytes) {
+/// Checks the block size of the driver against the C++ struct (interop.h asserts the offsets).
+Result<void> bind_block(GLuint program, const char* name, GLuint binding, size_t bytes) {
   const GLuint block = glGetUniformBlockIndex(program, name);
   if (block == GL_INVALID_INDEX) return {};
   glUniformBlockBinding(program, block, binding);
   GLint size = 0;
   glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
   if (static_cast<size_t>(size) == bytes) return {};
-  return fill(
-      tr("{block}: the driver lays it out in {driver} bytes, the program in {program}; update the graphics driver"),
-      arg("block", name), arg("driver", size), arg("program", bytes));
+  return failure(
+      ErrorKind::kGraphics,
+      fill(
+          tr("{block}: the driver lays it out in {driver} bytes, the program in {program}; update the graphics driver"),
+          arg("block", name), arg("driver", size), arg("program", bytes)));
 }
 
 }  // namespace
 
-std::string with_includes(const std::string& text, std::string& error) {
+Result<std::string> with_includes(const std::string& text) {
   Loader loader{shaders_dir(), {}, {}, {}};
   std::istringstream in(text);
-  const std::string resolved = loader.resolved(in);
-  error = loader.error;
-  return error.empty() ? resolved : std::string();
+  std::string resolved = loader.resolved(in);
+  if (!loader.error.empty()) return failure(ErrorKind::kGraphics, loader.error);
+  return resolved;
 }
 
-std::string shader_text(const std::string& file, const std::vector<std::string>& defines, std::string& error) {
+Result<std::string> shader_text(const std::string& file, const std::vector<std::string>& defines) {
   std::string text = "#version 330 core\n";
   for (const std::string& define : defines) text += "#define " + define + "\n";
   Loader loader{shaders_dir(), method_of(defines), {}, {}};
   text += loader.file(file);
-  if (loader.error.empty()) return text;
-  error = loader.error;
-  return {};
+  if (!loader.error.empty()) return failure(ErrorKind::kGraphics, loader.error);
+  return text;
 }
 
-GlProgram build_program(const std::string& vert, const std::string& frag, const std::vector<std::string>& defines,
-                        std::string& error) {
-  const std::string vert_text = shader_text(vert, defines, error);
-  const std::string frag_text = shader_text(frag, defines, error);
-  if (vert_text.empty() || frag_text.empty()) return {};
-  const GLuint v = compile(GL_VERTEX_SHADER, vert, vert_text, error);
-  if (!v) return {};
-  const GLuint f = compile(GL_FRAGMENT_SHADER, frag, frag_text, error);
+Result<GlProgram> build_program(const std::string& vert, const std::string& frag,
+                                const std::vector<std::string>& defines) {
+  const Result<std::string> vert_text = shader_text(vert, defines);
+  if (!vert_text) return failed(vert_text);
+  const Result<std::string> frag_text = shader_text(frag, defines);
+  if (!frag_text) return failed(frag_text);
+  const Result<GLuint> v = compile(GL_VERTEX_SHADER, vert, *vert_text);
+  if (!v) return failed(v);
+  const Result<GLuint> f = compile(GL_FRAGMENT_SHADER, frag, *frag_text);
   if (!f) {
-    glDeleteShader(v);
-    return {};
+    glDeleteShader(*v);
+    return failed(f);
   }
   GlProgram program;
-  glAttachShader(program.get(), v);
-  glAttachShader(program.get(), f);
+  glAttachShader(program.get(), *v);
+  glAttachShader(program.get(), *f);
   for (GLuint slot = 0; slot < kAttributeCount; ++slot)
     glBindAttribLocation(program.get(), slot, kAttributeNames[slot]);
   glBindFragDataLocation(program.get(), 0, "out_color");
   glLinkProgram(program.get());
-  glDeleteShader(v);
-  glDeleteShader(f);
+  glDeleteShader(*v);
+  glDeleteShader(*f);
   GLint ok = GL_FALSE;
   glGetProgramiv(program.get(), GL_LINK_STATUS, &ok);
   if (!ok) {
     char log[4096] = "";
     glGetProgramInfoLog(program.get(), sizeof log, nullptr, log);
-    error = fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert), arg("fragment", frag),
-                 arg("log", std::string(log)));
-    return {};
+    return failure(ErrorKind::kGraphics, fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert),
+                                              arg("fragment", frag), arg("log", std::string(log))));
   }
   bind_slots(program.get());
-  error = bind_block(program.get(), "FrameBlock", kFrameBinding, sizeof(interop::FrameData));
-  if (error.empty()) error = bind_block(program.get(), "ClothBlock", kClothBinding, sizeof(interop::ClothData));
-  if (!error.empty()) return {};
+  if (auto bound = bind_block(program.get(), "FrameBlock", kFrameBinding, sizeof(interop::FrameData)); !bound)
+    return failed(bound);
+  if (auto bound = bind_block(program.get(), "ClothBlock", kClothBinding, sizeof(interop::ClothData)); !bound)
+    return failed(bound);
   return program;
+}
+
+Result<void> build_into(GlProgram& program, const std::string& vert, const std::string& frag,
+                        const std::vector<std::string>& defines) {
+  Result<GlProgram> built = build_program(vert, frag, defines);
+  if (!built) return failed(built);
+  program = std::move(*built);
+  return {};
 }
 
 }  // namespace weftlight::gl

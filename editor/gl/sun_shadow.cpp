@@ -35,16 +35,15 @@ Bounds bounds_with_body(const PreparedMesh& mesh) {
 
 }  // namespace
 
-bool SunShadow::build(std::string& error) {
-  program_ = build_program("depth.vert", "depth.frag", {"SHADOW_TAPS 4"}, error);
-  if (!error.empty()) return false;
+base::Result<void> SunShadow::build() {
+  if (auto built = build_into(program_, "depth.vert", "depth.frag", {"SHADOW_TAPS 4"}); !built) return built;
   glBindTexture(GL_TEXTURE_2D, depth_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
   read_as_shadow(GL_TEXTURE_2D);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
   depth_only();
-  return true;
+  return {};
 }
 
 void SunShadow::invalidate() {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/result.h"
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
 #include "gl/names.h"
@@ -24,7 +25,7 @@ struct ShadowView {
 
 class SunShadow {
  public:
-  bool build(std::string& error);
+  base::Result<void> build();
   void invalidate();
   /// Draws the map if it is not for this light, and returns whether it did. Changes framebuffer and viewport.
   bool update(GpuMesh& mesh, glm::vec3 towards_light, GlBuffer& frame_block);

@@ -40,8 +40,11 @@ inline Design design_of(Size size, ShedControl shed_control) {
 /// The context of panels without a window.
 class Screen {
  public:
-  Screen() : context_(gl::HeadlessContext::create(problem_)) {
-    if (!context_) return;
+  Screen() {
+    auto opened = gl::HeadlessContext::create();
+    problem_ = problem_of(opened);
+    if (!opened) return;
+    context_ = std::move(*opened);
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;

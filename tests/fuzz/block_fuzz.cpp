@@ -12,12 +12,12 @@ using namespace weftlight::draft;
 using namespace weftlight::design;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  const BlockRead read = read_block_text({reinterpret_cast<const char*>(data), size});
-  require(read.block.has_value() == read.problem.empty(), "a rejection has a reason");
-  if (!read.block) return 0;
-  const CellBlock& block = *read.block;
+  const weftlight::base::Result<CellBlock> read = read_block_text({reinterpret_cast<const char*>(data), size});
+  require(read || !read.error().text.empty(), "a rejection has a reason");
+  if (!read) return 0;
+  const CellBlock& block = *read;
   require(block.cells.rows() > 0 && block.cells.cols() > 0, "a block has cells");
-  require(read_block_text(block_text(block)).block == block, "a block survives writing and reading");
+  require(*read_block_text(block_text(block)) == block, "a block survives writing and reading");
   Design design;
   design.draft = blank_draft(9, 7, 4, 5);
   for (int end = 0; end < 9; ++end) design.draft.threading.set(end, end % 4, true);

@@ -48,8 +48,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     std::ofstream out(scratch_path(), std::ios::binary | std::ios::trunc);
     out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
-  const ReadMesh read = read_mesh(scratch_path());
-  require(read.mesh.has_value() == read.error.empty(), "a rejection has a reason");
-  if (read.mesh) require_drawable(*read.mesh);
+  const weftlight::base::Result<Mesh> read = read_mesh(scratch_path());
+  require(read || !read.error().text.empty(), "a rejection has a reason");
+  if (read) require_drawable(*read);
   return 0;
 }

@@ -12,19 +12,19 @@ using namespace weftlight::design;
 using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  const ThreadPropertiesRead read = read_thread_properties({reinterpret_cast<const char*>(data), size});
-  require(read.properties.has_value() == read.problem.empty(), "a rejection has a reason");
-  if (!read.properties) return 0;
-  require(read.properties->size() > 0, "there is at least one value");
+  const weftlight::base::Result<ThreadProperties> read =
+      read_thread_properties({reinterpret_cast<const char*>(data), size});
+  require(read || !read.error().text.empty(), "a rejection has a reason");
+  if (!read) return 0;
+  require(read->size() > 0, "there is at least one value");
   constexpr int kThreads[] = {-1, 0, 3, 4, 8, 99};
   Design design;
   design.draft = blank_draft(9, 7, 4, 5);
   for (const System system : {System::kWarp, System::kWeft}) {
-    design = with_properties(std::move(design), system, kThreads, *read.properties);
+    design = with_properties(std::move(design), system, kThreads, *read);
     require(is_consistent(design), "a draft stays consistent");
-    require(read_thread_properties(color_text(design.draft, system, kThreads)).properties.has_value(),
-            "colours come back");
-    require(read_thread_properties(thickness_text(design.draft, system, kThreads)).properties.has_value(),
+    require(read_thread_properties(color_text(design.draft, system, kThreads)).has_value(), "colours come back");
+    require(read_thread_properties(thickness_text(design.draft, system, kThreads)).has_value(),
             "thicknesses come back");
   }
   return 0;

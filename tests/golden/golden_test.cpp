@@ -96,16 +96,16 @@ TEST_P(GoldenTest, IsAsItWas) {
     std::filesystem::copy_file(results + "_result.png", stored, std::filesystem::copy_options::overwrite_existing);
     GTEST_SKIP() << "written anew: " << stored;
   }
-  const ReadImage reference = read_image(stored), result = read_image(results + "_result.png");
-  ASSERT_TRUE(reference.image) << reference.error;
-  ASSERT_TRUE(result.image) << result.error;
-  ASSERT_EQ(reference.image->texels.size(), result.image->texels.size());
+  const base::Result<Image> reference = read_image(stored), result = read_image(results + "_result.png");
+  ASSERT_TRUE(reference) << problem_of(reference);
+  ASSERT_TRUE(result) << problem_of(result);
+  ASSERT_EQ(reference->texels.size(), result->texels.size());
   Image difference;
-  const double rms = compare(*reference.image, *result.image, difference);
-  const double tile = worst_tile(*reference.image, *result.image);
+  const double rms = compare(*reference, *result, difference);
+  const double tile = worst_tile(*reference, *result);
   std::printf("  RMS %.4f, worst tile %.4f\n", rms, tile);
   if (rms > kRmsTolerance || tile > golden.worst_tile) {
-    write_image(results + "_reference.png", *reference.image, PixelType::kU8);
+    write_image(results + "_reference.png", *reference, PixelType::kU8);
     write_image(results + "_difference.png", difference, PixelType::kU8);
   }
   EXPECT_LE(rms, kRmsTolerance) << "see " << results << "_{reference,result,difference}.png";

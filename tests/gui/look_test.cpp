@@ -110,7 +110,7 @@ class LookTest : public OnDisplay {
     const Image now = still();
     const std::string result = WEFTLIGHT_LOOK_RESULTS "/" + name + theme_,
                       stored = WEFTLIGHT_LOOKS "/" + name + theme_ + ".png";
-    ASSERT_EQ(files::write_image(result + "_result.png", now, files::PixelType::kU8), "");
+    ASSERT_EQ(problem_of(files::write_image(result + "_result.png", now, files::PixelType::kU8)), "");
     if (std::getenv("WEFTLIGHT_UPDATE_GOLDENS") != nullptr) {
       // 255 colours: a fifth of the size without a visible difference.
       ASSERT_EQ(
@@ -118,12 +118,12 @@ class LookTest : public OnDisplay {
           0);
       return;
     }
-    const files::ReadImage reference = files::read_image(stored);
-    ASSERT_TRUE(reference.image) << reference.error;
+    const base::Result<files::Image> reference = files::read_image(stored);
+    ASSERT_TRUE(reference) << problem_of(reference);
     Image expected{1280, 800, 3, {}};
-    const auto channels = static_cast<size_t>(reference.image->channels);
-    for (size_t i = 0; i < reference.image->texels.size(); ++i)
-      if (i % channels < 3) expected.texels.push_back(reference.image->texels[i]);
+    const auto channels = static_cast<size_t>(reference->channels);
+    for (size_t i = 0; i < reference->texels.size(); ++i)
+      if (i % channels < 3) expected.texels.push_back(reference->texels[i]);
     ASSERT_EQ(expected.texels.size(), now.texels.size()) << stored;
     Image seen;
     const Difference d = difference_of(expected, now, seen);

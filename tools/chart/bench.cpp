@@ -113,12 +113,16 @@ std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, std::u
   std::unique_ptr<ChartBench> bench(new ChartBench);
   bench->effort_ = effort;
   bench->counter_ = std::move(counter);
-  bench->context_ = HeadlessContext::create(error);
-  if (bench->context_) bench->renderer_ = Renderer::create(error);
-  if (!bench->renderer_) {
-    error = fill(tr("no graphics: {problem}"), arg("problem", std::string(error)));
+  const auto none = [&error](const base::Error& why) {
+    error = fill(tr("no graphics: {problem}"), arg("problem", message(why)));
     return nullptr;
-  }
+  };
+  auto context = HeadlessContext::create();
+  if (!context) return none(context.error());
+  bench->context_ = std::move(*context);
+  auto renderer = Renderer::create();
+  if (!renderer) return none(renderer.error());
+  bench->renderer_ = std::move(*renderer);
   bench->use_lod_table(shipped_lod_table().lod_table);
   return bench;
 }
@@ -171,7 +175,9 @@ const TubeScene* ChartBench::tubes(Loaded& loaded, std::string& error) {
   if (loaded.tubes) return loaded.tubes.get();
   TubeOptions options;
   options.around = effort_.tube_facets;
-  loaded.tubes = TubeScene::build(loaded.cloth, options, error);
+  auto built = TubeScene::build(loaded.cloth, options);
+  if (built) loaded.tubes = std::move(*built);
+  else error = message(built.error());
   return loaded.tubes.get();
 }
 

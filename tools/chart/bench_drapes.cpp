@@ -31,8 +31,7 @@ DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::
   const Scene scene = drape_scene(cell.light);
   const Camera camera =
       place_camera(scene, mesh.mesh, mesh.bounds, size.x, size.y, static_cast<float>(cell.yarns_per_pixel), spacing_mm);
-  std::string unused;
-  const SceneLight light = scene_light(load_light_rig(scene.lights, unused), scene);
+  const SceneLight light = scene_light(load_light_rig(scene.lights).value_or(LightRig{}), scene);
   DrapePicture picture;
   picture.width = size.x, picture.height = size.y;
   picture.eye = camera.eye;
@@ -51,8 +50,13 @@ bool ChartBench::show_drape(size_t scene, std::string& error) {
   Loaded& loaded = *loaded_[scene];
   if (draped_scene_ != scene) renderer_->set_mesh(loaded.mesh);
   draped_scene_ = scene;
-  if (!loaded.drape) loaded.drape = MeshScene::build(loaded.mesh.mesh, error);
-  if (!loaded.body && !loaded.mesh.body.index.empty()) loaded.body = MeshScene::build(loaded.mesh.body, error);
+  const auto build = [&error](std::unique_ptr<MeshScene>& scene_of, const Mesh& mesh) {
+    auto built = MeshScene::build(mesh);
+    if (built) scene_of = std::move(*built);
+    else error = message(built.error());
+  };
+  if (!loaded.drape) build(loaded.drape, loaded.mesh.mesh);
+  if (!loaded.body && !loaded.mesh.body.index.empty()) build(loaded.body, loaded.mesh.body);
   if (error.empty()) tubes(loaded, error);
   return error.empty();
 }

@@ -63,7 +63,7 @@ std::string write_material(const SetFacts& set) {
 
 std::string write_gltf(const SetFacts& set, const std::string& extension, GltfImages images) {
   const GltfMaterial front = material_of(set, Face::kFront, images), back = material_of(set, Face::kBack, images);
-  return write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back);
+  return problem_of(write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back));
 }
 
 const ExportTarget targets::kGltf{

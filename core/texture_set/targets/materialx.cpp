@@ -329,7 +329,7 @@ std::string write_material(const SetFacts& set) {
       entries.push_back({image, set.folder + "/" + image});
     }
   }
-  return write_zip(path + ".usdz", entries, ZipKind::kUsdz);
+  return problem_of(write_zip(path + ".usdz", entries, ZipKind::kUsdz));
 }
 
 }  // namespace

@@ -235,7 +235,7 @@ std::string write_material(const SetFacts& set) {
       entries.push_back({image, set.folder + "/" + image});
     }
   }
-  return write_zip(set.folder + "/" + set.name + ".u3ma", entries, ZipKind::kU3ma);
+  return problem_of(write_zip(set.folder + "/" + set.name + ".u3ma", entries, ZipKind::kU3ma));
 }
 
 }  // namespace

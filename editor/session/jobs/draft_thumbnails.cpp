@@ -30,15 +30,13 @@ std::string name_in_cache(const std::string& path, const FileIdentity& facts) {
 }
 
 Thumbnail kept_picture(const std::string& file) {
-  const files::ReadImage read = files::read_image(file);
-  if (!read.image || read.image->width != kThumbnailWidth || read.image->height != kThumbnailHeight ||
-      read.image->channels < 3)
-    return {};
+  const base::Result<files::Image> read = files::read_image(file);
+  if (!read || read->width != kThumbnailWidth || read->height != kThumbnailHeight || read->channels < 3) return {};
   Thumbnail out{kThumbnailWidth, kThumbnailHeight, {}};
-  const auto channels = static_cast<size_t>(read.image->channels);
-  for (size_t at = 0; at + channels <= read.image->texels.size(); at += channels) {
+  const auto channels = static_cast<size_t>(read->channels);
+  for (size_t at = 0; at + channels <= read->texels.size(); at += channels) {
     const auto byte = [&](size_t i) {
-      return static_cast<uint32_t>(std::lround(std::clamp(read.image->texels[at + i], 0.0f, 1.0f) * 255));
+      return static_cast<uint32_t>(std::lround(std::clamp(read->texels[at + i], 0.0f, 1.0f) * 255));
     };
     out.pixels.push_back(byte(0) | byte(1) << 8 | byte(2) << 16 | 0xFF000000u);
   }

@@ -70,12 +70,13 @@ Draper::News Draper::take_news() {
 
 void Draper::run(const Design& design, const std::string& wanted, const std::stop_token& stop) {
   if (files::is_draped(design)) return tell(wanted, {DrapeStage::kOwn, 1, {}});
-  std::string problem = files::drape_cloth(design, [&](double share) {
+  const base::Result<void> done = files::drape_cloth(design, [&](double share) {
     tell(wanted, {DrapeStage::kFalling, static_cast<float>(share), {}});
     return !stop.stop_requested();
   });
   if (stop.stop_requested()) return;
-  if (!problem.empty()) {
+  if (!done) {
+    std::string problem = message(done.error());
     std::string said = fill(tr("Not simulated: {problem}"), arg("problem", problem));
     return tell(wanted, {DrapeStage::kFailed, 0, std::move(problem)}, std::move(said));
   }

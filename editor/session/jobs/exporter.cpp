@@ -79,13 +79,13 @@ bool Exporter::use_mesh(const std::vector<ExportJob>& jobs, const Design& design
   const bool wanted =
       std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return j.options.target->wears_mesh; });
   if (!wanted || mesh_name_ == drape_key(design)) return true;
-  ReadMesh read = load_design_drape(design);
-  if (!read.mesh) {
+  base::Result<Mesh> read = load_design_drape(design);
+  if (!read) {
     const std::lock_guard lock(mutex_);
-    state_.problems.push_back(read.error);
+    state_.problems.push_back(message(read.error()));
     return false;
   }
-  mesh_ = std::move(*read.mesh), mesh_name_ = drape_key(design);
+  mesh_ = std::move(*read), mesh_name_ = drape_key(design);
   return true;
 }
 

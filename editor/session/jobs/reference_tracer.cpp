@@ -90,9 +90,7 @@ std::optional<PictureComparison> ReferenceTracer::take() {
 void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   TubeOptions options;
   options.max_triangles = kTriangles;
-  if (std::string problem = scene_.update(*job.design, options); !problem.empty()) {
-    return fail(problem, stop);
-  }
+  if (const auto updated = scene_.update(*job.design, options); !updated) return fail(message(updated.error()), stop);
   ReferenceView view;
   view.scene = job.scene;
   view.threads = threads_to_use();

@@ -29,7 +29,7 @@ void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per
   if (now == request_) return;
   request_ = now;
   worker_.post([this, now](const std::stop_token&) {
-    SheetPicture made = picture_of_sheet(*design_, now.options, now.sheet, now.pixels_per_mm);
+    base::Result<SheetPicture> made = picture_of_sheet(*design_, now.options, now.sheet, now.pixels_per_mm);
     const std::lock_guard lock(mutex_);
     finished_ = std::move(made);
     wake_();
@@ -39,19 +39,20 @@ void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per
 void SheetPreview::fail(const std::string& why) {
   {
     const std::lock_guard lock(mutex_);
-    finished_.emplace().why = fill(tr("No preview: {problem}"), arg("problem", why));
+    finished_ = base::failure(base::ErrorKind::kMemory, fill(tr("No preview: {problem}"), arg("problem", why)));
   }
   wake_();
 }
 
 bool SheetPreview::poll() {
-  std::optional<SheetPicture> finished;
+  std::optional<base::Result<SheetPicture>> finished;
   {
     const std::lock_guard lock(mutex_);
     finished = std::exchange(finished_, std::nullopt);
   }
   if (!finished) return false;
-  last_ = std::move(*finished);
+  problem_ = problem_of(*finished);
+  last_ = std::move(*finished).value_or(SheetPicture{});
   if (!last_.pixels.empty()) texture_.set(last_.width, last_.height, std::exchange(last_.pixels, {}));
   return true;
 }
@@ -92,12 +93,13 @@ void draw_sheet(PanelContext& c, const PrintPrompt& p, const PrintOptions& o) {
   dl->AddRectFilled({a.x + drop, a.y + drop}, {b.x + drop, b.y + drop}, IM_COL32(0, 0, 0, 50), c.style.px(2));
   dl->AddRectFilled(a, b, IM_COL32_WHITE);
   const SheetPicture& last = p.preview->last();
-  if (last.why.empty() && !p.preview->texture().empty()) dl->AddImage(p.preview->texture().id(), a, b);
+  const std::string& problem = p.preview->problem();
+  if (problem.empty() && !p.preview->texture().empty()) dl->AddImage(p.preview->texture().id(), a, b);
   dl->AddRect(a, b, c.style.color.line_strong);
   ImGui::SetCursorScreenPos(a);
   hit_area("sheet", size);
   c.map.add_item("print.sheet");
-  if (last.why.empty() && last.sheets > 0 && last.sheet == std::min(p.sheet, last.sheets - 1) && !p.preview->busy())
+  if (problem.empty() && last.sheets > 0 && last.sheet == std::min(p.sheet, last.sheets - 1) && !p.preview->busy())
     c.map.add_item("print.ready");
   ImGui::EndChild();
   ImGui::PopStyleColor();
@@ -106,19 +108,20 @@ void draw_sheet(PanelContext& c, const PrintPrompt& p, const PrintOptions& o) {
 /// Buttons for the previous and the next sheet.
 void draw_sheet_buttons(PanelContext& c, PrintPrompt& p) {
   const SheetPicture& last = p.preview->last();
+  const std::string& problem = p.preview->problem();
   const int sheets = std::max(last.sheets, 1);
   p.sheet = std::clamp(p.sheet, 0, sheets - 1);
   if (icon_button(c, "print.back", icon::kLeft, "<", tr("Previous sheet"), p.sheet > 0)) --p.sheet;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  if (!last.why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
+  if (!problem.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
   const std::string text =
-      !last.why.empty()  ? fitted(last.why, c.style.px(280))
+      !problem.empty()   ? fitted(problem, c.style.px(280))
       : last.sheets == 0 ? std::string("\xE2\x80\xA6")
                          : fill(tr("Sheet {sheet} of {sheets}"), arg("sheet", p.sheet + 1), arg("sheets", sheets));
   ImGui::TextUnformatted(text.c_str());
   c.map.add_item("print.sheets:" + std::to_string(last.sheets));
-  if (!last.why.empty()) ImGui::PopStyleColor();
+  if (!problem.empty()) ImGui::PopStyleColor();
   ImGui::SameLine();
   if (icon_button(c, "print.next", icon::kRight, ">", tr("Next sheet"), p.sheet + 1 < sheets)) ++p.sheet;
 }

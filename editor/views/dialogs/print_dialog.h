@@ -24,8 +24,10 @@ class SheetPreview {
   /// True if there is a new picture to show. Call it on the window's thread.
   bool poll();
   bool busy() const { return worker_.busy(); }
-  /// Facts about the last picture, or why there is none. Its pixels are in texture().
+  /// Facts about the last picture. Its pixels are in texture().
   const print::SheetPicture& last() const { return last_; }
+  /// Why there is none; empty: there is one, or it is still drawn.
+  const std::string& problem() const { return problem_; }
   const PixelTexture& texture() const { return texture_; }
 
  private:
@@ -41,9 +43,10 @@ class SheetPreview {
   std::function<void()> wake_;
   Request request_;
   print::SheetPicture last_;
+  std::string problem_;
   PixelTexture texture_;
   std::mutex mutex_;
-  std::optional<print::SheetPicture> finished_;  // guarded by the mutex
+  std::optional<base::Result<print::SheetPicture>> finished_;  // guarded by the mutex
   // Last: destroyed before what it writes to.
   base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};
 };

@@ -38,9 +38,8 @@ double apart(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
 }
 
 TEST(PictureMakerTest, AtRestItIsTheSameWhenMadeAgain) {
-  std::string error;
-  const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
-  if (!context) GTEST_SKIP() << "no graphics: " << error;
+  const auto context = HeadlessContext::create();
+  if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   Design design = straight_draft(8);
   design.scene.mesh = "plane";
   gl::Pipeline pipeline;

@@ -107,9 +107,9 @@ TEST(chart_rows, make_a_lod_table_that_can_be_read_again) {
   rows.push_back(row(Method::kYarn, 60, 0.3, 2));  // another cloth, worse
   rows.back().scene = "satin";
   const LodTable lod_table = lod_table_of(rows);
-  std::string problem;
-  const LodTable again = read_lod_table(lod_table_csv(lod_table), problem);
-  EXPECT_EQ(problem, "");
+  const base::Result<LodTable> read = read_lod_table(lod_table_csv(lod_table));
+  ASSERT_EQ(problem_of(read), "");
+  const LodTable& again = *read;
   EXPECT_EQ(again.size(), lod_table.size());
   EXPECT_NEAR(expected_error(again, Method::kYarn, 2), 0.3f, 1e-5f);  // the worst scene
   EXPECT_NEAR(expected_cost(again, Method::kYarn, 2), 50, 1e-3f);
@@ -167,8 +167,8 @@ TEST(draw_counter, is_empty_if_drawing_fails) {
 class ChartRun : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string error;
-    if (!HeadlessContext::create(error)) GTEST_SKIP() << "no graphics: " << error;
+    if (const auto context = HeadlessContext::create(); !context)
+      GTEST_SKIP() << "no graphics: " << problem_of(context);
     dir_ = fs::path(::testing::TempDir()) / ("weftlight-chart-" + std::to_string(::getpid()));
   }
   void TearDown() override {

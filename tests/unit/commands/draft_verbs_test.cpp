@@ -34,7 +34,7 @@ TEST_F(DraftVerbs, drawdown_picture_is_oriented_like_the_editor) {
   d.warp.color[1] = 1, d.weft.color[2] = 2;  // end 2 white, pick 3 red
   ASSERT_EQ(write_file_atomically(path("odd.wif"), write_new_wif(design)), "");
   ASSERT_EQ(drawdown_command({path("odd.wif"), path("odd.png"), Face::kFront}), kDone);
-  const Image image = *read_image(path("odd.png")).image;
+  const Image image = *read_image(path("odd.png"));
   const BitMatrix cells = drawdown(d);
   for (int pick = 0; pick < d.picks(); ++pick) {
     for (int end = 0; end < d.ends(); ++end) {
@@ -53,7 +53,7 @@ TEST_F(DraftVerbs, drawdown_picture_has_the_requested_origin) {
     EXPECT_EQ(
         run({"drawdown", fixture_path("twill.wif"), "-o", path("way.png"), "--end1", end1, "--pick1", pick1}).code,
         kDone);
-    return *read_image(path("way.png")).image;
+    return *read_image(path("way.png"));
   };
   const Image shown = picture("right", "top"), turned = picture("left", "bottom");
   ASSERT_EQ(shown.texels.size(), turned.texels.size());
@@ -161,12 +161,12 @@ TEST_F(DraftVerbs, an_exported_drape_has_the_stiffness_of_its_fabric) {
   const std::string denim = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/cloths/denim.wif";
   ASSERT_EQ(run({"export", denim, "-o", path("sets"), "--target", "gltf", "--size", "16", "--mesh", "tablecloth"}).code,
             kDone);
-  const ReadMesh exported = read_mesh(path("sets/denim/denim.glb"));
-  ASSERT_TRUE(exported.mesh) << exported.error;
+  const base::Result<Mesh> exported = read_mesh(path("sets/denim/denim.glb"));
+  ASSERT_TRUE(exported) << problem_of(exported);
   Design design = open_design(denim).design;
   design.scene.mesh = "tablecloth";
-  EXPECT_NEAR(lowest(*exported.mesh), lowest(*load_design_drape(design).mesh), 0.01f);
-  EXPECT_GT(std::abs(lowest(*exported.mesh) - lowest(*load_drape("tablecloth").mesh)), 1.0f);
+  EXPECT_NEAR(lowest(*exported), lowest(*load_design_drape(design)), 0.01f);
+  EXPECT_GT(std::abs(lowest(*exported) - lowest(*load_drape("tablecloth"))), 1.0f);
 }
 
 }  // namespace

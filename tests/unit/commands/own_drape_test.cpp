@@ -44,12 +44,12 @@ TEST_F(OwnDrape, is_drawn_cached_and_written) {
   ASSERT_EQ(written.code, kDone) << written.said;
   EXPECT_NE(written.out.find("own.glb"), std::string::npos) << written.out;
   EXPECT_TRUE(fs::exists(path("own_body.glb")));
-  const ReadMesh own = read_mesh(path("own.glb")), shipped = load_drape("cushion");
-  ASSERT_TRUE(own.mesh) << own.error;
-  EXPECT_EQ(own.mesh->index, shipped.mesh->index);
-  EXPECT_LT(farthest(*load_design_drape(design).mesh, *own.mesh), 0.01f) << "the one that is drawn";
-  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "it is not the generic drape";
-  for (const glm::vec3& p : own.mesh->position_mm) ASSERT_GT(p.y, -0.5f);
+  const base::Result<Mesh> own = read_mesh(path("own.glb")), shipped = load_drape("cushion");
+  ASSERT_TRUE(own) << problem_of(own);
+  EXPECT_EQ(own->index, shipped->index);
+  EXPECT_LT(farthest(*load_design_drape(design), *own), 0.01f) << "the one that is drawn";
+  EXPECT_GT(farthest(*own, *shipped), 2) << "it is not the generic drape";
+  for (const glm::vec3& p : own->position_mm) ASSERT_GT(p.y, -0.5f);
 }
 
 TEST_F(OwnDrape, options_keep_their_earlier_names) {
@@ -66,12 +66,12 @@ TEST_F(OwnDrape, options_keep_their_earlier_names) {
 TEST_F(OwnDrape, is_simulated_and_written_if_none_is_cached) {
   const Ran written = run({"drape", draft_, "-o", path("own.glb"), "--mesh", "cushion"});
   ASSERT_EQ(written.code, kDone) << written.said;
-  const ReadMesh own = read_mesh(path("own.glb")), shipped = load_drape("cushion"),
-                 body = read_mesh(path("own_body.glb"));
-  ASSERT_TRUE(own.mesh) << own.error;
-  ASSERT_TRUE(body.mesh) << body.error;
-  EXPECT_EQ(own.mesh->index, shipped.mesh->index);
-  EXPECT_GT(farthest(*own.mesh, *shipped.mesh), 2) << "it is not the generic drape";
+  const base::Result<Mesh> own = read_mesh(path("own.glb")), shipped = load_drape("cushion"),
+                           body = read_mesh(path("own_body.glb"));
+  ASSERT_TRUE(own) << problem_of(own);
+  ASSERT_TRUE(body) << problem_of(body);
+  EXPECT_EQ(own->index, shipped->index);
+  EXPECT_GT(farthest(*own, *shipped), 2) << "it is not the generic drape";
   EXPECT_EQ(files(), (std::set<std::string>{"own.glb", "own_body.glb"})) << "no temporary files remain";
 }
 

@@ -33,12 +33,12 @@ class Pictures : public ScratchFolder {
     EXPECT_EQ(drawn.code, kDone) << drawn.said;
     const Ran traced = picture("reference", draft, scene, {"-o", path("traced.exr"), "--spp", "64"});
     EXPECT_EQ(traced.code, kDone) << traced.said;
-    const ReadImage truth = read_image(path("traced.exr")), ours = read_image(path("drawn.exr"));
-    if (!truth.image || !ours.image || truth.image->texels.size() != ours.image->texels.size()) {
-      ADD_FAILURE() << "not two pictures of one size: " << truth.error << ours.error;
+    const base::Result<Image> truth = read_image(path("traced.exr")), ours = read_image(path("drawn.exr"));
+    if (!truth || !ours || truth->texels.size() != ours->texels.size()) {
+      ADD_FAILURE() << "not two pictures of one size: " << problem_of(truth) << problem_of(ours);
       return 1;
     }
-    return relative_rms(*truth.image, *ours.image);
+    return relative_rms(*truth, *ours);
   }
 
  private:
@@ -105,7 +105,7 @@ TEST_F(Pictures, the_preview_is_the_traced_cloth_under_every_light) {
   for (int y = 16; y < 30; ++y)
     for (int x = 6; x < 20; ++x)
       for (size_t k = 0; k < 3; ++k) hall.texels[3 * static_cast<size_t>(y * 128 + x) + k] = 9;
-  ASSERT_EQ(write_image(path("hall.exr"), hall, PixelType::kHalf), "");
+  ASSERT_EQ(problem_of(write_image(path("hall.exr"), hall, PixelType::kHalf)), "");
   std::vector<std::string> lights{path("hall.exr")};
   for (const LightingPreset& setup : kLightingPresets) lights.emplace_back(setup.id);
   for (const auto& [draft, most] : {std::pair("twill_2_2", 0.22), std::pair("satin_8", 0.45)}) {
@@ -121,9 +121,9 @@ TEST_F(Pictures, the_preview_is_the_traced_cloth_under_every_light) {
     for (const std::string& light : lights) {
       Scene& scene = setup.design.scene;
       scene = is_environment(light) ? lit_by_environment(given, light) : lit_by(given, lighting_preset(light));
-      std::string problem;
-      setup.renderer->set_lights(load_light_rig(scene.lights, problem));
-      ASSERT_EQ(problem + threads.update(setup.design), "");
+      const base::Result<LightRig> rig = load_light_rig(scene.lights);
+      ASSERT_EQ(problem_of(rig) + problem_of(threads.update(setup.design)), "");
+      setup.renderer->set_lights(*rig);
       const auto [off, brightness] = drawn_and_traced(setup, o, threads);
       std::printf("%s under %s: off by %.3f, brightness %.3f\n", draft, light.c_str(), off, brightness);
       EXPECT_LT(off, most) << draft << " under " << light;
@@ -144,9 +144,9 @@ TEST_F(Pictures, every_lighting_preset_looks_different) {
   std::vector<std::array<double, 2>> shown;
   for (const LightingPreset& lights : kLightingPresets) {
     const Scene scene = lit_by(given, lights);
-    std::string problem;
-    setup.renderer->set_lights(load_light_rig(scene.lights, problem));
-    ASSERT_EQ(problem, "");
+    const base::Result<LightRig> rig = load_light_rig(scene.lights);
+    ASSERT_EQ(problem_of(rig), "");
+    setup.renderer->set_lights(*rig);
     setup.renderer->draw(scene, setup.design.look, setup.frame(o));
     const Image image = setup.renderer->read_back(true);
     std::array<double, 2> mean{};

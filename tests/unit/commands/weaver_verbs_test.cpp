@@ -118,7 +118,7 @@ TEST_F(WeaverVerbs, print_takes_parts_and_papers) {
             kDone);
   EXPECT_TRUE(std::filesystem::exists(path("some-2.svg"))) << "a sheet with the others";
   ASSERT_EQ(run({"print", twill, "-o", path("s.png"), "--parts", "draft", "--paper", "a5", "--dpi", "50"}).code, kDone);
-  EXPECT_EQ(read_image(path("s.png")).image->width, 291) << "148 mm";
+  EXPECT_EQ(read_image(path("s.png"))->width, 291) << "148 mm";
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"--parts", "drawdown"}, {"--paper", "a0"}, {"--end1", "top"}, {"--dpi", "5"}}) {
     std::vector<std::string> args{"print", twill, "-o", path("no.pdf")};
@@ -167,7 +167,7 @@ TEST_F(WeaverVerbs, a_picture_becomes_weaves_with_bounded_floats) {
       for (const int period : {17, 29, 41})
         photo.texels.push_back(0.5f +
                                0.5f * std::sin(static_cast<float>(x * x / 30 + y * 3) / static_cast<float>(period)));
-  ASSERT_EQ(files::write_image(path("photo.png"), photo, files::PixelType::kU8), "");
+  ASSERT_EQ(problem_of(files::write_image(path("photo.png"), photo, files::PixelType::kU8)), "");
   const auto info = [&](const char* draft) { return nlohmann::json::parse(run({"info", path(draft), "--json"}).out); };
   const auto longest = [&](const char* draft) {
     const auto found = nlohmann::json::parse(run({"analyse", path(draft), "--json"}).out)["floats"]["longest"];

@@ -22,9 +22,9 @@ TEST(ThreadText, ColoursArePastedAloneAndRepeated) {
   const Design d = striped();
   const std::string text = color_text(d.draft, System::kWarp, std::vector<int>{0, 1, 3});
   EXPECT_EQ(text, "weftlight colours: #10357A #000000 #FFFFFF\n");
-  const ThreadPropertiesRead read = read_thread_properties(text);
-  ASSERT_TRUE(read.properties) << read.problem;
-  const Design pasted = with_properties(d, System::kWeft, kAll, *read.properties);
+  const base::Result<ThreadProperties> read = read_thread_properties(text);
+  ASSERT_TRUE(read) << problem_of(read);
+  const Design pasted = with_properties(d, System::kWeft, kAll, *read);
   EXPECT_EQ(pasted.draft.weft.color, (std::vector<int>{2, 0, 1, 2, 0, 1}));
   EXPECT_EQ(pasted.draft.weft.thickness_mm, d.draft.weft.thickness_mm) << "nothing but the colours";
   EXPECT_EQ(pasted.draft.palette, d.draft.palette);
@@ -33,8 +33,8 @@ TEST(ThreadText, ColoursArePastedAloneAndRepeated) {
 TEST(ThreadText, AMissingColourIsAddedToThePalette) {
   Design other;
   other.draft = blank_draft(4, 4, 2, 2);
-  const ThreadPropertiesRead read = read_thread_properties(color_text(striped().draft, System::kWarp, kAll));
-  const Design pasted = with_properties(other, System::kWarp, std::vector<int>{0, 1}, *read.properties);
+  const base::Result<ThreadProperties> read = read_thread_properties(color_text(striped().draft, System::kWarp, kAll));
+  const Design pasted = with_properties(other, System::kWarp, std::vector<int>{0, 1}, *read);
   ASSERT_EQ(pasted.draft.palette.size(), 3u);
   EXPECT_EQ(pasted.draft.palette[2], striped().draft.palette[2]);
   EXPECT_EQ(pasted.draft.warp.color, (std::vector<int>{2, 0, 0, 0}));
@@ -45,8 +45,7 @@ TEST(ThreadText, ThicknessesComeBackExactly) {
   const Design d = striped();
   const std::string text = thickness_text(d.draft, System::kWarp, kAll);
   EXPECT_EQ(text, "weftlight thickness: 0.5 - 1.25 -\n");
-  const Design pasted =
-      with_properties(d, System::kWeft, std::vector<int>{0, 1, 2, 3}, *read_thread_properties(text).properties);
+  const Design pasted = with_properties(d, System::kWeft, std::vector<int>{0, 1, 2, 3}, *read_thread_properties(text));
   EXPECT_EQ(pasted.draft.weft.thickness_mm,
             (std::vector<float>{0.5f, kFromYarn, 1.25f, kFromYarn, kFromYarn, kFromYarn}));
   EXPECT_EQ(pasted.draft.weft.color, d.draft.weft.color);
@@ -56,9 +55,9 @@ TEST(ThreadText, OtherTextIsRejectedWithAReason) {
   for (const char* text : {"", "1010\n0101", "weftlight colours:", "weftlight colours: #12345",
                            "weftlight colours: #12345G", "weftlight thickness: 0.5 thick", "weftlight thickness: -3",
                            "weftlight thickness: nan", "weftlight thickness: 1e30", "weftlight cells: threading\n#."}) {
-    const ThreadPropertiesRead read = read_thread_properties(text);
-    EXPECT_FALSE(read.properties) << text;
-    EXPECT_NE(read.problem.find("no colours or thicknesses"), std::string::npos) << text;
+    const base::Result<ThreadProperties> read = read_thread_properties(text);
+    EXPECT_FALSE(read) << text;
+    EXPECT_NE(problem_of(read).find("no colours or thicknesses"), std::string::npos) << text;
   }
 }
 

@@ -210,10 +210,10 @@ TEST(SelectionEdits, EditsKeepADraftConsistentAndMirrorsAreInvolutions) {
 TEST(BlockText, RoundTrips) {
   const CellBlock block{BitGrid::kTreadling, matrix_of({"1010", "0000", "0111"})};
   EXPECT_EQ(block_text(block), "weftlight cells: treadling, 4 x 3\n#.#.\n....\n.###\n");
-  EXPECT_EQ(read_block_text(block_text(block)).block, block);
+  EXPECT_EQ(*read_block_text(block_text(block)), block);
   for (BitGrid grid :
        {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kLiftplan, BitGrid::kDrawdown})
-    EXPECT_EQ(read_block_text(block_text({grid, block.cells})).block->from, grid);
+    EXPECT_EQ(read_block_text(block_text({grid, block.cells}))->from, grid);
   EXPECT_EQ(block_text({}), "");
   EXPECT_EQ(block_text({BitGrid::kDrawdown, BitMatrix(4096, 1025)}), "");
 }
@@ -223,10 +223,10 @@ TEST(BlockText, AcceptsHandwrittenAndSpreadsheetText) {
   for (const char* text :
        {"1001\n0110\n", "#..#\r\n.##.\r\n", "X--X\r-xx-", "1 0 0 1\n0 1 1 0\n", "1\t0\t0\t1\n0\t1\t1\t0\n\n",
         "\xEF\xBB\xBF*__*\n_**_", "weftlight cells: drawdown\n1001\n011\n"}) {
-    const BlockRead read = read_block_text(text);
-    ASSERT_TRUE(read.block.has_value()) << text << read.problem;
-    EXPECT_EQ(read.block->cells, cells) << text;
-    EXPECT_EQ(read.block->from, BitGrid::kDrawdown);
+    const base::Result<CellBlock> read = read_block_text(text);
+    ASSERT_TRUE(read.has_value()) << text << problem_of(read);
+    EXPECT_EQ(read->cells, cells) << text;
+    EXPECT_EQ(read->from, BitGrid::kDrawdown);
   }
 }
 
@@ -236,9 +236,9 @@ TEST(BlockText, RejectsWithAReason) {
         std::string("weftlight cells: warp, 2 x 2\n##\n##\n"), std::string("weftlight cells: threading, 9 x 9\n"),
         std::string("1\0001", 3), std::string("\xFF\xFE"), std::string(200000, '1'), std::string(20'000'000, '\n'),
         std::string(20'000'000, '#'), std::string(3'000'000, '\n') + "#"}) {
-    const BlockRead read = read_block_text(text);
-    EXPECT_FALSE(read.block.has_value()) << text.substr(0, 40);
-    EXPECT_FALSE(read.problem.empty());
+    const base::Result<CellBlock> read = read_block_text(text);
+    EXPECT_FALSE(read.has_value()) << text.substr(0, 40);
+    EXPECT_FALSE(problem_of(read).empty());
   }
 }
 

@@ -21,9 +21,9 @@ namespace {
 constexpr float kQuick = 0.01f;
 
 Mesh shipped(const std::string& name) {
-  const ReadMesh read = read_mesh(presets_dir() + "/meshes/" + name + ".glb");
-  EXPECT_TRUE(read.mesh) << read.error;
-  return read.mesh.value_or(Mesh{});
+  const base::Result<Mesh> read = read_mesh(presets_dir() + "/meshes/" + name + ".glb");
+  EXPECT_TRUE(read) << problem_of(read);
+  return read.value_or(Mesh{});
 }
 
 class EachDrape : public testing::TestWithParam<std::string> {};

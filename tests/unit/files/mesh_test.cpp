@@ -33,11 +33,11 @@ TEST(MeshFile, RoundTripGlbAndGltf) {
   const Scratch scratch("mesh");
   const Mesh mesh = sheet();
   for (const char* name : {"sheet.glb", "sheet.gltf"}) {
-    ASSERT_EQ(write_mesh(scratch / name, mesh, nullptr), "");
-    const ReadMesh read = read_mesh(scratch / name);
-    ASSERT_TRUE(read.mesh) << read.error;
-    EXPECT_EQ(read.mesh->name, "sheet");
-    expect_same(mesh, *read.mesh);
+    ASSERT_EQ(problem_of(write_mesh(scratch / name, mesh, nullptr)), "");
+    const base::Result<Mesh> read = read_mesh(scratch / name);
+    ASSERT_TRUE(read) << problem_of(read);
+    EXPECT_EQ(read->name, "sheet");
+    expect_same(mesh, *read);
   }
 }
 
@@ -51,10 +51,10 @@ TEST(MeshFile, RoundTripWithMaterial) {
   material.anisotropy_strength = 0.5f;
   material.sheen_color = {1, 1, 1};
   for (const char* name : {"cloth.glb", "cloth.gltf"}) {
-    ASSERT_EQ(write_mesh(scratch / name, sheet(), &material), "");
-    const ReadMesh read = read_mesh(scratch / name);
-    ASSERT_TRUE(read.mesh) << read.error;
-    expect_same(sheet(), *read.mesh);
+    ASSERT_EQ(problem_of(write_mesh(scratch / name, sheet(), &material)), "");
+    const base::Result<Mesh> read = read_mesh(scratch / name);
+    ASSERT_TRUE(read) << problem_of(read);
+    expect_same(sheet(), *read);
   }
   EXPECT_TRUE(std::filesystem::exists(scratch / "cloth_basecolor.png"));
 }
@@ -64,8 +64,10 @@ TEST(MeshFile, TwoFacesHaveTheirOwnMaterials) {
   GltfMaterial front, back;
   front.name = "front", back.name = "back";
   front.base_color.file = "shared.png", back.base_color.png = encode_png(Image{2, 2, 3, std::vector<float>(12, 0.5f)});
-  ASSERT_EQ(write_image(scratch / "shared.png", Image{2, 2, 3, std::vector<float>(12, 1.0f)}, PixelType::kU8), "");
-  ASSERT_EQ(write_mesh(scratch / "faces.gltf", sheet(), &front, &back), "");
+  ASSERT_EQ(
+      problem_of(write_image(scratch / "shared.png", Image{2, 2, 3, std::vector<float>(12, 1.0f)}, PixelType::kU8)),
+      "");
+  ASSERT_EQ(problem_of(write_mesh(scratch / "faces.gltf", sheet(), &front, &back)), "");
   const json root = json::parse(std::ifstream(scratch / "faces.gltf"));
   ASSERT_EQ(root["meshes"][0]["primitives"].size(), 2u);
   EXPECT_EQ(root["materials"][1]["name"], "back");
@@ -73,16 +75,16 @@ TEST(MeshFile, TwoFacesHaveTheirOwnMaterials) {
   EXPECT_EQ(root["images"][0]["uri"], "shared.png");
   EXPECT_EQ(root["images"][1]["uri"], "back_basecolor.png");
   front.base_color.file = "none.png";
-  EXPECT_NE(write_mesh(scratch / "faces.glb", sheet(), &front, &back), "");
+  EXPECT_NE(problem_of(write_mesh(scratch / "faces.glb", sheet(), &front, &back)), "");
 }
 
 TEST(MeshFile, ABrokenMeshIsNotWritten) {
   const Scratch scratch("nowrite");
   Mesh mesh = sheet();
   mesh.index[0] = 99;
-  EXPECT_NE(write_mesh(scratch / "bad.glb", mesh, nullptr), "");
-  EXPECT_NE(write_mesh(scratch / "empty.glb", Mesh{}, nullptr), "");
-  EXPECT_NE(write_mesh(scratch / "no/such/folder.glb", sheet(), nullptr), "");
+  EXPECT_NE(problem_of(write_mesh(scratch / "bad.glb", mesh, nullptr)), "");
+  EXPECT_NE(problem_of(write_mesh(scratch / "empty.glb", Mesh{}, nullptr)), "");
+  EXPECT_NE(problem_of(write_mesh(scratch / "no/such/folder.glb", sheet(), nullptr)), "");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.folder));
 }
 
@@ -125,7 +127,7 @@ json triangle(int index_type = 5121) {
       {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}}}};
 }
 
-ReadMesh read_json(const Scratch& scratch, const json& root) {
+base::Result<Mesh> read_json(const Scratch& scratch, const json& root) {
   std::ofstream(scratch / "a.gltf") << root.dump();
   return read_mesh(scratch / "a.gltf");
 }
@@ -133,9 +135,9 @@ ReadMesh read_json(const Scratch& scratch, const json& root) {
 TEST(MeshFile, ReadsAllIndexTypesMetresAndScalesForeignUv) {
   const Scratch scratch("foreign");
   for (int type : {5121, 5123, 5125}) {
-    const ReadMesh read = read_json(scratch, triangle(type));
-    ASSERT_TRUE(read.mesh) << read.error;
-    const Mesh& mesh = *read.mesh;
+    const base::Result<Mesh> read = read_json(scratch, triangle(type));
+    ASSERT_TRUE(read) << problem_of(read);
+    const Mesh& mesh = *read;
     EXPECT_EQ(mesh.index, (std::vector<uint32_t>{0, 1, 2}));
     EXPECT_EQ(mesh.position_mm[1], (Vec3{2000, 0, 0}));
     // 2 m of surface along each unit of UV; end 1 is at the right of an image, pick 1 at its top.
@@ -152,20 +154,20 @@ TEST(MeshFile, AppliesNodeTransforms) {
   // A parent moved by 1 m in y holds a child turned a quarter about z and doubled.
   root["nodes"] = {{{"children", {1}}, {"translation", {0, 1, 0}}},
                    {{"mesh", 0}, {"rotation", {0, 0, std::sqrt(0.5), std::sqrt(0.5)}}, {"scale", {2, 2, 2}}}};
-  const ReadMesh read = read_json(scratch, root);
-  ASSERT_TRUE(read.mesh) << read.error;
-  EXPECT_NEAR(read.mesh->position_mm[1][0], 0, 0.01);
-  EXPECT_NEAR(read.mesh->position_mm[1][1], 5000, 0.01);
-  EXPECT_NEAR(read.mesh->tangent[0][1], -1, 1e-4);
+  const base::Result<Mesh> read = read_json(scratch, root);
+  ASSERT_TRUE(read) << problem_of(read);
+  EXPECT_NEAR(read->position_mm[1][0], 0, 0.01);
+  EXPECT_NEAR(read->position_mm[1][1], 5000, 0.01);
+  EXPECT_NEAR(read->tangent[0][1], -1, 1e-4);
 }
 
 TEST(MeshFile, MirroredNodesKeepTheFront) {
   const Scratch scratch("mirror");
   json root = triangle();
   root["nodes"][0]["scale"] = {-1, 1, 1};
-  const ReadMesh read = read_json(scratch, root);
-  ASSERT_TRUE(read.mesh) << read.error;
-  EXPECT_NEAR(read.mesh->normal[0][2], 1, 1e-5);
+  const base::Result<Mesh> read = read_json(scratch, root);
+  ASSERT_TRUE(read) << problem_of(read);
+  EXPECT_NEAR(read->normal[0][2], 1, 1e-5);
 }
 
 TEST(MeshFile, ReadsStripsAndUnindexed) {
@@ -173,9 +175,9 @@ TEST(MeshFile, ReadsStripsAndUnindexed) {
   json root = triangle();
   root["meshes"][0]["primitives"][0].erase("indices");
   root["meshes"][0]["primitives"][0]["mode"] = 5;
-  const ReadMesh read = read_json(scratch, root);
-  ASSERT_TRUE(read.mesh) << read.error;
-  EXPECT_EQ(read.mesh->index.size(), 3u);
+  const base::Result<Mesh> read = read_json(scratch, root);
+  ASSERT_TRUE(read) << problem_of(read);
+  EXPECT_EQ(read->index.size(), 3u);
 }
 
 struct Broken {
@@ -190,9 +192,9 @@ TEST_P(BrokenGltf, IsRejectedWithAReason) {
   const Scratch scratch("broken");
   json root = triangle();
   GetParam().damage(root);
-  const ReadMesh read = read_json(scratch, root);
-  EXPECT_FALSE(read.mesh);
-  EXPECT_NE(read.error.find(GetParam().expected), std::string::npos) << read.error;
+  const base::Result<Mesh> read = read_json(scratch, root);
+  EXPECT_FALSE(read);
+  EXPECT_NE(problem_of(read).find(GetParam().expected), std::string::npos) << problem_of(read);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -264,41 +266,41 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(MeshFile, GlbTruncatedAtAnyLengthIsRejected) {
   const Scratch scratch("truncated");
-  ASSERT_EQ(write_mesh(scratch / "whole.glb", sheet(), nullptr), "");
+  ASSERT_EQ(problem_of(write_mesh(scratch / "whole.glb", sheet(), nullptr)), "");
   const auto size = std::filesystem::file_size(scratch / "whole.glb");
   for (uintmax_t keep = 0; keep < size; keep += keep < 40 ? 1 : 13) {
     std::filesystem::copy_file(scratch / "whole.glb", scratch / "cut.glb",
                                std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(scratch / "cut.glb", keep);
-    EXPECT_FALSE(read_mesh(scratch / "cut.glb").mesh) << keep << " bytes of " << size;
+    EXPECT_FALSE(read_mesh(scratch / "cut.glb")) << keep << " bytes of " << size;
   }
 }
 
 TEST(MeshFile, ABufferMustBeARegularFileInTheFolder) {
   const Scratch scratch("buffers");
   std::filesystem::create_directories(scratch / "in/deeper");
-  ASSERT_EQ(write_mesh(scratch / "in/sheet.gltf", sheet(), nullptr), "");
-  ASSERT_TRUE(read_mesh(scratch / "in/sheet.gltf").mesh);
+  ASSERT_EQ(problem_of(write_mesh(scratch / "in/sheet.gltf", sheet(), nullptr)), "");
+  ASSERT_TRUE(read_mesh(scratch / "in/sheet.gltf"));
   const std::string bin = scratch / "in/sheet.bin";
   std::filesystem::rename(bin, scratch / "outside.bin");
   std::filesystem::create_symlink("../outside.bin", bin);
-  EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf").mesh) << "a link that leaves the folder";
+  EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf")) << "a link that leaves the folder";
   std::filesystem::remove(bin);
   ASSERT_EQ(::mkfifo(bin.c_str(), 0600), 0);
-  EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf").mesh) << "a pipe";
+  EXPECT_FALSE(read_mesh(scratch / "in/sheet.gltf")) << "a pipe";
 }
 
 TEST(MeshFile, DeeplyNestedJsonIsRejected) {
   const Scratch scratch("deep");
   std::ofstream(scratch / "deep.gltf") << R"({"asset":{"version":"2.0"},"extras":)" << std::string(200000, '[');
-  EXPECT_NE(read_mesh(scratch / "deep.gltf").error.find("nested"), std::string::npos);
+  EXPECT_NE(problem_of(read_mesh(scratch / "deep.gltf")).find("nested"), std::string::npos);
 }
 
 TEST(Drape, UnknownNameListsTheNames) {
-  const ReadMesh read = load_drape("tabelcloth");
-  EXPECT_FALSE(read.mesh);
-  EXPECT_NE(read.error.find("tablecloth"), std::string::npos) << read.error;
-  EXPECT_NE(load_drape("no/such/file.glb").error, "");
+  const base::Result<Mesh> read = load_drape("tabelcloth");
+  EXPECT_FALSE(read);
+  EXPECT_NE(problem_of(read).find("tablecloth"), std::string::npos) << problem_of(read);
+  EXPECT_NE(problem_of(load_drape("no/such/file.glb")), "");
 }
 
 TEST(Drape, PresetsFolderOfTheEnvironmentWins) {
@@ -306,13 +308,13 @@ TEST(Drape, PresetsFolderOfTheEnvironmentWins) {
   std::filesystem::create_directories(scratch / "meshes");
   Mesh mesh = sheet();
   mesh.position_mm[2][2] = 7;
-  ASSERT_EQ(write_mesh(scratch / "meshes/plane.glb", mesh, nullptr), "");
+  ASSERT_EQ(problem_of(write_mesh(scratch / "meshes/plane.glb", mesh, nullptr)), "");
   ASSERT_EQ(::setenv("WEFTLIGHT_PRESETS", scratch.folder.c_str(), 1), 0);
   EXPECT_EQ(presets_dir(), scratch.folder.string());
-  const ReadMesh read = load_drape("plane");
+  const base::Result<Mesh> read = load_drape("plane");
   ::unsetenv("WEFTLIGHT_PRESETS");
-  ASSERT_TRUE(read.mesh) << read.error;
-  EXPECT_NEAR(read.mesh->position_mm[2][2], 7, 1e-4);
+  ASSERT_TRUE(read) << problem_of(read);
+  EXPECT_NEAR(read->position_mm[2][2], 7, 1e-4);
 }
 
 }  // namespace

@@ -19,11 +19,12 @@ Image level_of(int width, int height, int channels, int k) {
 
 /// Writes all levels. Returns an error, or an empty string.
 std::string write(const std::string& path, MipContainer container, int width, int height, int channels, bool srgb) {
-  std::string problem;
-  const auto file = MipFile::open(path, container, width, height, channels, srgb, problem);
-  for (int k = 0; file && k < file->levels() && problem.empty(); ++k)
-    problem = file->add(k, level_of(std::max(width >> k, 1), std::max(height >> k, 1), channels, k));
-  return problem.empty() && file ? file->close() : problem;
+  const auto file = MipFile::open(path, container, width, height, channels, srgb);
+  if (!file) return problem_of(file);
+  base::Result<void> added;
+  for (int k = 0; added && k < (*file)->levels(); ++k)
+    added = (*file)->add(k, level_of(std::max(width >> k, 1), std::max(height >> k, 1), channels, k));
+  return problem_of(added ? (*file)->close() : added);
 }
 
 class Containers : public testing::TestWithParam<int> {};
@@ -34,14 +35,14 @@ TEST_P(Containers, OpenImageIoReadsEveryLevelOfADds) {
   const std::string path = scratch / "x.dds";
   ASSERT_EQ(write(path, MipContainer::kDds, 32, 8, GetParam(), false), "");
   for (int k = 0; k < 6; ++k) {
-    const ReadImage read = read_image(path, k);
-    ASSERT_TRUE(read.image) << read.error;
+    const base::Result<Image> read = read_image(path, k);
+    ASSERT_TRUE(read) << problem_of(read);
     const Image wanted = level_of(std::max(32 >> k, 1), std::max(8 >> k, 1), GetParam(), k);
-    ASSERT_EQ(read.image->width, wanted.width);
-    ASSERT_EQ(read.image->height, wanted.height);
+    ASSERT_EQ(read->width, wanted.width);
+    ASSERT_EQ(read->height, wanted.height);
     for (int i = 0; i < wanted.width * wanted.height; ++i) {
       for (int c = 0; c < GetParam(); ++c)
-        EXPECT_NEAR(read.image->texels[static_cast<size_t>(i * read.image->channels + c)],
+        EXPECT_NEAR(read->texels[static_cast<size_t>(i * read->channels + c)],
                     wanted.texels[static_cast<size_t>(i * GetParam() + c)], 1e-3f)
             << "level " << k;
     }
@@ -89,18 +90,13 @@ TEST_P(Containers, AKtx2FollowsItsSpecification) {
 
 TEST(MipFile, ReportsErrors) {
   const Scratch scratch("mip-wrong");
-  std::string problem;
-  EXPECT_EQ(MipFile::open(scratch / "x.dds", MipContainer::kDds, 0, 8, 4, false, problem), nullptr);
-  EXPECT_NE(problem, "");
-  problem.clear();
-  EXPECT_EQ(MipFile::open(scratch / "none/x.dds", MipContainer::kDds, 8, 8, 4, false, problem), nullptr);
-  EXPECT_NE(problem, "");
-  problem.clear();
-  const auto file = MipFile::open(scratch / "x.dds", MipContainer::kDds, 8, 8, 4, false, problem);
+  EXPECT_NE(problem_of(MipFile::open(scratch / "x.dds", MipContainer::kDds, 0, 8, 4, false)), "");
+  EXPECT_NE(problem_of(MipFile::open(scratch / "none/x.dds", MipContainer::kDds, 8, 8, 4, false)), "");
+  const auto file = MipFile::open(scratch / "x.dds", MipContainer::kDds, 8, 8, 4, false);
   ASSERT_TRUE(file);
-  EXPECT_NE(file->add(1, level_of(8, 8, 4, 0)), "");
-  EXPECT_NE(file->add(9, level_of(1, 1, 4, 0)), "");
-  EXPECT_NE(file->close(), "") << "no level is complete";
+  EXPECT_NE(problem_of((*file)->add(1, level_of(8, 8, 4, 0))), "");
+  EXPECT_NE(problem_of((*file)->add(9, level_of(1, 1, 4, 0))), "");
+  EXPECT_NE(problem_of((*file)->close()), "") << "no level is complete";
 }
 
 }  // namespace

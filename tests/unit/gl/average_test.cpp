@@ -52,11 +52,10 @@ struct Picture {
 
 // Once the cloth went dark in the window when its picture was refined close up.
 TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
-  std::string error;
-  const auto context = HeadlessContext::create(error);
-  if (!context) GTEST_SKIP() << "no graphics: " << error;
+  const auto context = HeadlessContext::create();
+  if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   Average average;
-  ASSERT_TRUE(average.build(error)) << error;
+  ASSERT_EQ(problem_of(average.build()), "");
   Picture picture;
   average.add(picture.texture.name(), picture.framebuffer.name(), kSize, kSize, 1);
   ASSERT_EQ(poison(), 1);

@@ -17,8 +17,7 @@ class EnvironmentLight : public PictureTest {
     upload(twill(4, 2, {1, 1, 1}, {1, 1, 1}), square(40));
   }
   void TearDown() override {
-    std::string problem;
-    if (renderer) renderer->set_lights(load_light_rig("studio", problem));
+    if (renderer) renderer->set_lights(load_light_rig("studio").value());
   }
   static Image grey(float value) { return {256, 128, 3, std::vector<float>(size_t{3} * 256 * 128, value)}; }
   static void put(Image& image, int x, int y, float value) {

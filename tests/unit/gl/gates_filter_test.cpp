@@ -147,9 +147,9 @@ TEST_F(Gate, GapsKeepTheirShareThroughMipsWhereAnAlphaTestDoesNot) {
 TEST_F(Gate, GapsCloseWithTheViewAsTheThreadsDo) {
   lay(0.5f);
   const Cloth cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kWholeDraft);
-  std::string problem;
-  const auto tubes = TubeScene::build(cloth, {}, problem);
-  ASSERT_TRUE(tubes) << problem;
+  const auto built = TubeScene::build(cloth, {});
+  ASSERT_TRUE(built) << problem_of(built);
+  const std::unique_ptr<TubeScene>& tubes = *built;
   FlatPicture truth;
   truth.width = truth.height = 32;
   truth.spp = 16;

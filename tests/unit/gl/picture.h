@@ -38,8 +38,13 @@ class PictureTest : public testing::Test {
   static constexpr int kSide = 64;  // pixels
 
   static void SetUpTestSuite() {
-    context = HeadlessContext::create(error);
-    if (context) renderer = Renderer::create(error);
+    auto opened = HeadlessContext::create();
+    error = problem_of(opened);
+    if (!opened) return;
+    context = std::move(*opened);
+    auto made = Renderer::create();
+    error = problem_of(made);
+    if (made) renderer = std::move(*made);
   }
   static void TearDownTestSuite() {
     renderer.reset();

@@ -32,7 +32,7 @@ inline GLuint compiled(GLenum stage, const std::string& text) {
 /// its value.
 inline GlProgram pixel_program(const std::vector<std::string>& files, const std::string& main_text,
                                const std::vector<std::string>& defines = {}) {
-  std::string text = "#version 330 core\n", error;
+  std::string text = "#version 330 core\n";
   for (const std::string& define : defines) text += "#define " + define + "\n";
   for (const std::string& file : files) text += "#include \"" + file + "\"\n";
   text += R"(
@@ -48,8 +48,9 @@ void main() {
   const GLuint vert = compiled(GL_VERTEX_SHADER,
                                "#version 330 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, "
                                "gl_VertexID == 2 ? 3 : -1, 0, 1); }\n");
-  const GLuint frag = compiled(GL_FRAGMENT_SHADER, with_includes(text, error));
-  EXPECT_EQ(error, "");
+  const base::Result<std::string> whole = with_includes(text);
+  EXPECT_EQ(problem_of(whole), "");
+  const GLuint frag = compiled(GL_FRAGMENT_SHADER, whole.value_or(""));
   glAttachShader(program.get(), vert);
   glAttachShader(program.get(), frag);
   glLinkProgram(program.get());
@@ -102,9 +103,9 @@ std::vector<glm::vec4> run_pixels(const GlProgram& program, const std::vector<Ca
 class PixelTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string error;
-    context_ = HeadlessContext::create(error);
-    if (!context_) GTEST_SKIP() << "no graphics: " << error;
+    auto opened = HeadlessContext::create();
+    if (!opened) GTEST_SKIP() << "no graphics: " << problem_of(opened);
+    context_ = std::move(*opened);
   }
   std::unique_ptr<HeadlessContext> context_;
 };

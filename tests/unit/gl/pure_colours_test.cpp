@@ -89,9 +89,9 @@ TEST_F(PureColours, PairsAreDrawnAsTheTracedThreads) {
     const Design design = plain_in(pair.warp, pair.weft);
     show(design, Effort::kFull);
     const BitMatrix cells = drawdown(design.draft);
-    std::string problem;
-    const auto tubes = TubeScene::build(lay_out(design, cells, Face::kFront, Period::kRepeat), {}, problem);
-    ASSERT_TRUE(tubes) << problem;
+    const auto built = TubeScene::build(lay_out(design, cells, Face::kFront, Period::kRepeat), {});
+    ASSERT_TRUE(built) << problem_of(built);
+    const std::unique_ptr<TubeScene>& tubes = *built;
     for (const Shot& shot : {kShots[0], kShots[2]}) {
       FlatPicture p;
       p.width = p.height = 16, p.spp = 64;

@@ -172,7 +172,7 @@ TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
       wif::read_wif(base::read_file(presets_dir() + "/cloths/polyester_satin_charmeuse.wif").bytes);
   ASSERT_TRUE(satin.file);
   upload(satin.file->design, fold(4, 100, 64));
-  renderer->set_lights(load_light_rig("overcast", error));
+  renderer->set_lights(load_light_rig("overcast").value());
   look.method = Method::kCloth;
   frame.transparent = true;
   scene.light_strength = 0;
@@ -181,7 +181,7 @@ TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
   const Image coarse = mean;
   frame.width = frame.height = kSide * kFiner;
   const Image fine = draw();
-  renderer->set_lights(load_light_rig("studio", error));
+  renderer->set_lights(load_light_rig("studio").value());
   for (size_t i = 0; i < mean.texels.size(); ++i) {
     const size_t x = i / 4 % kSide * kFiner, y = i / 4 / kSide * kFiner;
     float sum = 0;
@@ -268,8 +268,9 @@ class SpoiltShader {
 
 // Most programs are compiled when first needed. One that failed then left no cloth and no message.
 TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
-  const std::unique_ptr<Renderer> fresh = Renderer::create(error);
-  ASSERT_TRUE(fresh) << error;
+  const auto made = Renderer::create();
+  ASSERT_TRUE(made) << problem_of(made);
+  const std::unique_ptr<Renderer>& fresh = *made;
   Stages stages;
   stages.update(std::make_shared<const Design>(twill(4, 2, kRed, kRed)));
   fresh->upload(stages.packed());
@@ -319,7 +320,7 @@ TEST_F(PictureTest, AMeshThatIsNotThereIsAProblemAndTheClothIsDrawnAllTheSame) {
   Design design = twill(4, 2, kRed, kRed);
   design.scene.mesh = "no/such/file.glb";
   pipeline.submit(std::make_shared<const Design>(design));
-  EXPECT_NE(pipeline.finish(*renderer).find("no/such/file.glb"), std::string::npos);
+  EXPECT_NE(problem_of(pipeline.finish(*renderer)).find("no/such/file.glb"), std::string::npos);
 }
 
 }  // namespace

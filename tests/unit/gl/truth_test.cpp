@@ -19,8 +19,9 @@ class Truth : public Gate {
     if (IsSkipped() || HasFatalFailure()) return;
     lay(1);
     const BitMatrix cells = drawdown(design.draft);
-    tubes = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {}, error);
-    ASSERT_TRUE(tubes) << error;
+    auto built = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {});
+    ASSERT_TRUE(built) << problem_of(built);
+    tubes = std::move(*built);
   }
   /// As patch(), traced.
   Image traced(float yarns, int pixels, int rays_a_pixel, const Pair& pair) {
@@ -143,8 +144,9 @@ TEST_F(Truth, YarnGivesEachThreadItsOwnLobes) {
     design.draft.warp.yarn[i] = static_cast<int>(design.yarns.size()) - 1;
   lay(1);
   const BitMatrix cells = drawdown(design.draft);
-  tubes = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {}, error);
-  ASSERT_TRUE(tubes) << error;
+  auto built = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {});
+  ASSERT_TRUE(built) << problem_of(built);
+  tubes = std::move(*built);
   const Pair straight{towards(0.1f, 1.3f), towards(0, 1.57f)};
   const Image truth = traced(0.125f, 32, 200, straight);
   const double ours = relative_rms(truth, drawn(Method::kYarn, 0.125f, 32, straight));

@@ -235,21 +235,19 @@ TEST(LodTable, ReadsWhatTheChartWrote) {
       "satin,80,1,cell,1,30,100,0.05,0.12,1,0,10,1\r\n"
       "satin,80,4,cell,1,30,100,0.3,0.12,1,0,10,0\r\n"
       "satin,80,4,yarn,8,90,100,0.03,0.02,1,0,10,0\r\n";
-  std::string problem;
-  const LodTable lod_table = read_lod_table(csv, problem);
-  EXPECT_EQ(problem, "");
+  const base::Result<LodTable> read = read_lod_table(csv);
+  ASSERT_EQ(problem_of(read), "");
+  const LodTable& lod_table = *read;
   ASSERT_EQ(lod_table.size(), 3u);
   EXPECT_FLOAT_EQ(expected_error(lod_table, Method::kCell, 1), 0.12f);
   EXPECT_FLOAT_EQ(expected_error(lod_table, Method::kCell, 2), 0.21f);
   EXPECT_FLOAT_EQ(expected_cost(lod_table, Method::kCell, 1), 25);
   EXPECT_FLOAT_EQ(expected_error(lod_table, Method::kYarn, 1, 8), 0.03f);
   EXPECT_TRUE(std::isinf(expected_error(lod_table, Method::kYarn, 1, 5)));
-  EXPECT_TRUE(read_lod_table("scene,method,samples\n", problem).empty());
-  EXPECT_NE(problem.find("yarns_per_pixel"), std::string::npos);
+  EXPECT_NE(problem_of(read_lod_table("scene,method,samples\n")).find("yarns_per_pixel"), std::string::npos);
   for (const char* bad : {"plain,0,nan,cell,1,1,1,1,1,1,0,1,1\n", "plain,0,1,yarn,0,1,1,1,1,1,0,1,1\n",
                           "plain,0,1,yarn,1e9,1,1,1,1,1,0,1,1\n"}) {
-    problem.clear();
-    EXPECT_TRUE(read_lod_table(csv + bad, problem).empty());
+    const std::string problem = problem_of(read_lod_table(csv + bad));
     EXPECT_NE(problem.find("line 6"), std::string::npos) << problem;
   }
 }

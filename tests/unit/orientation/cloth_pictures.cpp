@@ -29,7 +29,7 @@ PictureOptions options_of(const Workplace& at, const std::string& out) {
 
 /// The pixels of a repeat in the middle of a plane, seen from before or from behind.
 Seen on_plane(std::string name, Image image, const Scene& scene, float yarns_per_pixel, Face face) {
-  const Mesh plane = *files::load_drape("plane").mesh;
+  const Mesh plane = *files::load_drape("plane");
   const Camera camera = place_camera(scene, plane, bounds_of(plane), image.width, image.height, yarns_per_pixel, 1);
   const auto pixel = [&](float u, float v) {
     const glm::vec2 at = glm::vec2(plane.position_mm[0]) + plane.uv_mm[0] - glm::vec2(u, v);
@@ -52,9 +52,8 @@ Seen on_plane(std::string name, Image image, const Scene& scene, float yarns_per
 }  // namespace
 
 std::vector<Seen> rendered_cloths(const Workplace& at, std::string& skipped) {
-  std::string error;
-  if (!HeadlessContext::create(error)) {
-    skipped = "no graphics: " + error;
+  if (const auto context = HeadlessContext::create(); !context) {
+    skipped = "no graphics: " + problem_of(context);
     return {};
   }
   PictureSetup setup;
@@ -93,9 +92,8 @@ std::vector<Seen> rendered_cloths(const Workplace& at, std::string& skipped) {
 }
 
 std::vector<Seen> traced_cloths(const Workplace& at, std::string& skipped) {
-  std::string error;
-  if (!HeadlessContext::create(error)) {
-    skipped = "no graphics: " + error;
+  if (const auto context = HeadlessContext::create(); !context) {
+    skipped = "no graphics: " + problem_of(context);
     return {};
   }
   std::vector<Seen> out;

@@ -20,9 +20,9 @@ inline void run(std::vector<std::string> args) {
 
 /// Empty, with a failure, where there is none.
 inline Image picture(const std::string& path) {
-  files::ReadImage read = files::read_image(path);
-  EXPECT_TRUE(read.image) << path << ": " << read.error;
-  return read.image ? std::move(*read.image) : Image{};
+  base::Result<files::Image> read = files::read_image(path);
+  EXPECT_TRUE(read) << path << ": " << problem_of(read);
+  return read ? std::move(*read) : Image{};
 }
 
 }  // namespace weftlight::orientation

@@ -257,7 +257,7 @@ Seen worn(std::string name, const Textured& t, double right_mm, double top_mm, F
 std::vector<Seen> textured_meshes(const Workplace& at, std::string&) {
   std::vector<Seen> out;
   // The plane as core has it says where u = v = 0 lies, the corner of end 1 and pick 1; the repeat is one well within.
-  const Mesh plane = *files::load_drape("plane").mesh;
+  const Mesh plane = *files::load_drape("plane");
   const Vec2 corner = Vec2(plane.position_mm[0]) + plane.uv_mm[0];
   for (size_t i = 0; i < plane.position_mm.size(); ++i) {
     EXPECT_NEAR(plane.position_mm[i].x + plane.uv_mm[i].x, corner.x, 1e-3f) << "u runs to the left";

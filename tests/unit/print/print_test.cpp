@@ -20,60 +20,62 @@ Design overshot_design(int ends, int picks) {
 }
 
 TEST(Print, APdfOfASmallDraftIsADraftSheetAndLists) {
-  const Printed p = printed(overshot_design(40, 40), PrintFormat::kPdf, {});
-  ASSERT_EQ(p.why, "");
-  ASSERT_EQ(p.files.size(), 1u);
-  EXPECT_TRUE(p.files[0].starts_with("%PDF"));
-  EXPECT_EQ(p.sheets, 2);
+  const base::Result<Printed> p = printed(overshot_design(40, 40), PrintFormat::kPdf, {});
+  ASSERT_EQ(problem_of(p), "");
+  ASSERT_EQ(p->files.size(), 1u);
+  EXPECT_TRUE(p->files[0].starts_with("%PDF"));
+  EXPECT_EQ(p->sheets, 2);
 }
 
 TEST(Print, SvgAndPngAreOneFilePerSheet) {
-  const Printed svg = printed(overshot_design(40, 40), PrintFormat::kSvg, {});
-  ASSERT_EQ(svg.files.size(), static_cast<size_t>(svg.sheets));
-  EXPECT_NE(svg.files[0].find("<svg"), std::string::npos);
-  EXPECT_NE(svg.files[0].find("210mm"), std::string::npos) << "the size of the paper";
+  const base::Result<Printed> svg = printed(overshot_design(40, 40), PrintFormat::kSvg, {});
+  ASSERT_EQ(problem_of(svg), "");
+  ASSERT_EQ(svg->files.size(), static_cast<size_t>(svg->sheets));
+  EXPECT_NE(svg->files[0].find("<svg"), std::string::npos);
+  EXPECT_NE(svg->files[0].find("210mm"), std::string::npos) << "the size of the paper";
   PrintOptions coarse;
   coarse.png_dpi = 40;
-  const Printed png = printed(overshot_design(40, 40), PrintFormat::kPng, coarse);
-  ASSERT_EQ(png.files.size(), static_cast<size_t>(png.sheets));
-  EXPECT_EQ(png.files[0].substr(1, 3), "PNG");
+  const base::Result<Printed> png = printed(overshot_design(40, 40), PrintFormat::kPng, coarse);
+  ASSERT_EQ(problem_of(png), "");
+  ASSERT_EQ(png->files.size(), static_cast<size_t>(png->sheets));
+  EXPECT_EQ(png->files[0].substr(1, 3), "PNG");
 }
 
 TEST(Print, ALargeScaleTakesMoreSheetsAndTooManyAreRejected) {
   PrintOptions large;
   large.cell_mm = 5;
-  const int one = printed(overshot_design(96, 96), PrintFormat::kPdf, {}).sheets;
-  EXPECT_GT(printed(overshot_design(96, 96), PrintFormat::kPdf, large).sheets, one);
+  const int one = printed(overshot_design(96, 96), PrintFormat::kPdf, {})->sheets;
+  EXPECT_GT(printed(overshot_design(96, 96), PrintFormat::kPdf, large)->sheets, one);
   large.cell_mm = 20;
-  const Printed refused = printed(overshot_design(900, 900), PrintFormat::kPdf, large);
-  EXPECT_TRUE(refused.files.empty());
-  EXPECT_NE(refused.why.find("choose a smaller scale"), std::string::npos);
+  const base::Result<Printed> refused = printed(overshot_design(900, 900), PrintFormat::kPdf, large);
+  EXPECT_NE(problem_of(refused).find("choose a smaller scale"), std::string::npos);
 }
 
 TEST(Print, ExtremeDraftsPrint) {
   Design d = with_size(Design{}, 1, 1, 1, 1);
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, {}).why, "");
+  EXPECT_EQ(problem_of(printed(d, PrintFormat::kPdf, {})), "");
   d = to_liftplan(overshot_design(30, 30));
   d.draft.warp.spacing_mm[3] = 0;
   PrintOptions letter;
   letter.paper = kLetter;
   letter.end1_right = true;
   letter.heavy_lines = 0;
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, letter).why, "");
-  EXPECT_EQ(printed(with_size(Design{}, 40, 40, 300, 40), PrintFormat::kPdf, {}).why, "") << "more shafts than a sheet";
+  EXPECT_EQ(problem_of(printed(d, PrintFormat::kPdf, letter)), "");
+  EXPECT_EQ(problem_of(printed(with_size(Design{}, 40, 40, 300, 40), PrintFormat::kPdf, {})), "")
+      << "more shafts than a sheet";
 }
 
 TEST(Print, OnlySelectedPartsArePrinted) {
   const Design d = overshot_design(40, 40);
   PrintOptions o;
   o.parts = {true, false, false, false, false};
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).sheets, 1) << "the grids alone";
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, 1) << "the grids alone";
   o.parts = {false, false, false, false, true};
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).sheets, 1) << "the swatch alone";
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, 1) << "the swatch alone";
   o.parts = {false, true, true, true, false};
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "");
+  EXPECT_EQ(problem_of(printed(d, PrintFormat::kPdf, o)), "");
   o.parts = {false, false, false, false, false};
-  EXPECT_EQ(printed(d, PrintFormat::kPdf, o).why, "nothing was selected for printing");
+  EXPECT_EQ(problem_of(printed(d, PrintFormat::kPdf, o)), "nothing was selected for printing");
 }
 
 TEST(Print, ThePlannedClothAndTheNameArePrinted) {
@@ -81,7 +83,7 @@ TEST(Print, ThePlannedClothAndTheNameArePrinted) {
   d.title.clear();
   PrintOptions o, planned;
   o.parts = planned.parts = {false, false, false, true, false};
-  const auto sheet = [&d](const PrintOptions& options) { return picture_of_sheet(d, options, 0, 2).pixels; };
+  const auto sheet = [&d](const PrintOptions& options) { return picture_of_sheet(d, options, 0, 2)->pixels; };
   planned.plan.length_mm = 2500;
   EXPECT_NE(sheet(planned), sheet(o)) << "more yarn";
   PrintOptions priced = planned;
@@ -99,18 +101,17 @@ TEST(Print, PreviewOfASheet) {
   const Design d = overshot_design(96, 96);
   PrintOptions o;
   o.cell_mm = 5;
-  const SheetPicture first = picture_of_sheet(d, o, 0, 2);
-  ASSERT_EQ(first.why, "");
-  EXPECT_EQ(first.sheets, printed(d, PrintFormat::kPdf, o).sheets);
+  const SheetPicture first = picture_of_sheet(d, o, 0, 2).value();
+  EXPECT_EQ(first.sheets, printed(d, PrintFormat::kPdf, o)->sheets);
   EXPECT_EQ(first.width, 420);
   EXPECT_EQ(first.height, 594);
   ASSERT_EQ(first.pixels.size(), 420u * 594u);
   EXPECT_EQ(first.pixels.front(), 0xffffffffu) << "white margin";
   EXPECT_GT(std::count(first.pixels.begin(), first.pixels.end(), first.pixels.front()), 420 * 100);
-  EXPECT_NE(first.pixels, picture_of_sheet(d, o, 1, 2).pixels);
-  EXPECT_EQ(picture_of_sheet(d, o, 999, 2).sheet, first.sheets - 1) << "clamped to the last sheet";
+  EXPECT_NE(first.pixels, picture_of_sheet(d, o, 1, 2)->pixels);
+  EXPECT_EQ(picture_of_sheet(d, o, 999, 2)->sheet, first.sheets - 1) << "clamped to the last sheet";
   o.cell_mm = 20;
-  EXPECT_NE(picture_of_sheet(overshot_design(900, 900), o, 0, 2).why, "");
+  EXPECT_NE(problem_of(picture_of_sheet(overshot_design(900, 900), o, 0, 2)), "");
 }
 
 TEST(Print, Pick1IsAtTheTopOrAtTheBottom) {
@@ -125,9 +126,9 @@ TEST(Print, Pick1IsAtTheTopOrAtTheBottom) {
   o.parts = {true, false, false, false, false};
   o.cell_mm = 5;
   o.heavy_lines = 0;
-  const SheetPicture down = picture_of_sheet(d, o, 0, 2);
+  const SheetPicture down = picture_of_sheet(d, o, 0, 2).value();
   o.pick1_bottom = true;
-  const SheetPicture up = picture_of_sheet(d, o, 0, 2);
+  const SheetPicture up = picture_of_sheet(d, o, 0, 2).value();
   ASSERT_EQ(down.pixels.size(), up.pixels.size());
   // The colour bar of the weft: its dark half is first or last.
   const auto dark_above = [](const SheetPicture& s) {
@@ -150,7 +151,7 @@ TEST(Print, TheGridsAreArrangedAsInTheWindow) {
   o.cell_mm = 5;
   o.heavy_lines = 0;
   const auto marks = [&](const PrintOptions& asked) {
-    const SheetPicture s = picture_of_sheet(d, asked, 0, 2);
+    const SheetPicture s = picture_of_sheet(d, asked, 0, 2).value();
     double x = 0, y = 0, all = 0;
     for (int row = 60; row < s.height; ++row)  // below the title
       for (int column = 0; column < s.width; ++column) {
@@ -172,7 +173,7 @@ TEST(Print, TheGridsAreArrangedAsInTheWindow) {
 std::array<double, 3> swatch_shares(const Design& design) {
   PrintOptions o;
   o.parts = {false, false, false, false, true};
-  const SheetPicture s = picture_of_sheet(design, o, 0, 10);
+  const SheetPicture s = picture_of_sheet(design, o, 0, 10).value();
   std::array<double, 3> count{};
   for (int y = 220; y < 780; ++y)  // the swatch lies from 20 mm to 80 mm
     for (int x = 150; x < 1950; ++x) {

@@ -53,10 +53,11 @@ drape::Mesh rounded_prism(int sides, float radius_mm, float height_mm) {
 }
 
 TEST(drape, a_rim_shows_the_face_that_the_eye_sees) {
-  std::string error;
-  const auto tubes = TubeScene::build(white_over_black(), {}, error);
-  const auto mesh = MeshScene::build(rounded_prism(12, 60, 100), error);
-  ASSERT_TRUE(tubes && mesh) << error;
+  const auto built = TubeScene::build(white_over_black(), {});
+  const auto draped = MeshScene::build(rounded_prism(12, 60, 100));
+  ASSERT_TRUE(built && draped) << problem_of(built) << problem_of(draped);
+  const std::unique_ptr<TubeScene>& tubes = *built;
+  const std::unique_ptr<MeshScene>& mesh = *draped;
   DrapePicture picture;
   picture.width = 1240, picture.height = 2, picture.spp = 8;
   picture.eye = {0, 50, 4000};

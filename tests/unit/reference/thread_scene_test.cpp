@@ -100,9 +100,11 @@ class Threads : public testing::TestWithParam<int> {
   }
   void SetUp() override {
     Woven& woven = all[GetParam()];
-    std::string error;
-    if (!woven.tubes) woven.cloth = weave(GetParam()), woven.tubes = TubeScene::build(woven.cloth, {}, error);
-    ASSERT_TRUE(woven.tubes) << error;
+    if (woven.tubes) return;
+    woven.cloth = weave(GetParam());
+    auto tubes = TubeScene::build(woven.cloth, {});
+    ASSERT_TRUE(tubes) << problem_of(tubes);
+    woven.tubes = std::move(*tubes);
   }
   static void TearDownTestSuite() { all.clear(); }
   static constexpr int kThick = 4, kPockets = 5, kSlubs = 6, kCords = 7;

@@ -33,10 +33,9 @@ Cloth parallel_cylinders(int count) {
 }
 
 std::unique_ptr<TubeScene> tubes_of(const Cloth& cloth) {
-  std::string error;
-  auto tubes = TubeScene::build(cloth, {}, error);
-  EXPECT_TRUE(tubes) << error;
-  return tubes;
+  auto tubes = TubeScene::build(cloth, {});
+  EXPECT_TRUE(tubes) << problem_of(tubes);
+  return std::move(tubes).value_or(nullptr);
 }
 
 TEST(tubes, a_ray_meets_the_cylinder_where_it_is) {
@@ -156,9 +155,7 @@ TEST(tubes, a_draft_too_large_to_trace_is_refused_in_words) {
   Cloth cloth = parallel_cylinders(20000);
   cloth.picks.resize(20000, cloth.picks[0]);
   cloth.up = BitMatrix(20000, 20000);
-  std::string error;
-  EXPECT_FALSE(TubeScene::build(cloth, {}, error));
-  EXPECT_NE(error.find("20000"), std::string::npos);
+  EXPECT_NE(problem_of(TubeScene::build(cloth, {})).find("20000"), std::string::npos);
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ class FarFields : public ::testing::Test {
       made.name = name;
       made.cloth = lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat);
       made.field = far_field(made.cloth);
-      std::string error;
-      made.tubes = TubeScene::build(made.cloth, {}, error);
-      ASSERT_TRUE(made.tubes) << error;
+      auto tubes = TubeScene::build(made.cloth, {});
+      ASSERT_TRUE(tubes) << problem_of(tubes);
+      made.tubes = std::move(*tubes);
       cloths.push_back(std::move(made));
     }
   }

@@ -104,9 +104,9 @@ class PureColoursTraced : public ::testing::Test {
   static void expect_as_traced(const Design& design, Face face, const std::string& what) {
     const Cloth cloth = cloth_of(design, face);
     const auto ours = answers(design, face);
-    std::string error;
-    const auto tubes = TubeScene::build(cloth, {}, error);
-    ASSERT_TRUE(tubes) << error;
+    const auto built = TubeScene::build(cloth, {});
+    ASSERT_TRUE(built) << problem_of(built);
+    const std::unique_ptr<TubeScene>& tubes = *built;
     for (size_t i = 0; i < ours.size(); ++i) {
       const bool sky = i == kLit.size();
       Surroundings around;

@@ -13,9 +13,9 @@ namespace {
 
 TEST(LightRigs, EachSetupHasItsFile) {
   for (const LightingPreset& setup : kLightingPresets) {
-    std::string error;
-    const LightRig rig = load_light_rig(setup.id, error);
-    ASSERT_EQ(error, "");
+    const base::Result<LightRig> read = load_light_rig(setup.id);
+    ASSERT_EQ(problem_of(read), "");
+    const LightRig& rig = *read;
     EXPECT_GT(std::min({rig.key.r, rig.key.g, rig.key.b}), 0.2f) << setup.id;
     EXPECT_GT(rig.sky[0].g, 0.1f) << setup.id;
     EXPECT_EQ(lighting_preset(setup.id).label, setup.label);
@@ -23,32 +23,28 @@ TEST(LightRigs, EachSetupHasItsFile) {
   EXPECT_STREQ(lighting_preset("../../etc").id, "studio");
 }
 
-std::string problem_of(const std::string& text) {
-  std::string error;
-  light_rig_from(text, error);
-  return error;
-}
+std::string problem_in(const std::string& text) { return problem_of(light_rig_from(text)); }
 
 TEST(LightRigs, SayWhichLineIsWrong) {
   const auto rig = [](const std::string& key, const std::string& lamp) {
     return "{\n\"about\": {\"by\": {}},\n\"key\": " + key + ",\n\"lamps\": [\n{" + lamp + "},\n\n{" + lamp + "}]\n}\n";
   };
   const std::string lamp = R"("towards": [0, 1, 0], "sharpness": 1, "color": [1, 1, 1], "strength": )";
-  EXPECT_EQ(problem_of(rig("[1, 1, 1]", lamp + "1")), "");
-  EXPECT_EQ(problem_of(rig("[1, 1]", lamp + "1")), "3: key is not a list of three numbers");
-  EXPECT_EQ(problem_of(rig("[1, -1, 1]", lamp + "1")), "3: key is -1; give 0 to 10000");
-  EXPECT_EQ(problem_of(rig("[1, 1, 1]", lamp + "-2")), "5: lamp 1: strength is -2; give 0 to 10000");
-  EXPECT_EQ(problem_of(rig("[1, 1, 1]", lamp + "\"much\"")), "5: lamp 1: strength is not a number");
-  EXPECT_EQ(problem_of(rig("[1, 1, 1]", "\"towards\": [0, 0, 0]")), "5: lamp 1: towards is no direction");
-  EXPECT_EQ(problem_of(rig("[1, 1, 1]", lamp + "1e999")), "5: is not JSON from here on");
-  EXPECT_EQ(problem_of("{\n\"lamps\": [\n"), "3: is not JSON from here on");
-  EXPECT_EQ(problem_of("{\"key\": [1, 1, 1]}"), "1: lamps is missing");
-  EXPECT_EQ(problem_of("[]"), "1: is not an object with key and lamps");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "1")), "");
+  EXPECT_EQ(problem_in(rig("[1, 1]", lamp + "1")), "3: key is not a list of three numbers");
+  EXPECT_EQ(problem_in(rig("[1, -1, 1]", lamp + "1")), "3: key is -1; give 0 to 10000");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "-2")), "5: lamp 1: strength is -2; give 0 to 10000");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "\"much\"")), "5: lamp 1: strength is not a number");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", "\"towards\": [0, 0, 0]")), "5: lamp 1: towards is no direction");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "1e999")), "5: is not JSON from here on");
+  EXPECT_EQ(problem_in("{\n\"lamps\": [\n"), "3: is not JSON from here on");
+  EXPECT_EQ(problem_in("{\"key\": [1, 1, 1]}"), "1: lamps is missing");
+  EXPECT_EQ(problem_in("[]"), "1: is not an object with key and lamps");
   std::string second = rig("[1, 1, 1]", lamp + "1");
   second.replace(second.rfind("\"strength\": 1"), 13, "\"strength\": nul");
-  EXPECT_EQ(problem_of(second), "7: is not JSON from here on");
+  EXPECT_EQ(problem_in(second), "7: is not JSON from here on");
   second.replace(second.rfind("nul"), 3, "1e5");
-  EXPECT_EQ(problem_of(second), "7: lamp 2: strength is 100000; give 0 to 10000");
+  EXPECT_EQ(problem_in(second), "7: lamp 2: strength is 100000; give 0 to 10000");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(Document, APictureBecomesADraftThatIsSavedUnderANewName) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("weftlight-picture-" + std::to_string(getpid()) + ".png")).string();
   files::Image image{3, 2, 1, {0, 1, 1, 1, 0, 1}};
-  ASSERT_EQ(files::write_image(path, image, files::PixelType::kU8), "");
+  ASSERT_EQ(problem_of(files::write_image(path, image, files::PixelType::kU8)), "");
   const OpenResult opened = open_document(path);
   std::filesystem::remove(path);
   ASSERT_TRUE(opened.document);

@@ -20,8 +20,7 @@ TEST(TextureSet, GreenOfNormalsFollowsTheEngine) {
   const Scratch scratch("green");
   ASSERT_EQ(write_texture_set(scratch / "up", sample_design(), sheet(), options_for(targets::kGltf, 64)), "");
   ASSERT_EQ(write_texture_set(scratch / "down", sample_design(), sheet(), options_for(targets::kUnreal, 64)), "");
-  const Image up = *read_image(scratch / "up/sample_normal.png").image,
-              down = *read_image(scratch / "down/T_sample_N.png").image;
+  const Image up = *read_image(scratch / "up/sample_normal.png"), down = *read_image(scratch / "down/T_sample_N.png");
   for (size_t i = 0; i < up.texels.size(); i += 3) {
     EXPECT_NEAR(up.texels[i], down.texels[i], 1e-6f);
     EXPECT_NEAR(up.texels[i + 1], 1 - down.texels[i + 1], 1.01f / 255);
@@ -103,30 +102,30 @@ TEST(TextureSet, CoarserMipsAreRougher) {
   const std::array<size_t, 3> levels{0, 2, 4};  // the first has half the size of the set
   double before = 0;
   for (size_t level : levels) {
-    const ReadImage mip = read_image(file, static_cast<int>(level));
-    ASSERT_TRUE(mip.image) << mip.error;
-    ASSERT_EQ(mip.image->width, 32 >> level);
+    const base::Result<Image> mip = read_image(file, static_cast<int>(level));
+    ASSERT_TRUE(mip) << problem_of(mip);
+    ASSERT_EQ(mip->width, 32 >> level);
     double rough = 0;
-    for (size_t i = 0; i < mip.image->texels.size(); i += 5)
-      rough += static_cast<double>(mip.image->texels[i + 3] + mip.image->texels[i + 4]);
-    rough /= static_cast<double>(mip.image->texels.size() / 5);
+    for (size_t i = 0; i < mip->texels.size(); i += 5)
+      rough += static_cast<double>(mip->texels[i + 3] + mip->texels[i + 4]);
+    rough /= static_cast<double>(mip->texels.size() / 5);
     EXPECT_GT(rough, before) << "level " << level;
     before = rough;
   }
-  EXPECT_FALSE(read_image(file, 6).image) << "32 texels end at level 5";
+  EXPECT_FALSE(read_image(file, 6)) << "32 texels end at level 5";
 }
 
 /// Mean slant of the fibres on the ends, positive to the right.
 double warp_slant(const std::string& file) {
-  const ReadImage read = read_image(file);
-  if (!read.image) return 0;
+  const base::Result<Image> read = read_image(file);
+  if (!read) return 0;
   double sum = 0;
-  for (size_t i = 0; i + 2 < read.image->texels.size(); i += static_cast<size_t>(read.image->channels)) {
-    const double x = 2 * static_cast<double>(read.image->texels[i]) - 1;
-    const double y = 2 * static_cast<double>(read.image->texels[i + 1]) - 1;
+  for (size_t i = 0; i + 2 < read->texels.size(); i += static_cast<size_t>(read->channels)) {
+    const double x = 2 * static_cast<double>(read->texels[i]) - 1;
+    const double y = 2 * static_cast<double>(read->texels[i + 1]) - 1;
     if (std::abs(y) > std::abs(x)) sum += x * y;
   }
-  return sum / static_cast<double>(read.image->width * read.image->height);
+  return sum / static_cast<double>(read->width * read->height);
 }
 
 TEST(TextureSet, TwistIsTheSameOnBothFaces) {
@@ -143,7 +142,7 @@ TEST(TextureSet, TwistIsTheSameOnBothFaces) {
 TEST(TextureSet, OcclusionIsDarkBetweenThreads) {
   const Scratch scratch("occlusion");
   ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), {}, options_for(targets::kUnityUrp, 128)), "");
-  const Image occlusion = *read_image(scratch / "set/sample_Occlusion.png").image;
+  const Image occlusion = *read_image(scratch / "set/sample_Occlusion.png");
   const auto [least, most] = std::minmax_element(occlusion.texels.begin(), occlusion.texels.end());
   EXPECT_LT(*least, 0.8f);
   EXPECT_GT(*most, 0.9f);
@@ -163,7 +162,7 @@ Design asymmetric_design() {
 TEST(TextureSet, EndOneIsAtTheRightAndPickOneAtTheTop) {
   const Scratch scratch("way_up");
   ASSERT_EQ(write_texture_set(scratch / "set", asymmetric_design(), {}, options_for(targets::kUnityUrp, 128)), "");
-  const Image image = *read_image(scratch / "set/sample_BaseMap.png").image;
+  const Image image = *read_image(scratch / "set/sample_BaseMap.png");
   std::vector<double> white(8), red(8);
   for (int y = 0; y < 128; ++y) {
     for (int x = 0; x < 128; ++x) {
@@ -219,8 +218,8 @@ struct MipFigures {
 MipFigures mips_of(const std::string& folder, int levels) {
   MipFigures out;
   for (int k = 0; k < levels; ++k) {
-    const Image orm = *read_image(folder + "/sample_orm.dds", k).image,
-                base = *read_image(folder + "/sample_basecolor.dds", k).image;
+    const Image orm = *read_image(folder + "/sample_orm.dds", k),
+                base = *read_image(folder + "/sample_basecolor.dds", k);
     double sum = 0, above = 0;
     const size_t texels = static_cast<size_t>(orm.width) * static_cast<size_t>(orm.height);
     for (size_t i = 0; i < texels; ++i) {
@@ -249,8 +248,7 @@ TEST(TextureSet, PrefilteredMipsGrowRougherAndKeepTheMask) {
   EXPECT_LT(f.covered[0], 0.95);
   for (size_t k = 1; k < 6; ++k) EXPECT_NEAR(f.covered[k], f.covered[0], 0.07) << "level " << k;
   // The finest level is the image itself.
-  const Image image = *read_image(scratch / "set/sample_orm.png").image,
-              finest = *read_image(scratch / "set/sample_orm.dds").image;
+  const Image image = *read_image(scratch / "set/sample_orm.png"), finest = *read_image(scratch / "set/sample_orm.dds");
   for (size_t i = 0; i < 256 * 256; i += 97)
     EXPECT_NEAR(image.texels[3 * i + 1], finest.texels[static_cast<size_t>(finest.channels) * i + 1], 2.0f / 255);
 }
@@ -282,8 +280,8 @@ TEST(TextureSet, BothFacesHaveTheirOwnImages) {
   design.draft.warp.color.assign(design.draft.warp.color.size(), 0);
   design.draft.weft.color.assign(design.draft.weft.color.size(), 1);
   ASSERT_EQ(write_texture_set(scratch / "set", design, sheet(), options_for(targets::kGltf, 64)), "");
-  const Image front = *read_image(scratch / "set/sample_basecolor.png").image,
-              back = *read_image(scratch / "set/sample_back_basecolor.png").image;
+  const Image front = *read_image(scratch / "set/sample_basecolor.png"),
+              back = *read_image(scratch / "set/sample_back_basecolor.png");
   EXPECT_GT(mean_of(back, 0), mean_of(front, 0) + 0.1);
 }
 

@@ -74,13 +74,13 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
     named.insert(file);
-    const ReadImage read = read_image(folder + "/" + file);
-    ASSERT_TRUE(read.image) << read.error;
-    EXPECT_EQ(read.image->width, map["width"]);
-    EXPECT_EQ(read.image->height, map["height"]);
-    EXPECT_EQ(read.image->channels, static_cast<int>(map["channels"].size())) << file;
-    if (file.find("_thread") == std::string::npos) expect_seamless(*read.image, file);
-    for (float v : read.image->texels) ASSERT_TRUE(std::isfinite(v)) << file;
+    const base::Result<Image> read = read_image(folder + "/" + file);
+    ASSERT_TRUE(read) << problem_of(read);
+    EXPECT_EQ(read->width, map["width"]);
+    EXPECT_EQ(read->height, map["height"]);
+    EXPECT_EQ(read->channels, static_cast<int>(map["channels"].size())) << file;
+    if (file.find("_thread") == std::string::npos) expect_seamless(*read, file);
+    for (float v : read->texels) ASSERT_TRUE(std::isfinite(v)) << file;
   }
   if (list.contains("material")) named.insert(list["material"]);
   for (const json& file : list["files"]) expected.insert(file);
@@ -251,7 +251,7 @@ TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
 TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
   ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128)), "");
-  const Image map = *read_image(scratch / "h/sample_ThreadMap.png").image;
+  const Image map = *read_image(scratch / "h/sample_ThreadMap.png");
   ASSERT_EQ(map.channels, 4);
   std::array<double, 4> mean{};
   for (size_t i = 0; i < map.texels.size(); ++i)

@@ -1,0 +1,29 @@
+#include "base/result.h"
+
+#include <new>
+
+#include "base/caught.h"
+#include "base/text.h"
+
+namespace weftlight::base {
+
+std::string message(const Error& error) {
+  std::string place = error.file;
+  if (error.line > 0 && !place.empty()) place += ':';
+  if (error.line > 0) place += std::to_string(error.line);
+  if (place.empty()) return error.text;
+  return fill(tr("{file}: {problem}"), arg("file", place), arg("problem", error.text));
+}
+
+Failure thrown(ErrorKind kind, std::string file) {
+  const std::string text = words_of_thrown();
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorKind::kMemory, text, std::move(file));
+  } catch (...) {
+    return failure(kind, text, std::move(file));
+  }
+}
+
+}  // namespace weftlight::base

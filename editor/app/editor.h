@@ -26,6 +26,7 @@
 #include "session/report.h"
 #include "session/saver.h"
 #include "session/session.h"
+#include "session/slow_edits.h"
 #include "session/strokes.h"
 #include "session/typing.h"
 #include "session/user_files.h"
@@ -50,7 +51,7 @@ class Editor : public ActionHost {
   DocumentView& view() override { return session_.active().view; }
   const DocumentView& view() const override { return session_.active().view; }
   void commit(const Edit& edit) override;
-  void compute(const SlowEdit& edit) override;
+  void compute(const SlowEdit& edit) override { slow_edits_.start(edit); }
   void undo() override;
   void redo() override;
   void go_to_step(size_t step) override;
@@ -195,15 +196,6 @@ class Editor : public ActionHost {
   void look_for_left_work(bool gallery);
   /// Writes what `make` returns and says so.
   void write(const std::string& path, std::function<std::string()> make);
-  void take_edit(const SlowEdit& edit, uint64_t document, const std::shared_ptr<const Design>& before, Design made);
-  struct ClosestSearch {
-    uint64_t document = 0;
-    std::shared_ptr<const Design> design, requested;
-    bool operator==(const ClosestSearch&) const = default;
-  };
-  /// Searches for the closest weave to a rejected gesture once it has ended.
-  void find_closest_weave();
-  void take_closest_weave(const ClosestSearch& search, std::shared_ptr<const ClosestWeave> found);
 
   // editor_loom.cpp
   /// Handles reports of the loom; true if there is something to show.
@@ -220,6 +212,7 @@ class Editor : public ActionHost {
   /// Reads the file of the active document again.
   void read_again();
   void bring_back(size_t left);
+  void take_back(const LeftWork& left, OpenResult back);
   void bring_back_all();
   void keep_live_export();
   /// The present write error, until it is resolved.
@@ -239,9 +232,9 @@ class Editor : public ActionHost {
   // Runners end before the session, which their tasks may use.
   base::TaskRunner reading_{Window::wake}, writing_{Window::wake}, computing_{Window::wake};
   Saver saver_{session_, writing_};
+  SlowEdits slow_edits_{session_, computing_};
   std::optional<base::ShownTask> shown_task_;
   std::deque<std::function<void()>> later_;  // when no dialog is open
-  ClosestSearch closest_search_;             // the one in progress
   bool starting_ = false;                    // the draft that the program was started with is being read
   BackgroundWriter writer_;                  // writes the live export
   Exporter sets_{Window::wake};

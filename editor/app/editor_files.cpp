@@ -181,11 +181,23 @@ void Editor::offer_recovery() {
 }
 
 void Editor::bring_back(size_t chosen) {
-  const DocumentNote note = session_.left()[chosen].note;
-  std::vector<Diagnostic> why;
-  if (session_.bring_back(chosen, settings_.per_inch, why) == nullptr) return report(std::move(why), note.name);
-  if (document().path().empty() && !note.path.empty())
-    say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", note.path)));
+  const LeftWork& left = session_.left()[chosen];
+  const std::string& name = left.note.name;
+  base::Task task = base::task_with_result([left](const base::RunningTask&) { return session::bring_back(left); },
+                                           [this, left](OpenResult back) { take_back(left, std::move(back)); },
+                                           [this, name](const std::string& why) {
+                                             report({{Severity::kError, 0, why, {}}}, name);
+                                           });
+  task.kind = "left:" + left.journal;
+  task.name = fill(tr("Recovering {draft}"), arg("draft", name));
+  reading_.start(std::move(task));
+}
+
+void Editor::take_back(const LeftWork& left, OpenResult back) {
+  if (!back.document) return report(std::move(back.remarks), left.note.name);
+  if (session_.take_back(left, std::move(back), settings_.per_inch) == nullptr) return;
+  if (document().path().empty() && !left.note.path.empty())
+    say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", left.note.path)));
   else if (!session_.left().empty()) say(tr("There is more to recover: File, Recover unsaved work"));
 }
 

@@ -194,7 +194,7 @@ bool Editor::carry_out(const TypedKey& typed) {
 
 void Editor::draw_window() {
   follow_shown();
-  find_closest_weave();
+  if (!strokes_.going_on()) slow_edits_.find_closest_weave();
   map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
   notes_ = {};

@@ -20,8 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kShownAfter{300};  // shorter tasks would only flicker
-constexpr const char* kClosest = "closest";            // kinds of tasks
-constexpr const char* kSlowEdit = "edit";
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -31,6 +29,10 @@ bool Editor::take_results() {
   bool any = writing_.take();
   // These may change the draft or show another one: not in the middle of a gesture or a dialog.
   if (!ImGui::IsAnyMouseDown() && no_dialog()) any |= reading_.take() | computing_.take();
+  if (SlowEdits::News news = slow_edits_.take_news(); any) {
+    if (news.edited) edited();
+    if (!news.said.empty()) say(std::move(news.said));
+  }
   if (!later_.empty() && no_dialog()) {
     const auto due = std::move(later_.front());
     later_.pop_front();
@@ -68,9 +70,8 @@ void Editor::draw_task(PanelContext& c) {
 }
 
 void Editor::cancel(const base::ShownTask& task) {
-  for (base::TaskRunner* runner : {&reading_, &computing_}) runner->stop(task.kind);
-  if (task.kind == kClosest)
-    if (OpenDocument* open = session_.find(closest_search_.document)) open->view.rejected_edit.reset();
+  reading_.stop(task.kind);
+  slow_edits_.cancel(task.kind);
   end_start();
   say(fill(tr("Cancelled: {task}"), arg("task", task.name)));
 }
@@ -135,65 +136,6 @@ void Editor::write(const std::string& path, std::function<std::string()> make) {
   task.name = fill(tr("Writing {file}"), arg("file", name_of(path)));
   task.finishes = true;
   writing_.start(std::move(task));
-}
-
-void Editor::compute(const SlowEdit& edit) {
-  const uint64_t document = session_.active().id;
-  const std::shared_ptr<const Design> before = this->document().snapshot();
-  base::Task task = base::task_with_result(
-      [edit, before](const base::RunningTask& running) { return edit.apply(*before, running); },
-      [this, edit, before, document](Design made) { take_edit(edit, document, before, std::move(made)); },
-      [this, edit](const std::string& why) {
-        say(fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", why)));
-      });
-  task.kind = kSlowEdit;
-  task.name = edit.doing;
-  computing_.start(std::move(task));
-}
-
-void Editor::take_edit(const SlowEdit& edit, uint64_t document, const std::shared_ptr<const Design>& before,
-                       Design made) {
-  OpenDocument* open = session_.find(document);
-  if (open == nullptr) return;
-  if (open->document.snapshot() != before)
-    return say(fill(tr("{edit}: not applied, because the draft has changed meanwhile"), arg("edit", edit.label)));
-  const bool changed = session_.commit(*open, {edit.label, [&made](const Design&) { return made; }}, 0);
-  if (!changed) return say(edit.no_change);
-  if (document == session_.active().id) edited();
-}
-
-void Editor::find_closest_weave() {
-  const std::optional<RejectedEdit>& rejected = view().rejected_edit;
-  const uint64_t document = session_.active().id;
-  if (!rejected && closest_search_.document == document) {
-    // Dismissed, or the next edit came.
-    computing_.stop(kClosest);
-    closest_search_ = {};
-  }
-  if (!rejected || rejected->nearest || strokes_.going_on()) return;
-  const ClosestSearch now{document, this->document().snapshot(), rejected->requested};
-  if (closest_search_ == now) return;
-  closest_search_ = now;
-  base::Task task = base::task_with_result(
-      [now](const base::RunningTask& running) { return nearest_to(*now.design, *now.requested, running); },
-      [this, now](std::shared_ptr<const ClosestWeave> found) { take_closest_weave(now, std::move(found)); },
-      [this, now](const std::string& why) {
-        take_closest_weave(now, nullptr);
-        say(fill(tr("The closest weave was not found: {problem}"), arg("problem", why)));
-      });
-  task.kind = kClosest;
-  task.name = tr("Searching for the closest weave");
-  computing_.start(std::move(task));
-}
-
-void Editor::take_closest_weave(const ClosestSearch& search, std::shared_ptr<const ClosestWeave> found) {
-  if (closest_search_ == search) closest_search_ = {};
-  OpenDocument* open = session_.find(search.document);
-  if (open == nullptr || open->document.snapshot() != search.design) return;
-  std::optional<RejectedEdit>& rejected = open->view.rejected_edit;
-  if (!rejected || rejected->requested != search.requested) return;
-  rejected->nearest = std::move(found);
-  if (!rejected->nearest) rejected.reset();
 }
 
 }  // namespace weftlight::app

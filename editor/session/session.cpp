@@ -163,14 +163,10 @@ void Session::forget_all() {
   for (const auto& open : all_) journal_.forget(open->id);
 }
 
-OpenDocument* Session::bring_back(size_t which, bool per_inch, std::vector<Diagnostic>& why) {
-  const LeftWork left = left_[which];
-  OpenResult back = session::bring_back(left);
-  if (!back.document) {
-    why = std::move(back.remarks);
-    return nullptr;
-  }
-  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(which));
+OpenDocument* Session::take_back(const LeftWork& left, OpenResult back, bool per_inch) {
+  const auto taken =
+      std::erase_if(left_, [&](const LeftWork& l) { return back.document && l.journal == left.journal; });
+  if (taken == 0) return nullptr;
   OpenDocument* there = back.document->path().empty() ? nullptr : on_file(back.document->path());
   if (there != nullptr && there->document.is_saved()) {
     show(there->id);

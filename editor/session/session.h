@@ -87,9 +87,9 @@ class Session {
   /// What find_left() returned is offered from now on.
   void set_left(std::vector<LeftWork> left) { left_ = std::move(left); }
   const std::vector<LeftWork>& left() const { return left_; }
-  /// Opens the work, replacing the tab of its file if that has no unsaved changes. Null if it cannot be read: `why`
-  /// tells the reason, and the journal stays.
-  OpenDocument* bring_back(size_t left, bool per_inch, std::vector<Diagnostic>& why);
+  /// Opens what bring_back() made of that work (bring_back.h, for any thread), replacing the tab of its file if that
+  /// has no unsaved changes. Null if it could not be read, or has been opened already: its journal stays.
+  OpenDocument* take_back(const LeftWork& left, OpenResult back, bool per_inch);
   void discard(size_t left);
 
   /// The error of the journal until a retry succeeds.

@@ -220,8 +220,9 @@ TEST_F(SaverTest, AKillBeforeTheDiskHasItLosesNothing) {
   Session next(path("crashed"), first(), false);
   next.set_left(next.find_left());
   ASSERT_EQ(next.left().size(), 1u);
-  std::vector<Diagnostic> why;
-  ASSERT_NE(next.bring_back(0, false, why), nullptr);
+  const LeftWork left = next.left()[0];
+  ASSERT_NE(next.take_back(left, bring_back(left), false), nullptr);
+  EXPECT_EQ(next.take_back(left, bring_back(left), false), nullptr) << "once is enough";
   EXPECT_EQ(next.active().document.now().draft.threading.first(0), 2);
 }
 

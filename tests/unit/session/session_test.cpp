@@ -68,6 +68,13 @@ class SessionTest : public ScratchTest {
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
   }
+  /// The newest work of a crashed session.
+  static OpenDocument* bring_back(Session& s, std::vector<Diagnostic>& why) {
+    const LeftWork left = s.left()[0];
+    OpenResult back = session::bring_back(left);
+    why = back.remarks;
+    return s.take_back(left, std::move(back), false);
+  }
   static std::vector<std::string> titles(const Session& s) {
     std::vector<std::string> all;
     for (const auto& open : s.all()) all.push_back(open->document.now().title);
@@ -158,7 +165,7 @@ TEST_F(SessionTest, BothAreOfferedAfterAKill) {
   const auto s = session();
   ASSERT_EQ(s->left().size(), 2u);
   std::vector<Diagnostic> why;
-  while (!s->left().empty()) ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  while (!s->left().empty()) ASSERT_NE(bring_back(*s, why), nullptr);
   ASSERT_EQ(s->all().size(), 2u);
   EXPECT_EQ(s->unsaved().size(), 2u);
   ASSERT_NE(s->on_file(a), nullptr);
@@ -175,7 +182,7 @@ TEST_F(SessionTest, WorkComesBackInTheTabOfItsFile) {
   const auto s = session();
   open(*s, a);
   std::vector<Diagnostic> why;
-  ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  ASSERT_NE(bring_back(*s, why), nullptr);
   EXPECT_EQ(s->all().size(), 1u);
   EXPECT_EQ(s->active().document.path(), a);
   EXPECT_TRUE(s->active().document.now().draft.threading.get(0, 1));
@@ -188,7 +195,7 @@ TEST_F(SessionTest, WorkOnAFileThatIsBeingEditedComesBackBesideIt) {
   open(*s, a);
   s->commit(paint(3), 0);
   std::vector<Diagnostic> why;
-  ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  ASSERT_NE(bring_back(*s, why), nullptr);
   EXPECT_EQ(s->all().size(), 2u);
   EXPECT_EQ(s->active().document.path(), "") << "one file, one tab";
   EXPECT_EQ(s->active().document.name(), "a.wif");

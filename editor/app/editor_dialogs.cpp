@@ -142,11 +142,21 @@ void Editor::ask_environment() {
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
         if (!is_environment(path)) return say(tr("An environment picture ends in .hdr or .exr."));
-        if (const std::string problem = environment_problem(path); !problem.empty()) return say(problem);
-        commit({tr("Environment picture"), [path](Design d) {
-                  d.scene = lit_by_environment(d.scene, path);
-                  return d;
-                }});
+        base::Task task = base::task_with_result(
+            [path](const base::RunningTask&) { return environment_problem(path); },
+            [this, path, id = session_.active().id](const std::string& problem) {
+              if (!problem.empty()) return say(problem);
+              OpenDocument* open = session_.find(id);
+              const Edit edit{tr("Environment picture"), [path](Design d) {
+                                d.scene = lit_by_environment(d.scene, path);
+                                return d;
+                              }};
+              if (open != nullptr && session_.commit(*open, edit, 0) && open == &session_.active()) edited();
+            },
+            [this](const std::string& why) { say(why); });
+        task.kind = "environment";
+        task.name = fill(tr("Opening {file}"), arg("file", std::filesystem::path(path).filename().string()));
+        reading_.start(std::move(task));
       },
       ".hdr");
 }

@@ -112,7 +112,7 @@ Recovery::~Recovery() {
 }
 
 std::string Recovery::open() {
-  const std::lock_guard mine(mutex_);
+  const std::lock_guard lock(own_);
   const std::string path = (fs::path(folder_) / kLock).string();
   if (lock_.stands_at(path)) return {};
   std::error_code error;
@@ -127,7 +127,7 @@ std::string Recovery::journal_path(uint64_t document) const {
 }
 
 std::vector<LeftWork> Recovery::left_behind() {
-  const std::lock_guard mine(mutex_);
+  const std::lock_guard hold(others_);
   std::vector<LeftWork> found;
   std::error_code error;
   if (!fs::is_directory(root_, error)) return found;
@@ -157,7 +157,7 @@ std::vector<LeftWork> Recovery::left_behind() {
 }
 
 void Recovery::discard(const LeftWork& left) {
-  const std::lock_guard mine(mutex_);
+  const std::lock_guard hold(others_);
   std::error_code ignored;
   fs::remove(left.journal, ignored);
   const fs::path folder = fs::path(left.journal).parent_path();

@@ -1,21 +1,19 @@
 #include "session/save.h"
 
-#include "base/caught.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
 
-SaveResult write(const SaveJob& job) noexcept {
+SaveResult write(const SaveJob& job) {
   SaveResult result;
-  const std::string thrown = caught([&] {
-    FileIdentity known = job.known.value_or(FileIdentity{});
-    result.changed = job.known && changed_since(job.path, known) == FileChange::kContent;
-    if (result.changed) return;
-    const std::string bytes = job.text();
-    result.problem = write_file_atomically(job.path, bytes);
-    if (result.problem.empty()) result.file = identify(job.path, bytes);
-  });
-  if (!thrown.empty()) result.problem = thrown;
+  if (job.known) {
+    FileIdentity known = *job.known;
+    result.changed = changed_since(job.path, known) == FileChange::kContent;
+    if (result.changed) return result;
+  }
+  const std::string bytes = job.text();
+  result.problem = write_file_atomically(job.path, bytes);
+  if (result.problem.empty()) result.file = identify(job.path, bytes);
   return result;
 }
 

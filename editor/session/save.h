@@ -26,7 +26,7 @@ struct SaveResult {
   bool written() const { return problem.empty() && !changed; }
 };
 
-/// Writes the file, flushed to the disk. Callable from any thread; what it lacks memory for is a problem like others.
-SaveResult write(const SaveJob& job) noexcept;
+/// Writes the file, flushed to the disk. Callable from any thread.
+SaveResult write(const SaveJob& job);
 
 }  // namespace weftlight::session

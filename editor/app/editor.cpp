@@ -156,7 +156,7 @@ void Editor::saved(uint64_t id, const std::string& path, const SaveResult& resul
   remember(settings_, path);
   remake_actions();
   say(fill(tr("Saved {file}"), arg("file", std::filesystem::path(path).filename().string())));
-  if (then) then();
+  if (then) when_no_dialog(then);  // it may ask something
 }
 
 void Editor::tell_not_saved(uint64_t id, const std::string& problem) {
@@ -172,7 +172,7 @@ void Editor::tell_not_saved(uint64_t id, const std::string& problem) {
 }
 
 void Editor::quit() {
-  if (saver_.saving(0)) return saver_.after(0, [this] { quit(); });
+  if (saver_.saving(0)) return saver_.after(0, [this] { when_no_dialog([this] { quit(); }); });
   const std::vector<uint64_t> unsaved = session_.unsaved();
   if (unsaved.empty()) {
     leaving_ = true;

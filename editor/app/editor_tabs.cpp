@@ -23,7 +23,8 @@ void Editor::close(uint64_t id, const std::function<void()>& then) {
   };
   const OpenDocument* open = session_.find(id);
   if (open == nullptr) return;
-  if (saver_.saving(id)) return saver_.after(id, [this, id, then] { close(id, then); });
+  if (saver_.saving(id))
+    return saver_.after(id, [this, id, then] { when_no_dialog([this, id, then] { close(id, then); }); });
   if (open->document.is_saved()) return closed();
   session_.show(id);
   ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),

@@ -22,6 +22,8 @@ class ActionHost {
   virtual DocumentView& view() = 0;
   virtual const DocumentView& view() const = 0;
   virtual void commit(const Edit& edit) = 0;
+  /// Commits it when it is computed, if the draft is still the same.
+  virtual void compute(const SlowEdit& edit) = 0;
   virtual void undo() = 0;
   virtual void redo() = 0;
   /// Goes to a step of the history.

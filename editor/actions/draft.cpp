@@ -80,9 +80,9 @@ void add_draft_actions(Actions& all) {
   control("treadling", tr("Tie-up and treadling"), ShedControl::kTreadling)->item.group = true;
   control("liftplan", tr("Use the liftplan"), ShedControl::kLiftplan);
   add(all, "Draft", "skeleton", tr("Skeleton tie-up, two treadles a pick"), "", [](ActionHost& e) {
-    Edit edit{tr("Skeleton tie-up, two treadles a pick"), [](Design d) { return to_skeleton(std::move(d), 2); }};
-    edit.why = [](const Design&) { return std::string(tr("No skeleton tie-up needs fewer treadles.")); };
-    e.commit(edit);
+    e.compute({tr("Skeleton tie-up, two treadles a pick"), tr("Searching for a skeleton tie-up"),
+               [](Design d, const base::TaskProgress& progress) { return to_skeleton(std::move(d), 2, progress); },
+               tr("No skeleton tie-up needs fewer treadles.")});
   });
   add_leading(all);
   add_thread_actions(all);

@@ -10,7 +10,6 @@
 #include "design/edits.h"
 #include "files/files.h"
 #include "session/files/file_names.h"
-#include "session/files/stale_files.h"
 #include "session/library/gallery.h"
 
 namespace weftlight::app {
@@ -65,14 +64,12 @@ Editor::Editor(Window& window, const EditorOptions& options)
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
   remake_actions();
-  if (!options.file.empty()) open_path(options.file);
+  if (!options.file.empty()) start_with(options.file);
   // No tour if a program drives the window.
   if (!settings_.toured && options.ui_map.empty() && options.live_export.empty()) settings_.tour = 0;
   follow_shown();
-  offer_recovery();
   const bool driven = !options.ui_map.empty() || !options.live_export.empty();
-  if (std::holds_alternative<std::monostate>(dialog_) && opens_with_gallery(settings_, !options.file.empty(), driven))
-    show_gallery(settings_.recent.empty());
+  look_for_left_work(opens_with_gallery(settings_, !options.file.empty(), driven));
 }
 
 void Editor::open() {
@@ -84,40 +81,43 @@ void Editor::open_path(const std::string& path) {
     session_.show(there->id);
     return look_at_file();
   }
-  remove_stale_files(path);
-  OpenResult result = open_document(path);
-  if (!result.document) return report(std::move(result.remarks), path);
-  remember(settings_, path);
-  remake_actions();
-  open_beside(std::move(*result.document), Origin::kOwn);
+  read(path, [this, path](OpenResult result) {
+    if (!result.document) return report(std::move(result.remarks), path);
+    if (const OpenDocument* there = session_.on_file(path)) return session_.show(there->id);
+    remember(settings_, path);
+    remake_actions();
+    open_beside(std::move(*result.document), Origin::kOwn);
+  });
 }
 
 void Editor::open_copy(const std::string& path) {
-  OpenResult result = open_document(path);
-  if (!result.document) return report(std::move(result.remarks), path);
-  open_beside(Document(result.document->now()), Origin::kShipped);
+  read(path, [this, path](OpenResult result) {
+    if (!result.document) return report(std::move(result.remarks), path);
+    open_beside(Document(result.document->now()), Origin::kShipped);
+  });
 }
 
 void Editor::save() { save_shown(nullptr); }
 
 void Editor::save_shown(std::function<void()> then) {
-  if (!document().path().empty()) return save_own(std::move(then));
-  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()), [this, then](const std::string& path) {
-    if (same_file(path, document().path())) save_own(then);
-    else save_to(path, then);
-  });
+  if (!document().path().empty()) return save_to(document().path(), false, then);
+  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()),
+           [this, then](const std::string& path) { save_to(path, false, then); });
 }
 
 void Editor::save_as() {
-  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()), [this](const std::string& path) {
-    if (same_file(path, document().path())) save_own(nullptr);
-    else save_to(path, nullptr);
-  });
+  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()),
+           [this](const std::string& path) { save_to(path, false, nullptr); });
 }
 
 void Editor::save_all() { save_each(session_.unsaved(), nullptr); }
 
 void Editor::save_each(std::vector<uint64_t> ids, const std::function<void()>& then) {
+  // Closed or saved while others were written.
+  std::erase_if(ids, [this](uint64_t id) {
+    const OpenDocument* open = session_.find(id);
+    return open == nullptr || open->document.is_saved();
+  });
   if (ids.empty()) {
     if (then) then();
     return;
@@ -131,34 +131,49 @@ void Editor::save_for_others() {
   std::filesystem::path start = document().path().empty() ? "untitled.wif" : document().path();
   start.replace_filename(start.stem().string() + "-plain.wif");
   ask_path(FileAsk::kSave, tr("Save for other programs and looms"), start.string(), [this](const std::string& path) {
-    const std::string problem = write_file_atomically(path, write_plain_wif(document().now()));
-    say(problem.empty() ? fill(tr("Wrote {file}"), arg("file", std::filesystem::path(path).filename().string()))
-                        : problem);
+    write(path, [design = document().snapshot()] { return write_plain_wif(*design); });
   });
 }
 
-void Editor::save_to(const std::string& path, const std::function<void()>& then) {
+void Editor::save_to(const std::string& path, bool over_changes, const std::function<void()>& then) {
+  const uint64_t id = session_.active().id;
   const OpenDocument* there = session_.on_file(path);
-  const bool taken = there != nullptr && there->id != session_.active().id;
-  const std::string problem =
-      taken ? fill(tr("{path} is open in another tab."), arg("path", path)) : session_.save(session_.active().id, path);
-  if (!problem.empty()) {
-    return ask(
-        Question{tr("The draft was not saved"),
+  if ((there != nullptr && there->id != id) || saver_.takes(path, id))
+    return tell_not_saved(id, fill(tr("{path} is open in another tab."), arg("path", path)));
+  // By its own name, so that changes of its file are noticed.
+  const std::string& to = there != nullptr ? document().path() : path;
+  saver_.save(id, to, over_changes, [this, id, to, then](const SaveResult& result) { saved(id, to, result, then); });
+}
+
+void Editor::saved(uint64_t id, const std::string& path, const SaveResult& result, const std::function<void()>& then) {
+  if (!result.problem.empty()) return tell_not_saved(id, result.problem);
+  if (result.changed)
+    return when_no_dialog([this, id, then] {
+      if (session_.find(id) == nullptr) return;
+      session_.show(id);
+      ask_about_change(true, then);
+    });
+  keep_live_export();
+  remember(settings_, path);
+  remake_actions();
+  say(fill(tr("Saved {file}"), arg("file", std::filesystem::path(path).filename().string())));
+  if (then) when_no_dialog(then);  // it may ask something
+}
+
+void Editor::tell_not_saved(uint64_t id, const std::string& problem) {
+  when_no_dialog([this, id, problem] {
+    session_.show(id);
+    ask(Question{tr("The draft was not saved"),
                  fill(tr("{problem}\n\nYour work is still here. Choose another place."), arg("problem", problem)),
                  {mark("Save as\xE2\x80\xA6"), mark("Cancel")}},
         [this](int button) {
           if (button == 0) save_as();
         });
-  }
-  keep_live_export();
-  remember(settings_, path);
-  remake_actions();
-  say(fill(tr("Saved {file}"), arg("file", document().name())));
-  if (then) then();
+  });
 }
 
 void Editor::quit() {
+  if (saver_.saving(0)) return saver_.after(0, [this] { when_no_dialog([this] { quit(); }); });
   const std::vector<uint64_t> unsaved = session_.unsaved();
   if (unsaved.empty()) {
     leaving_ = true;
@@ -178,7 +193,8 @@ void Editor::quit() {
                {one ? mark("Save") : mark("Save all"), mark("Do not save"), mark("Cancel")}},
       [this, unsaved](int button) {
         if (button == 1) leaving_ = true;
-        if (button == 0) save_each(unsaved, [this] { leaving_ = true; });
+        // Again, since there may be edits meanwhile.
+        if (button == 0) save_each(unsaved, [this] { quit(); });
       });
 }
 

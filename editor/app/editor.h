@@ -2,7 +2,9 @@
 // The editor: the open documents, the panels of the active one, and the implementation of the actions. Everything the
 // user can do is in the table of actions.h; panels return edits, which are committed only here.
 
+#include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "app/preview_pane.h"
 #include "app/ui_map_file.h"
 #include "app/window.h"
+#include "base/tasks.h"
 #include "commands/commands.h"
 #include "platform/desktop.h"
 #include "session/document/document.h"
@@ -24,7 +27,9 @@
 #include "session/jobs/exporter.h"
 #include "session/loom/loom_link.h"
 #include "session/report.h"
+#include "session/saver.h"
 #include "session/session.h"
+#include "session/slow_edits.h"
 #include "views/analysis/analysis_panel.h"
 #include "views/dialogs/dialogs.h"
 #include "views/draft/draft_panel.h"
@@ -48,6 +53,7 @@ class Editor : public ActionHost {
   DocumentView& view() override { return session_.active().view; }
   const DocumentView& view() const override { return session_.active().view; }
   void commit(const Edit& edit) override;
+  void compute(const SlowEdit& edit) override { slow_edits_.start(edit); }
   void undo() override;
   void redo() override;
   void go_to_step(size_t step) override;
@@ -127,8 +133,6 @@ class Editor : public ActionHost {
   void draw_question(PanelContext& c);
   void draw_status(PanelContext& c, const WindowLayout& layout);
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
-  /// Computes the closest weave to a rejected gesture once it has ended.
-  void find_closest_weave();
   /// The report for the panels; a new one is started only while it is visible.
   const Report* report();
   void apply_input();
@@ -159,7 +163,11 @@ class Editor : public ActionHost {
   void save_shown(std::function<void()> then);
   /// Saves several, asking for a path for those without a file. Runs `then` only if all were saved.
   void save_each(std::vector<uint64_t> ids, const std::function<void()>& then);
-  void save_to(const std::string& path, const std::function<void()>& then);
+  /// Saves beside the window; `then` runs when the draft is on the disk. `over_changes`: also over those of another
+  /// program.
+  void save_to(const std::string& path, bool over_changes, const std::function<void()>& then);
+  void saved(uint64_t id, const std::string& path, const SaveResult& result, const std::function<void()>& then);
+  void tell_not_saved(uint64_t id, const std::string& problem);
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen, const std::string& ending = ".wif");
   void with_ending(const std::string& typed, const std::string& ending,
@@ -170,6 +178,27 @@ class Editor : public ActionHost {
   /// Makes the table of actions again: it contains files, shortcuts and views.
   void remake_actions();
 
+  // editor_tasks.cpp
+  /// Takes up what was done beside the window; true if there was anything.
+  bool take_results();
+  bool no_dialog() const { return std::holds_alternative<std::monostate>(dialog_); }
+  /// Now, or when the open dialog is closed.
+  void when_no_dialog(std::function<void()> then);
+  /// True if the status line is to be drawn again.
+  bool update_shown_task();
+  void draw_task(PanelContext& c);
+  void cancel(const base::ShownTask& task);
+  /// Reads a draft; `then` gets it, or why there is none.
+  void read(const std::string& path, std::function<void(OpenResult)> then);
+  /// Opens the draft that the program was started with.
+  void start_with(const std::string& path);
+  /// That draft is shown, or cannot be.
+  void end_start();
+  /// Looks for work of crashed sessions, and offers it; if there is none, shows the gallery if that is wanted.
+  void look_for_left_work(bool gallery);
+  /// Writes what `make` returns and says so.
+  void write(const std::string& path, std::function<std::string()> make);
+
   // editor_loom.cpp
   /// Handles reports of the loom; true if there is something to show.
   bool update_loom();
@@ -178,14 +207,14 @@ class Editor : public ActionHost {
   void draw_loom_window(PanelContext& c, const WindowLayout& layout);
 
   // editor_files.cpp
-  /// Saves to the document's own file; asks if another program changed it.
-  void save_own(std::function<void()> then);
   /// Checks the file when the window or tab becomes active; asks if another program changed it.
   void look_at_file();
+  void take_gone(OpenDocument& open);
   void ask_about_change(bool saving, std::function<void()> then);
   /// Reads the file of the active document again.
   void read_again();
   void bring_back(size_t left);
+  void take_back(const LeftWork& left, OpenResult back);
   void bring_back_all();
   void keep_live_export();
   /// The present write error, until it is resolved.
@@ -202,8 +231,14 @@ class Editor : public ActionHost {
   std::vector<Diagnostic> remarks_;  // about the document, or a file that could not be opened
   std::vector<Action> actions_;
   std::vector<std::string> views_in_menu_;
-  BackgroundWriter writer_;    // writes the live export
-  BackgroundWriter exporter_;  // separate, since it takes long
+  // Runners end before the session, which their tasks may use.
+  base::TaskRunner reading_{Window::wake}, writing_{Window::wake}, computing_{Window::wake};
+  Saver saver_{session_, writing_};
+  SlowEdits slow_edits_{session_, computing_};
+  std::optional<base::ShownTask> shown_task_;
+  std::deque<std::function<void()>> later_;  // when no dialog is open
+  bool starting_ = false;                    // the draft that the program was started with is being read
+  BackgroundWriter writer_;                  // writes the live export
   Exporter sets_{Window::wake};
   std::shared_ptr<ExportPlan> export_plan_ = std::make_shared<ExportPlan>();
   uint64_t exported_ = 0;  // id of the document that was exported
@@ -230,7 +265,7 @@ class Editor : public ActionHost {
   std::string message_, title_;
   bool remarks_open_ = false, leaving_ = false, restyle_ = true;
   Strokes strokes_;
-  Reporter reporter_;
+  Reporter reporter_{Window::wake};
   LoomLink loom_{Window::wake};
   uint64_t loom_of_ = 0;  // id of the document that it weaves
   std::string loom_address_, loom_why_;

@@ -80,13 +80,6 @@ void Editor::ask_sections() {
   ask(std::move(p), [](int) {});
 }
 
-void Editor::find_closest_weave() {
-  std::optional<RejectedEdit>& rejected_edit = view().rejected_edit;
-  if (!rejected_edit || rejected_edit->nearest || strokes_.going_on()) return;
-  rejected_edit->nearest = nearest_to(document().now(), *rejected_edit->requested);
-  if (!rejected_edit->nearest) rejected_edit.reset();
-}
-
 void Editor::ask_closest_weave() {
   constexpr uint64_t kClosestStrokes = uint64_t{5} << 60;  // distinct from mouse, weave and section strokes
   if (!view().rejected_edit || !view().rejected_edit->nearest) return;
@@ -130,13 +123,16 @@ void Editor::export_again() {
 
 void Editor::ask_other() {
   ask_path(FileAsk::kOpen, tr("Compare with a draft"), document().path(), [this](const std::string& path) {
-    OpenResult result = open_document(path);
-    if (!result.document) return report(std::move(result.remarks), path);
-    view().other = std::make_shared<const OtherDraft>(
-        OtherDraft{std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
-    view().place = -1;
-    settings_.inspector = true;
-    settings_.inspector_tab = kAnalysisTab;
+    read(path, [this, path, id = session_.active().id](OpenResult result) {
+      if (!result.document) return report(std::move(result.remarks), path);
+      OpenDocument* open = session_.find(id);
+      if (open == nullptr) return;
+      open->view.other = std::make_shared<const OtherDraft>(OtherDraft{
+          std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
+      open->view.place = -1;
+      settings_.inspector = true;
+      settings_.inspector_tab = kAnalysisTab;
+    });
   });
 }
 
@@ -146,11 +142,24 @@ void Editor::ask_environment() {
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
         if (!is_environment(path)) return say(tr("An environment picture ends in .hdr or .exr."));
-        if (const auto readable = check_environment(path); !readable) return say(message(readable.error()));
-        commit({tr("Environment picture"), [path](Design d) {
-                  d.scene = lit_by_environment(d.scene, path);
-                  return d;
-                }});
+        base::Task task = base::task_with_result(
+            [path](const base::RunningTask&) {
+              const auto readable = check_environment(path);
+              return readable ? std::string() : message(readable.error());
+            },
+            [this, path, id = session_.active().id](const std::string& problem) {
+              if (!problem.empty()) return say(problem);
+              OpenDocument* open = session_.find(id);
+              const Edit edit{tr("Environment picture"), [path](Design d) {
+                                d.scene = lit_by_environment(d.scene, path);
+                                return d;
+                              }};
+              if (open != nullptr && session_.commit(*open, edit, 0) && open == &session_.active()) edited();
+            },
+            [this](const std::string& why) { say(why); });
+        task.kind = "environment";
+        task.name = fill(tr("Opening {file}"), arg("file", std::filesystem::path(path).filename().string()));
+        reading_.start(std::move(task));
       },
       ".hdr");
 }
@@ -177,14 +186,25 @@ void Editor::ask_print() {
 
 void Editor::start_print(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
-    exporter_.run(path, fill(tr("Printed to {path}"), arg("path", path)), [path, p, design = document().snapshot()] {
-      const base::Result<print::Printed> printed = print::printed(*design, p.format, chosen_options(p));
-      std::string problem = problem_of(printed);
-      for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i)
-        problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
-      return problem.empty() ? problem : fill(tr("Not printed: {problem}"), arg("problem", problem));
-    });
-    say(tr("Printing\xE2\x80\xA6"));
+    base::Task task = base::task_with_result(
+        [path, p, design = document().snapshot()](const base::RunningTask& running) {
+          const base::Result<print::Printed> printed = print::printed(*design, p.format, chosen_options(p));
+          std::string problem = problem_of(printed);
+          for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i) {
+            running.report(static_cast<float>(i) / static_cast<float>(printed->files.size()));
+            problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
+          }
+          return problem;
+        },
+        [this, path](const std::string& problem) {
+          say(problem.empty() ? fill(tr("Printed to {path}"), arg("path", path))
+                              : fill(tr("Not printed: {problem}"), arg("problem", problem)));
+        },
+        [this](const std::string& why) { say(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+    task.kind = "print:" + path;
+    task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));
+    task.finishes = true;
+    computing_.start(std::move(task));
   };
   // The dialog confirmed the name itself, but not those of further sheets.
   const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);

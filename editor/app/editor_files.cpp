@@ -42,7 +42,7 @@ std::string free_name_beside(const std::string& path) {
 
 void Editor::keep_live_export() {
   const std::string& path = options_.live_export;
-  if (path.empty()) return;
+  if (path.empty() || starting_) return;
   live_problem_.clear();
   if (same_file(path, document().path())) {
     live_problem_ = fill(tr("No live export: {path} is the open draft"), arg("path", path));
@@ -62,26 +62,39 @@ std::string Editor::trouble() const {
   return problem.empty() ? writer_.problem() : problem;
 }
 
-void Editor::save_own(std::function<void()> then) {
-  if (session_.active().document.look_at_file() != FileChange::kContent) return save_to(document().path(), then);
-  ask_about_change(true, std::move(then));
+void Editor::look_at_file() {
+  if (!no_dialog() || file_dialog_.waiting()) return;
+  const OpenDocument& open = session_.active();
+  if (open.document.path().empty() || saver_.saving(open.id)) return;
+  struct Look {
+    FileChange change;
+    FileIdentity now;
+  };
+  base::Task task = base::task_with_result(
+      [path = open.document.path(), known = open.document.file()](const base::RunningTask&) {
+        FileIdentity now = known;
+        const FileChange change = changed_since(path, now);
+        return Look{change, now};
+      },
+      [this, id = open.id, known = open.document.file()](const Look& look) {
+        OpenDocument* asked = session_.find(id);
+        // Saved or read again meanwhile, or no longer shown: the next look counts.
+        if (asked == nullptr || &session_.active() != asked || saver_.saving(id) || asked->document.file() != known)
+          return;
+        asked->document.accept(look.change == FileChange::kNone ? look.now : known);
+        if (look.change == FileChange::kGone) take_gone(*asked);
+        if (look.change == FileChange::kContent && no_dialog()) ask_about_change(false, nullptr);
+      });
+  task.kind = "look";
+  reading_.start(std::move(task));
 }
 
-void Editor::look_at_file() {
-  if (!std::holds_alternative<std::monostate>(dialog_) || file_dialog_.waiting()) return;
-  OpenDocument& open = session_.active();
-  switch (open.document.look_at_file()) {
-    case FileChange::kNone:
-      return;
-    case FileChange::kContent:
-      return ask_about_change(false, nullptr);
-    case FileChange::kGone:
-      open.document.accept_file();
-      open.document.mark_unsaved();
-      session_.keep_unsaved(open);
-      say(fill(tr("{file} has been moved or deleted. Saving writes it again."), arg("file", document().name())));
-      return edited();
-  }
+void Editor::take_gone(OpenDocument& open) {
+  open.document.accept({});
+  open.document.mark_unsaved();
+  session_.keep_unsaved(open);
+  say(fill(tr("{file} has been moved or deleted. Saving writes it again."), arg("file", open.document.name())));
+  edited();
 }
 
 void Editor::ask_about_change(bool saving, std::function<void()> then) {
@@ -97,8 +110,8 @@ void Editor::ask_about_change(bool saving, std::function<void()> then) {
         const std::string path = document().path();
         if (button == 0)
           ask_path(FileAsk::kSave, tr("Save your draft as a copy"), free_name_beside(path),
-                   [this, then](const std::string& beside) { save_to(beside, then); });
-        if (button == 1 && saving) save_to(path, then);
+                   [this, then](const std::string& beside) { save_to(beside, false, then); });
+        if (button == 1 && saving) save_to(path, true, then);
         if (button == 1 && !saving) {
           OpenDocument& open = session_.active();
           open.document.accept_file();
@@ -111,11 +124,18 @@ void Editor::ask_about_change(bool saving, std::function<void()> then) {
 }
 
 void Editor::read_again() {
-  const std::string path = document().path();
-  OpenResult result = open_document(path);
-  if (!result.document) return report(std::move(result.remarks), path);
-  session_.replace(session_.active().id, std::move(*result.document), settings_.per_inch);
-  say(fill(tr("Reloaded {file}"), arg("file", document().name())));
+  const OpenDocument& open = session_.active();
+  const std::string path = open.document.path();
+  read(path, [this, path, id = open.id, before = open.document.snapshot()](OpenResult result) {
+    if (!result.document) return report(std::move(result.remarks), path);
+    const OpenDocument* asked = session_.find(id);
+    if (asked == nullptr) return;
+    const std::string name = asked->document.name();
+    if (asked->document.snapshot() != before)
+      return say(fill(tr("{file} was not reloaded, because you have edited it meanwhile"), arg("file", name)));
+    session_.replace(id, std::move(*result.document), settings_.per_inch);
+    say(fill(tr("Reloaded {file}"), arg("file", name)));
+  });
 }
 
 void Editor::show_gallery(bool library) {
@@ -160,11 +180,23 @@ void Editor::offer_recovery() {
 }
 
 void Editor::bring_back(size_t chosen) {
-  const DocumentNote note = session_.left()[chosen].note;
-  std::vector<Diagnostic> why;
-  if (session_.bring_back(chosen, settings_.per_inch, why) == nullptr) return report(std::move(why), note.name);
-  if (document().path().empty() && !note.path.empty())
-    say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", note.path)));
+  const LeftWork& left = session_.left()[chosen];
+  const std::string& name = left.note.name;
+  base::Task task = base::task_with_result([left](const base::RunningTask&) { return session::bring_back(left); },
+                                           [this, left](OpenResult back) { take_back(left, std::move(back)); },
+                                           [this, name](const std::string& why) {
+                                             report({{Severity::kError, 0, why, {}}}, name);
+                                           });
+  task.kind = "left:" + left.journal;
+  task.name = fill(tr("Recovering {draft}"), arg("draft", name));
+  reading_.start(std::move(task));
+}
+
+void Editor::take_back(const LeftWork& left, OpenResult back) {
+  if (!back.document) return report(std::move(back.remarks), left.note.name);
+  if (session_.take_back(left, std::move(back), settings_.per_inch) == nullptr) return;
+  if (document().path().empty() && !left.note.path.empty())
+    say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", left.note.path)));
   else if (!session_.left().empty()) say(tr("There is more to recover: File, Recover unsaved work"));
 }
 

@@ -78,6 +78,8 @@ void Editor::run() {
   }
   int width = 0, height = 0;
   window_.size(width, height);
+  // What is still being written is finished without the window.
+  window_.hide();
   settings_.width = width;
   settings_.height = height;
   save_settings(settings_);
@@ -92,15 +94,17 @@ double Editor::sleep_s() {
   if (tip_at_s_ >= 0) sooner(std::max(0.0, tip_at_s_ - now));
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
   if (const auto until = waits_until(view())) sooner(std::max(0.0, *until - now));
-  if (file_dialog_.waiting() || exporter_.busy() || sets_.busy() || reporter_.busy() || dialog_busy_)
-    sooner(kDialogPollS);
+  const bool tasks = reading_.busy() || writing_.busy() || computing_.busy();
+  if (file_dialog_.waiting() || tasks || sets_.busy() || dialog_busy_) sooner(kDialogPollS);
   if (session_.busy() || writer_.busy()) sooner(kTroublePollS);
   return sleep;
 }
 
 void Editor::frame() {
+  const bool taken = take_results() | update_shown_task();
   follow_shown();
   const double now = Window::seconds();
+  if (taken) frames_due_ = std::max(frames_due_, 2);
   const bool dialog_changed = update_export() | update_dialog(dialog_, dialog_busy_);
   const bool cloth_changed = preview_.poll() | dialog_changed | reporter_.poll() | update_loom() | update_drape() |
                              carry_out(type_after_wait(view(), document().now(), now));
@@ -124,7 +128,7 @@ void Editor::frame() {
   apply_input();
   draw_window();
   window_.end_frame(style_.color.window);
-  map_file_.frame(map_);
+  if (!starting_) map_file_.frame(map_);
   update_title();
 }
 
@@ -143,9 +147,7 @@ void Editor::apply_waiting_input() {
 
 /// Shows messages of exports and analysis; true if there is something to show.
 bool Editor::update_export() {
-  std::string message = exporter_.take_error();
-  if (message.empty()) message = exporter_.take_message();
-  if (message.empty()) message = sets_.take_message();
+  std::string message = sets_.take_message();
   if (message.empty()) message = reporter_.take_problem();
   if (!message.empty()) say(message);
   return sets_.take_news() || !message.empty();
@@ -192,7 +194,7 @@ bool Editor::carry_out(const TypedKey& typed) {
 
 void Editor::draw_window() {
   follow_shown();
-  find_closest_weave();
+  if (!strokes_.going_on()) slow_edits_.find_closest_weave();
   map_.clear();
   tip_.begin(Window::seconds() - moved_at_s_);
   notes_ = {};
@@ -319,6 +321,7 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
 
 void Editor::draw_status(PanelContext& c, const WindowLayout& l) {
   begin_fixed("Status", l.status, {style_.px(14), style_.px(6)}, kFixed);
+  draw_task(c);
   if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
     remarks_open_ = !remarks_open_;
   ImGui::End();

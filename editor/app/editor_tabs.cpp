@@ -22,14 +22,17 @@ void Editor::close(uint64_t id, const std::function<void()>& then) {
   };
   const OpenDocument* open = session_.find(id);
   if (open == nullptr) return;
+  if (saver_.saving(id))
+    return saver_.after(id, [this, id, then] { when_no_dialog([this, id, then] { close(id, then); }); });
   if (open->document.is_saved()) return closed();
   session_.show(id);
   ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),
                tr("Your changes since the last save would be lost."),
                {mark("Save"), mark("Do not save"), mark("Cancel")}},
-      [this, closed](int button) {
+      [this, id, then, closed](int button) {
         if (button == 1) closed();
-        if (button == 0) save_shown(closed);
+        // Again, since there may be edits meanwhile.
+        if (button == 0) save_shown([this, id, then] { close(id, then); });
       });
 }
 

@@ -22,39 +22,28 @@ using base::tr;
 using namespace print;
 
 SheetPreview::SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake)
-    : design_(std::move(design)), wake_(std::move(wake)) {}
+    : design_(std::move(design)), runner_(std::move(wake)) {}
 
 void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per_mm) {
   Request now{options, sheet, pixels_per_mm};
   if (now == request_) return;
   request_ = now;
-  worker_.post([this, now](const std::stop_token&) {
-    base::Result<SheetPicture> made = picture_of_sheet(*design_, now.options, now.sheet, now.pixels_per_mm);
-    const std::lock_guard lock(mutex_);
-    finished_ = std::move(made);
-    wake_();
-  });
+  busy_ = true;
+  runner_.start(base::task_with_result(
+      [design = design_, now](const base::RunningTask&) {
+        return picture_of_sheet(*design, now.options, now.sheet, now.pixels_per_mm);
+      },
+      [this](base::Result<SheetPicture> made) { show(std::move(made)); },
+      [this](const std::string& why) {
+        show(base::failure(base::ErrorKind::kMemory, fill(tr("No preview: {problem}"), arg("problem", why))));
+      }));
 }
 
-void SheetPreview::fail(const std::string& why) {
-  {
-    const std::lock_guard lock(mutex_);
-    finished_ = base::failure(base::ErrorKind::kMemory, fill(tr("No preview: {problem}"), arg("problem", why)));
-  }
-  wake_();
-}
-
-bool SheetPreview::poll() {
-  std::optional<base::Result<SheetPicture>> finished;
-  {
-    const std::lock_guard lock(mutex_);
-    finished = std::exchange(finished_, std::nullopt);
-  }
-  if (!finished) return false;
-  problem_ = problem_of(*finished);
-  last_ = std::move(*finished).value_or(SheetPicture{});
+void SheetPreview::show(base::Result<SheetPicture> made) {
+  busy_ = false;
+  problem_ = problem_of(made);
+  last_ = std::move(made).value_or(SheetPicture{});
   if (!last_.pixels.empty()) texture_.set(last_.width, last_.height, std::exchange(last_.pixels, {}));
-  return true;
 }
 
 PrintOptions chosen_options(const PrintPrompt& p) {

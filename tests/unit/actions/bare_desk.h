@@ -17,6 +17,9 @@ class BareDesk : public ActionHost {
   DocumentView& view() override { return view_; }
   const DocumentView& view() const override { return view_; }
   void commit(const Edit& edit) override { document_.commit(edit, edit.stroke); }
+  void compute(const SlowEdit& edit) override {
+    commit({edit.label, [&edit](Design d) { return edit.apply(std::move(d), {}); }});
+  }
   void undo() override { document_.undo(); }
   void redo() override { document_.redo(); }
   void go_to_step(size_t step) override { document_.go_to(step); }

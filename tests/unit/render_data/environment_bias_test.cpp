@@ -57,21 +57,20 @@ std::vector<Moments> traced(const TubeScene& tubes, uint64_t seed,
 TEST(EnvironmentBias, BrightTexelsAndACappedSkyAreTheWholeMap) {
   Design design = twill(4, 2, {0.8f, 0.7f, 0.6f}, {0.4f, 0.5f, 0.6f});
   design.yarns[0].lobes.transmission = 0;  // a sky met by chance does not pass through threads
-  std::string error;
-  const auto tubes =
-      TubeScene::build(lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat), {}, error);
-  ASSERT_TRUE(tubes) << error;
+  const auto built = TubeScene::build(lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat), {});
+  ASSERT_TRUE(built) << built.error().text;
+  const TubeScene& tubes = **built;
   const Environment map(room());
   const auto up = [](glm::vec3 local) { return glm::vec3(local.x, local.z, -local.y); };  // cloth to map
   const auto down = [](glm::vec3 towards) { return glm::vec3(towards.x, -towards.z, towards.y); };
-  const auto sampled = traced(*tubes, 1, [&](Surroundings& around, RandomStream& random) {
+  const auto sampled = traced(tubes, 1, [&](Surroundings& around, RandomStream& random) {
     const float u = random.next();
     const DistantLight light = map.sample(u, random.next());
     around.light_towards = down(light.towards), around.light_irradiance = light.irradiance;
     around.light_radius_rad = light.radius;
     around.sky = [&](glm::vec3 d) { return map.capped_radiance(up(d)); };
   });
-  const auto met = traced(*tubes, 2, [&](Surroundings& around, RandomStream&) {
+  const auto met = traced(tubes, 2, [&](Surroundings& around, RandomStream&) {
     around.light_irradiance = glm::vec3(0);
     around.sky = [&](glm::vec3 local) {
       const glm::vec3 d = up(local);

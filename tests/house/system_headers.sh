@@ -11,7 +11,7 @@ exceptions=(
   core/platform/             # this is the place
   editor/gl/context.cpp      # drawing without a window: EGL, which core/platform does not know
   core/base/loops.cpp        # tells the thread sanitizer of oneTBB's ordering; no system
-  core/light/cloth_response.cpp core/light/thread_shadows.cpp core/light/yarn_batch.cpp  # chooses vectors of the processor
+  core/light/measure_response.cpp core/light/thread_shadows.cpp core/light/yarn_batch.cpp  # chooses vectors of the processor
 )
 # Libraries whose headers end in .h or stand in a folder; the C++ library's do neither.
 libraries='CLI/|GLFW/|OpenImageIO/|backends/imgui_|cairo|embree[34]/|epoxy/|fmt/|glm/|imgui|meshoptimizer\.h|nlohmann/|pybind11/|tbb/|tiny_gltf\.h|zlib\.h|Eigen/|tl/'

@@ -16,6 +16,7 @@
 #include "draft/drawdown.h"
 #include "draft/factor.h"
 #include "failing_new.h"
+#include "texture_set/targets.h"
 #include "texture_set/texture_set.h"
 #include "weaves/weaves.h"
 #include "wif/wif.h"
@@ -136,7 +137,7 @@ std::map<std::string, std::string> bytes_in(const fs::path& folder) {
 
 TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
   texture_set::TextureSetOptions options;
-  options.target = texture_set::ExportTarget::kGodot;
+  options.target = &texture_set::targets::kGodot;
   options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
   const design::Design before = sample(), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
   ASSERT_EQ(texture_set::write_texture_set(path("old"), before, {}, options), "");

@@ -42,7 +42,7 @@ TEST_F(Fireflies, TheReferenceHasNone) {
   for (const char* lights : {"studio", "evening_sun"}) {
     design.scene.lights = lights;
     ReferenceScene reference;
-    ASSERT_EQ(reference.update(design), "");
+    ASSERT_EQ(problem_of(reference.update(design)), "");
     ReferenceView view;
     view.scene = design.scene;
     view.width = 96, view.height = 72, view.spp = 16, view.bounces = 2;

@@ -109,11 +109,11 @@ struct Lamp {
 class Bias : public testing::Test {
  protected:
   void SetUp() override {
-    tubes_ = TubeScene::build(glossy_plain(0), {}, error_);
-    ASSERT_TRUE(tubes_) << error_;
+    auto built = TubeScene::build(glossy_plain(0), {});
+    ASSERT_TRUE(built) << problem_of(built);
+    tubes_ = std::move(*built);
   }
   std::unique_ptr<TubeScene> tubes_;
-  std::string error_;
 };
 
 TEST_F(Bias, ALightSampledOrMetByChanceGivesTheSamePicture) {

@@ -57,10 +57,9 @@ std::vector<Moments> traced(const TubeScene& tubes, uint64_t seed,
 TEST(EnvironmentBias, BrightTexelsAndACappedSkyAreTheWholeMap) {
   Design design = twill(4, 2, {0.8f, 0.7f, 0.6f}, {0.4f, 0.5f, 0.6f});
   design.yarns[0].lobes.transmission = 0;  // a sky met by chance does not pass through threads
-  std::string error;
-  const auto tubes =
-      TubeScene::build(lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat), {}, error);
-  ASSERT_TRUE(tubes) << error;
+  const auto built = TubeScene::build(lay_out(design, drawdown(design.draft), Face::kFront, Period::kRepeat), {});
+  ASSERT_TRUE(built) << problem_of(built);
+  const std::unique_ptr<TubeScene>& tubes = *built;
   const Environment map(room());
   const auto up = [](glm::vec3 local) { return glm::vec3(local.x, local.z, -local.y); };  // cloth to map
   const auto down = [](glm::vec3 towards) { return glm::vec3(towards.x, -towards.z, towards.y); };

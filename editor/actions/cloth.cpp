@@ -56,13 +56,13 @@ void add_cloth_actions(Actions& all) {
   picture.checked = [](const ActionHost& e) { return is_environment(e.document().now().scene.lights); };
   Action& flat = add(all, "Cloth", "flat", tr("Flat swatch"), "F", [](ActionHost& e) { e.toggle_flat(); });
   flat.item.group = true;
-  flat.checked = [](const ActionHost& e) { return e.view().flat; };
+  flat.checked = [](const ActionHost& e) { return e.view().cloth.flat; };
   Action& grazing = add(all, "Cloth", "grazing", tr("Flat swatch in grazing light"), "Shift+F", [](ActionHost& e) {
-    const bool on = e.view().flat && e.view().grazing;
-    if (!e.view().flat) e.toggle_flat();
-    e.view().grazing = !on;
+    const bool on = e.view().cloth.flat && e.view().cloth.grazing;
+    if (!e.view().cloth.flat) e.toggle_flat();
+    e.view().cloth.grazing = !on;
   });
-  grazing.checked = [](const ActionHost& e) { return e.view().flat && e.view().grazing; };
+  grazing.checked = [](const ActionHost& e) { return e.view().cloth.flat && e.view().cloth.grazing; };
   Action& by_time = add(all, "Cloth", "by_time", tr("Limit time instead of error"), "",
                         [](ActionHost& e) { e.settings().by_time = !e.settings().by_time; });
   by_time.checked = [](const ActionHost& e) { return e.settings().by_time; };

@@ -119,7 +119,7 @@ void delete_threads(ActionHost& e) {
 /// Cancels one thing per call: the rejected edit, the shape being drawn, the drag or active block, the selection.
 void cancel_one(ActionHost& e) {
   if (e.view().rejected_edit) return e.view().rejected_edit.reset();
-  if (e.view().shape) return e.view().shape.reset();
+  if (e.view().drawing.shape) return e.view().drawing.shape.reset();
   SelectState& s = e.view().select;
   if (s.drag == SelectDrag::kNone) {
     escape(s);
@@ -142,7 +142,7 @@ void add_clipboard(Actions& all) {
   on_selection(add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A", select_whole_threads))
       .enabled = has_threads;
   add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", cancel_one).enabled = [](const ActionHost& e) {
-    return has_selection(e) || has_block(e) || e.view().shape || e.view().rejected_edit;
+    return has_selection(e) || has_block(e) || e.view().drawing.shape || e.view().rejected_edit;
   };
 }
 
@@ -331,8 +331,8 @@ void add_tools(Actions& all) {
   const auto tool = [&all](const char* id, const char* label, const char* key, Tool to) {
     Action& a = add(all, "Edit", id, label, key, [to](ActionHost& e) {
       e.view().select.tool = to;
-      e.view().shape.reset();
-      e.view().cursor.typed = 0;
+      e.view().drawing.shape.reset();
+      e.view().drawing.cursor.typed = 0;
     });
     a.checked = [to](const ActionHost& e) { return e.view().select.tool == to; };
     a.item.submenu = mark("Tools");
@@ -347,13 +347,14 @@ void add_tools(Actions& all) {
   tool("tool_type", tr("Type shaft and treadle numbers"), "N", Tool::kType)->run = [](ActionHost& e) {
     begin_typing(e.view(), e.document().now().draft, e.hover());
   };
-  const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
-    Action& a = add(all, "Edit", id, label, key, [on](ActionHost& e) { e.view().*on = !(e.view().*on); });
-    a.checked = [on](const ActionHost& e) { return e.view().*on; };
+  const auto mirror = [&all](const char* id, const char* label, const char* key, bool DrawingState::*on) {
+    Action& a =
+        add(all, "Edit", id, label, key, [on](ActionHost& e) { e.view().drawing.*on = !(e.view().drawing.*on); });
+    a.checked = [on](const ActionHost& e) { return e.view().drawing.*on; };
     a.item.submenu = mark("Mirrored drawing");
   };
-  mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DocumentView::mirror_ends);
-  mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DocumentView::mirror_picks);
+  mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DrawingState::mirror_ends);
+  mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DrawingState::mirror_picks);
 }
 
 }  // namespace

@@ -19,9 +19,10 @@ void add_drawdown_styles(Actions& all) {
     a.checked = [style](const ActionHost& e) { return e.settings().drawdown_style == style; };
     a.item.group = i == 0;
   }
-  Action& back = add(all, "View", "back", tr("Back of the cloth"), "Ctrl+B",
-                     [](ActionHost& e) { e.view().face = e.view().face == Face::kFront ? Face::kBack : Face::kFront; });
-  back.checked = [](const ActionHost& e) { return e.view().face == Face::kBack; };
+  Action& back = add(all, "View", "back", tr("Back of the cloth"), "Ctrl+B", [](ActionHost& e) {
+    e.view().draft.face = e.view().draft.face == Face::kFront ? Face::kBack : Face::kFront;
+  });
+  back.checked = [](const ActionHost& e) { return e.view().draft.face == Face::kBack; };
   const auto option = [&all](const char* id, const char* label, const char* key, bool Settings::*on) {
     Action& a = add(all, "View", id, label, key, [on](ActionHost& e) { e.settings().*on = !(e.settings().*on); });
     a.checked = [on](const ActionHost& e) { return e.settings().*on; };
@@ -37,31 +38,32 @@ void add_drawdown_styles(Actions& all) {
 void add_moves(Actions& all) {
   new_group(add(all, "View", "go_to", tr("Go to an end or pick\xE2\x80\xA6"), "Ctrl+G",
                 [](ActionHost& e) { e.ask_thread(); }));
-  const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(DocumentView&)) {
-    add(all, "View", id, label, key, [how](ActionHost& e) { how(e.view()); }).item.submenu = mark("Go to");
+  const auto move = [&all](const char* id, const char* label, const char* key, void (*how)(DraftView&)) {
+    add(all, "View", id, label, key, [how](ActionHost& e) { how(e.view().draft); }).item.submenu = mark("Go to");
   };
   // Beyond the edge; the layout limits it.
   constexpr float kFar = 1e9f;
-  move("go_first", tr("First end and pick"), "Home", [](DocumentView& w) { w.scroll_end = w.scroll_pick = 0; });
-  move("go_last", tr("Last end and pick"), "End", [](DocumentView& w) { w.scroll_end = w.scroll_pick = kFar; });
+  move("go_first", tr("First end and pick"), "Home", [](DraftView& w) { w.scroll_end = w.scroll_pick = 0; });
+  move("go_last", tr("Last end and pick"), "End", [](DraftView& w) { w.scroll_end = w.scroll_pick = kFar; });
   // Down on the screen, whichever way the picks run.
   const auto page = [&all](const char* id, const char* label, const char* key, int down) {
     add(all, "View", id, label, key, [down](ActionHost& e) {
-      page_picks(e.view(), e.settings().pick1_bottom ? -down : down);
+      page_picks(e.view().draft, e.settings().pick1_bottom ? -down : down);
     }).item.submenu = mark("Go to");
   };
   page("page_down", tr("Page down"), "PageDown", 1);
   page("page_up", tr("Page up"), "PageUp", -1);
-  move("page_ends_on", tr("Page forward along the ends"), "Shift+PageDown", [](DocumentView& w) { page_ends(w, 1); });
-  move("page_ends_back", tr("Page back along the ends"), "Shift+PageUp", [](DocumentView& w) { page_ends(w, -1); });
+  move("page_ends_on", tr("Page forward along the ends"), "Shift+PageDown", [](DraftView& w) { page_ends(w, 1); });
+  move("page_ends_back", tr("Page back along the ends"), "Shift+PageUp", [](DraftView& w) { page_ends(w, -1); });
 }
 
 /// Goes to the next difference from the other draft, wrapping around.
 void step_difference(ActionHost& e, int by) {
   const Report* r = e.last_report();
-  if (r == nullptr || r->other != e.view().other || r->places.empty()) return e.say(tr("No crossing differs"));
+  if (r == nullptr || r->other != e.view().differences.other || r->places.empty())
+    return e.say(tr("No crossing differs"));
   const int places = static_cast<int>(r->places.size());
-  const int from = e.view().place < 0 && by < 0 ? 0 : e.view().place;
+  const int from = e.view().differences.place < 0 && by < 0 ? 0 : e.view().differences.place;
   const int next = ((from + by) % places + places) % places;
   show_place(e.view(), next, r->places[static_cast<size_t>(next)]);
 }
@@ -77,7 +79,7 @@ void add_heavy_lines(Actions& all) {
 }
 
 void add_comparison(Actions& all) {
-  const auto held = [](const ActionHost& e) { return e.view().other != nullptr; };
+  const auto held = [](const ActionHost& e) { return e.view().differences.other != nullptr; };
   new_group(add(all, "View", "compare_draft", tr("Compare with a draft\xE2\x80\xA6"), "",
                 [](ActionHost& e) { e.ask_other(); }));
   add(all, "View", "next_difference", tr("Next difference"), "F3", [](ActionHost& e) {
@@ -86,8 +88,9 @@ void add_comparison(Actions& all) {
   add(all, "View", "previous_difference", tr("Previous difference"), "Shift+F3", [](ActionHost& e) {
     step_difference(e, -1);
   }).enabled = held;
-  add(all, "View", "compare_done", tr("Stop comparing"), "", [](ActionHost& e) { e.view().other = nullptr; }).enabled =
-      held;
+  add(all, "View", "compare_done", tr("Stop comparing"), "", [](ActionHost& e) {
+    e.view().differences.other = nullptr;
+  }).enabled = held;
 }
 
 void add_views(Actions& all, const std::vector<std::string>& kept) {
@@ -119,17 +122,17 @@ void add_views(Actions& all, const std::vector<std::string>& kept) {
 
 void add_view_actions(Actions& all, const std::vector<std::string>& kept_views) {
   add(all, "View", "zoom_in", tr("Larger cells"), "Ctrl++",
-      [](ActionHost& e) { e.view().pitch = zoomed_pitch(e.view().pitch, 1); });
+      [](ActionHost& e) { e.view().draft.pitch = zoomed_pitch(e.view().draft.pitch, 1); });
   add(all, "View", "zoom_out", tr("Smaller cells"), "Ctrl+-",
-      [](ActionHost& e) { e.view().pitch = zoomed_pitch(e.view().pitch, -1); });
-  add(all, "View", "fit", tr("Fit the draft"), "Ctrl+0", [](ActionHost& e) { e.view().pitch = 0; });
+      [](ActionHost& e) { e.view().draft.pitch = zoomed_pitch(e.view().draft.pitch, -1); });
+  add(all, "View", "fit", tr("Fit the draft"), "Ctrl+0", [](ActionHost& e) { e.view().draft.pitch = 0; });
   add_moves(all);
   add_heavy_lines(all);
   add_drawdown_styles(all);
   add_views(all, kept_views);
   Action& floats = add(all, "View", "show_floats", tr("Mark long floats"), "F5",
-                       [](ActionHost& e) { e.view().show_floats = !e.view().show_floats; });
-  floats.checked = [](const ActionHost& e) { return e.view().show_floats; };
+                       [](ActionHost& e) { e.view().analysis.show_floats = !e.view().analysis.show_floats; });
+  floats.checked = [](const ActionHost& e) { return e.view().analysis.show_floats; };
   add_comparison(all);
   Action& inspector = add(all, "View", "inspector", tr("Inspector"), "F4",
                           [](ActionHost& e) { e.settings().inspector = !e.settings().inspector; });

@@ -216,7 +216,7 @@ void Editor::ask_size() {
                   d2.loom.treadles = p.loom_treadles;
                   return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles);
                 }});
-        view().pitch = 0;
+        view().draft.pitch = 0;
       });
 }
 
@@ -239,7 +239,7 @@ void Editor::ask_thread() {
     const ThreadPrompt p = std::get<ThreadPrompt>(dialog_);
     const Draft& draft = document().now().draft;
     const int thread = std::clamp(p.number, 1, draft.threads(p.system).size()) - 1;
-    scroll_to(view(), p.system, thread);
+    scroll_to(view().draft, p.system, thread);
     view().chosen = {p.system, {thread}, thread, {}, false, false};
   });
 }

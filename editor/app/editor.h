@@ -127,8 +127,8 @@ class Editor : public ActionHost {
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
   /// Computes the closest weave to a rejected gesture once it has ended.
   void find_closest_weave();
-  /// The report for the panels; a new one is started only while it is visible.
-  const Report* report();
+  /// Starts a new report for the panels if one is visible and outdated.
+  void start_report();
   void apply_input();
   void apply_waiting_input();
   void apply_key(const std::string& key);

@@ -94,8 +94,8 @@ void Editor::ask_closest_weave() {
   Edit edit{tr("Closest weave for this loom"), [nearest = p.nearest](const Design&) { return *nearest->design; }};
   edit.stroke = p.stroke;
   commit(edit);
-  view().nearest = p.nearest;
-  view().place = -1;
+  view().differences.closest = p.nearest;
+  view().differences.place = -1;
   ask(std::move(p), [](int) {});
 }
 
@@ -132,9 +132,9 @@ void Editor::ask_other() {
   ask_path(FileAsk::kOpen, tr("Compare with a draft"), document().path(), [this](const std::string& path) {
     OpenResult result = open_document(path);
     if (!result.document) return report(std::move(result.remarks), path);
-    view().other = std::make_shared<const OtherDraft>(
+    view().differences.other = std::make_shared<const OtherDraft>(
         OtherDraft{std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
-    view().place = -1;
+    view().differences.place = -1;
     settings_.inspector = true;
     settings_.inspector_tab = kAnalysisTab;
   });
@@ -161,7 +161,7 @@ void Editor::ask_print() {
   prompt.options.pick1_bottom = settings_.pick1_bottom;
   prompt.options.threading_below = settings_.threading_below;
   prompt.options.heavy_lines = settings_.heavy_lines;
-  prompt.options.plan = plan_of(document().now(), view(), settings_);
+  prompt.options.plan = plan_of(document().now(), view().analysis, settings_);
   prompt.options.name = std::filesystem::path(document().shown_name()).stem().string();
   prompt.preview = std::make_shared<SheetPreview>(document().snapshot(), Window::wake);
   ask(std::move(prompt), [this](int) {

@@ -116,7 +116,7 @@ void Editor::frame() {
   restyle_ = false;
   apply_waiting_input();
   const float ratio = window_.pixel_ratio();
-  preview_.ask({seen_scene(view(), document().now()), document().now().look, static_cast<int>(pane_.x * ratio),
+  preview_.ask({seen_scene(view().cloth, document().now()), document().now().look, static_cast<int>(pane_.x * ratio),
                 static_cast<int>(pane_.y * ratio), settings_.show_methods, settings_.compare,
                 settings_.by_time ? settings_.picture_ms : 0},
                strokes_.going_on());
@@ -201,12 +201,10 @@ void Editor::draw_window() {
                  document().now(),
                  document().cells(),
                  session_.revision(),
-                 view(),
                  settings_,
                  notes_,
-                 wanted,
-                 report(),
-                 draper_.state()};
+                 wanted};
+  start_report();
   push_font(style_.font.text);
   const std::vector<ActionItem> items = show(actions_, *this);
   wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
@@ -296,20 +294,22 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
   const float room = shared_width(style_, size.x, settings_.inspector);
   const WindowLayout l = lay_out_window(style_, at, size, split_of(room, size.y), settings_.inspector);
-  if (c.view.at_loom.open) {
+  const DocumentView& v = session_.active().view;
+  if (v.at_loom.open) {
     draw_loom_window(c, l);
     return draw_status(c, l);
   }
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_draft_header(c, document().name(), items);
-  draw_draft(c, draft_pictures_);
+  draw_draft_header(c, document().name(), v.select.tool, items);
+  draw_draft(c, v, last_report(), draft_pictures_);
   ImGui::End();
-  draw_closest_weave_notice(c, l.draft.at, {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
+  draw_closest_weave_notice(c, v.rejected_edit, l.draft.at,
+                            {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
   draw_splitter(c, l);
 
   begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
   const ImVec2 pane = pane_;
-  draw_preview(c, preview_.picture(), pane_);
+  draw_preview(c, v.cloth, preview_.picture(), pane_);
   if (pane.x != pane_.x || pane.y != pane_.y) frames_due_ = std::max(frames_due_, 2);
   ImGui::End();
 
@@ -319,7 +319,8 @@ void Editor::draw_panels(PanelContext& c, float tabs_height, const std::vector<A
 
 void Editor::draw_status(PanelContext& c, const WindowLayout& l) {
   begin_fixed("Status", l.status, {style_.px(14), style_.px(6)}, kFixed);
-  if (draw_status_bar(c, trouble_, Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
+  if (draw_status_bar(c, view().select, view().drawing, trouble_,
+                      Window::seconds() - said_at_s_ < kMessageS ? message_ : std::string(), remarks_))
     remarks_open_ = !remarks_open_;
   ImGui::End();
 }
@@ -332,30 +333,31 @@ void Editor::draw_inspector(PanelContext& c, const WindowLayout& l) {
   if (tab != c.settings.inspector_tab) c.wanted.change_settings([tab](Settings& s) { s.inspector_tab = tab; });
   ImGui::Dummy({0, style_.px(2)});
   ImGui::BeginChild(kTabs[tab], {0, 0});
+  const DocumentView& v = view();
   if (tab == 0) {
-    c.wanted.add(draw_palette(c));
-    c.wanted.add(draw_threads(c, typed_threads_));
+    c.wanted.add(draw_palette(c, v.drawing));
+    c.wanted.add(draw_threads(c, v.chosen, v.units, typed_threads_));
   } else if (tab == 1) {
-    c.wanted.add(draw_yarns(c, strip_));
+    c.wanted.add(draw_yarns(c, v.drawing, strip_));
   } else if (tab == 2) {
-    c.wanted.add(draw_scene(c));
+    c.wanted.add(draw_scene(c, draper_.state()));
     c.wanted.add(draw_accuracy(c));
   } else {
-    draw_comparison(c, c.report);
-    draw_report(c, c.report);
+    draw_comparison(c, v.differences, last_report());
+    draw_report(c, v.analysis, last_report());
     draw_analysis(c, analysis_);
-    draw_yarn_need(c);
+    draw_yarn_need(c, v.analysis);
   }
   ImGui::EndChild();
   ImGui::End();
 }
 
-const Report* Editor::report() {
-  const bool looked_at = view().show_floats || settings_.show_repeat || view().other ||
+void Editor::start_report() {
+  const bool looked_at = view().analysis.show_floats || settings_.show_repeat || view().differences.other ||
                          (settings_.inspector && settings_.inspector_tab == 3);
   if (looked_at)
-    reporter_.on(document().snapshot(), document().cells(), session_.revision(), view().float_limit, view().other);
-  return last_report();
+    reporter_.on(document().snapshot(), document().cells(), session_.revision(), view().analysis.float_limit,
+                 view().differences.other);
 }
 
 const Report* Editor::last_report() const {
@@ -367,7 +369,7 @@ float Editor::split_of(float room, float height) {
   constexpr float kMin = 0.42f, kMax = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
   // Computed with the first pitch, and kept while threads are added.
-  if (view().pitch <= 0)
+  if (view().draft.pitch <= 0)
     fitted_split_ = fitting_width(document().now().draft, style_, room * kMin, room * kMax,
                                   std::max(1.0f, height - style_.px(kAround))) /
                     room;
@@ -387,7 +389,7 @@ void Editor::draw_splitter(PanelContext& c, const WindowLayout& l) {
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     c.wanted.change_settings([](Settings& s) { s.split = 0; });
-    c.wanted.change_view([](DocumentView& v) { v.pitch = 0; });
+    c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
   }
   tooltip(c, tr("Drag to resize the draft. Double-click to fit it."));
   const ImU32 color = ImGui::IsItemActive() ? style_.color.accent : style_.color.line;
@@ -401,7 +403,7 @@ void Editor::draw_question(PanelContext& c) {
   c.wanted.add(std::move(result.edit));
   if (result.outcome == DialogOutcome::kOpen) return;
   if (std::holds_alternative<ClosestWeavePrompt>(dialog_))
-    c.wanted.change_view([](DocumentView& v) { v.nearest.reset(); });
+    c.wanted.change_view([](DocumentView& v) { v.differences.closest.reset(); });
   frames_due_ = kFramesAfterEvent;
   const auto then = std::exchange(answer_, nullptr);
   if (result.outcome == DialogOutcome::kDone && then) then(result.button);

@@ -53,7 +53,7 @@ void Editor::draw_loom_window(PanelContext& c, const WindowLayout& l) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus);
   ImGui::PopStyleVar();
-  draw_loom(c, {loom_state_, loom_why_}, loom_address_);
+  draw_loom(c, view().at_loom, {loom_state_, loom_why_}, loom_address_);
   ImGui::End();
 }
 

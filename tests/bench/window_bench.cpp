@@ -34,7 +34,7 @@ using namespace weftlight::bench;
 
 enum Tab { kThreads, kYarns, kCloth, kAnalysis };
 
-/// Draws like the editor (app/editor_frame.cpp), with its own panel state.
+/// Draws like the editor (app/panels.cpp), with its own panel state.
 class WholeWindow {
  public:
   explicit WholeWindow(Design design) : desk_(std::move(design)) {
@@ -59,36 +59,37 @@ class WholeWindow {
   }
 
   void draw(PanelContext& c, Screen& screen, Tab tab) {
-    c.report = &report_;
+    const DocumentView& v = desk_.view();
     const std::vector<ActionItem> items = actions::show(table_, desk_);
     draw_menu_bar(c, items, "draft.wif");
     const ImGuiViewport* view = ImGui::GetMainViewport();
     const WindowLayout l = lay_out_window(screen.style(), view->WorkPos, view->WorkSize, 0.5f, true);
     begin("Draft", l.draft);
-    draw_draft_header(c, "draft.wif", items);
-    draw_draft(c, pictures_);
+    draw_draft_header(c, "draft.wif", v.select.tool, items);
+    draw_draft(c, v, &report_, pictures_);
     ImGui::End();
     begin("Cloth", l.cloth);
-    draw_preview(c, {}, pane_);
+    draw_preview(c, v.cloth, {}, pane_);
     ImGui::End();
     begin("Inspector", l.inspector);
     draw_tab(c, tab);
     ImGui::End();
     begin("Status", l.status);
-    draw_status_bar(c, {}, {}, {});
+    draw_status_bar(c, v.select, v.drawing, {}, {}, {});
     ImGui::End();
     draw_context_menu(c, items, &ActionItem::on_selection, "context", false);
   }
 
   void draw_tab(PanelContext& c, Tab tab) {
-    if (tab == kThreads) draw_palette(c), draw_threads(c, typed_);
-    if (tab == kYarns) draw_yarns(c, strip_);
-    if (tab == kCloth) draw_scene(c), draw_accuracy(c);
+    const DocumentView& v = desk_.view();
+    if (tab == kThreads) draw_palette(c, v.drawing), draw_threads(c, v.chosen, v.units, typed_);
+    if (tab == kYarns) draw_yarns(c, v.drawing, strip_);
+    if (tab == kCloth) draw_scene(c, {}), draw_accuracy(c);
     if (tab != kAnalysis) return;
-    draw_report(c, c.report);
+    draw_report(c, v.analysis, &report_);
     draw_analysis(c, analysis_);
     ImGui::GetStateStorage()->SetBool(ImGui::GetID("section.need"), true);
-    draw_yarn_need(c);
+    draw_yarn_need(c, v.analysis);
   }
 
   actions::BareDesk desk_;
@@ -112,12 +113,12 @@ void whole_frame(benchmark::State& state, Design (*design)(), float pitch, Tab t
   if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());
   WholeWindow window(design());
   for (int i = 0; i < 3; ++i) window.frame(screen, tab);
-  window.view().pitch = pitch;
+  window.view().draft.pitch = pitch;
   const int ends = window.document().now().draft.ends(), picks = window.document().now().draft.picks();
   for (auto _ : state) {
     DocumentView& v = window.view();
-    v.scroll_end = static_cast<float>(static_cast<int>(v.scroll_end + 3) % std::max(1, ends / 4));
-    v.scroll_pick = static_cast<float>(static_cast<int>(v.scroll_pick + 3) % std::max(1, picks / 4));
+    v.draft.scroll_end = static_cast<float>(static_cast<int>(v.draft.scroll_end + 3) % std::max(1, ends / 4));
+    v.draft.scroll_pick = static_cast<float>(static_cast<int>(v.draft.scroll_pick + 3) % std::max(1, picks / 4));
     benchmark::DoNotOptimize(window.frame(screen, tab));
   }
 }

@@ -68,6 +68,7 @@ struct ClosestWeavePrompt {
   std::shared_ptr<const ClosestWeave> nearest;
   std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
+  int place = -1;  // the chosen difference, an index; -1: none yet
 };
 /// Asks for a name.
 struct NamePrompt {

@@ -25,6 +25,8 @@ using base::tr_n;
 
 namespace {
 
+using Panel = ViewContext<ThreadChoice>;
+
 constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link button
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
@@ -82,8 +84,8 @@ void choose(PanelContext& c, std::vector<int> threads) {
 }
 
 /// The field that names the threads, with their number at its end.
-void draw_which(PanelContext& c, const Draft& d, std::string& words) {
-  const ThreadChoice& choice = c.view.chosen;
+void draw_which(Panel& c, const Draft& d, std::string& words) {
+  const ThreadChoice& choice = c.view;
   const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(10);
   const std::string all = fill(choice.system == System::kWarp ? tr("all {count} ends") : tr("all {count} picks"),
                                arg("count", d.threads(choice.system).size()));
@@ -109,9 +111,9 @@ void draw_which(PanelContext& c, const Draft& d, std::string& words) {
   ImGui::PopStyleColor();
 }
 
-void draw_choice(PanelContext& c, std::string& typed) {
+void draw_choice(Panel& c, std::string& typed) {
   constexpr const char* kSystems[] = {mark("Warp"), mark("Weft")};
-  int system = c.view.chosen.system == System::kWarp ? 0 : 1;
+  int system = c.view.system == System::kWarp ? 0 : 1;
   const ImVec2 at = ImGui::GetCursorPos();
   if (segmented(c, "threads.system", kSystems, system, c.style.px(96)))
     c.wanted.change_view([system](DocumentView& v) {
@@ -141,11 +143,11 @@ std::string twist_mark(const Yarn& yarn) {
 }
 
 void activate_yarn(PanelContext& c, int yarn) {
-  c.wanted.change_view([yarn](DocumentView& v) { v.yarn = yarn; });
+  c.wanted.change_view([yarn](DocumentView& v) { v.drawing.yarn = yarn; });
 }
 
 void activate_color(PanelContext& c, int color) {
-  c.wanted.change_view([color](DocumentView& v) { v.color = color; });
+  c.wanted.change_view([color](DocumentView& v) { v.drawing.color = color; });
 }
 
 Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
@@ -297,21 +299,21 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
 }
 
 /// Also changes the default, unless the file has a unit of its own.
-void set_sett_unit(PanelContext& c, bool inches) {
-  if (c.view.warp_unit.mm == static_cast<double>(kMmPerCm))
+void set_sett_unit(PanelContext& c, const SettUnits& units, bool inches) {
+  if (units.warp.mm == static_cast<double>(kMmPerCm))
     c.wanted.change_settings([inches](Settings& s) { s.per_inch = inches; });
-  c.wanted.change_view([inches](DocumentView& v) { v.per_inch = inches; });
+  c.wanted.change_view([inches](DocumentView& v) { v.units.per_inch = inches; });
 }
 
 /// The spacing as sett: threads per centimetre or inch.
-MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
+MaybeEdit draw_sett(PanelContext& c, const SettUnits& units, const Subject& s) {
   const bool warp = s.system == System::kWarp;
   const char* tip = warp ? tr("Sett: ends per centimetre or inch") : tr("Sett: picks per centimetre or inch");
   row_label(c, warp ? tr("Ends") : tr("Picks"), tip);
-  const float unit = c.view.per_inch ? kMmPerInch : kMmPerCm;
+  const float unit = units.per_inch ? kMmPerInch : kMmPerCm;
   const SharedLength& spacing = s.shared.spacing;
   float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
-  const SliderSpec field{"threads.sett", "", 0.5f, c.view.per_inch ? 500.0f : 200.0f, "%.2f", tip};
+  const SliderSpec field{"threads.sett", "", 0.5f, units.per_inch ? 500.0f : 200.0f, "%.2f", tip};
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
@@ -322,8 +324,8 @@ MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   muted_text(c, tr("per"));
   ImGui::SameLine();
   constexpr const char* kUnits[] = {mark("cm"), mark("inch")};
-  int chosen = c.view.per_inch ? 1 : 0;
-  if (segmented(c, "threads.per", kUnits, chosen)) set_sett_unit(c, chosen == 1);
+  int chosen = units.per_inch ? 1 : 0;
+  if (segmented(c, "threads.per", kUnits, chosen)) set_sett_unit(c, units, chosen == 1);
   return edit;
 }
 
@@ -334,8 +336,8 @@ std::string in_unit(const SharedLength& length, double unit_mm) {
 }
 
 /// Thickness and spacing in the unit of the file, if that is not the centimetre.
-void draw_file_words(const PanelContext& c, const Subject& s) {
-  const WifUnit& unit = s.system == System::kWarp ? c.view.warp_unit : c.view.weft_unit;
+void draw_file_words(const PanelContext& c, const SettUnits& units, const Subject& s) {
+  const WifUnit& unit = s.system == System::kWarp ? units.warp : units.weft;
   if (unit.mm == static_cast<double>(kMmPerCm)) return;
   const SharedLength &thickness = s.shared.thickness, &spacing = s.shared.spacing;
   if (thickness.own <= 0 && spacing.own <= 0) return;
@@ -352,11 +354,13 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
 
 }  // namespace
 
-MaybeEdit draw_threads(PanelContext& c, std::string& typed) {
+MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const SettUnits& units,
+                       std::string& typed) {
+  Panel c{panel, chosen};
   if (c.focus.starts_with("threads.")) open_section("section.threads");
   if (!section(c, "section.threads", tr("Threads"))) return {};
   draw_choice(c, typed);
-  Subject s{c.view.chosen.system, concerned(c.view.chosen, c.design.draft), {}};
+  Subject s{c.view.system, concerned(c.view, c.design.draft), {}};
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);
   MaybeEdit edit;
@@ -367,8 +371,8 @@ MaybeEdit draw_threads(PanelContext& c, std::string& typed) {
   take(draw_color(c, s));
   take(draw_length(c, s, kThickness));
   take(draw_length(c, s, kSpacing));
-  take(draw_sett(c, s));
-  draw_file_words(c, s);
+  take(draw_sett(c, units, s));
+  draw_file_words(c, units, s);
   return edit;
 }
 

@@ -70,11 +70,11 @@ class BareDesk : public ActionHost {
   void reset_view() override {}
   void go_to_view(const std::string& name) override {
     if (const auto to = view_named(document_.now(), name, 800, 600))
-      if (const MaybeEdit edit = session::go_to_view(view_, document_.now(), *to)) commit(*edit);
+      if (const MaybeEdit edit = session::go_to_view(view_.cloth, document_.now(), *to)) commit(*edit);
   }
-  void keep_view_as() override { commit(keep_view_edit(view_, free_view_name(document_.now()))); }
+  void keep_view_as() override { commit(keep_view_edit(view_.cloth, free_view_name(document_.now()))); }
   void change_views() override { commit(rename_views_edit({"", "Other"})); }
-  void toggle_flat() override { view_.flat = !view_.flat; }
+  void toggle_flat() override { view_.cloth.flat = !view_.cloth.flat; }
   void focus(std::string) override {}
   Hover hover() const override { return {}; }
   DrapeState drape_state() const override { return drape_; }

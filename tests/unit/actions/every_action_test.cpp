@@ -116,7 +116,7 @@ std::vector<std::pair<std::string, Prepare>> preparations() {
       {"refused", refuse},
       {"held against another",
        [](BareDesk& d) {
-         d.view().other = std::make_shared<OtherDraft>(OtherDraft{"other.wif", {}, {}});
+         d.view().differences.other = std::make_shared<OtherDraft>(OtherDraft{"other.wif", {}, {}});
        }},
       {"after two steps, one taken back",
        [](BareDesk& d) {
@@ -126,8 +126,8 @@ std::vector<std::pair<std::string, Prepare>> preparations() {
        }},
       {"seen otherwise, views kept",
        [](BareDesk& d) {
-         d.commit(keep_view_edit(d.view(), "Near"));
-         d.view().camera.distance *= 2;
+         d.commit(keep_view_edit(d.view().cloth, "Near"));
+         d.view().cloth.camera.distance *= 2;
          d.commit({"Lights", [](Design x) { return x.scene.lights = "overcast", x; }});
        }},
   };

@@ -62,10 +62,10 @@ void RandomActions::paint() {
   const Cell from = cell(), to = cell();
   if (grid == GridId::kWarpColors || grid == GridId::kWeftColors)
     return desk_.commit(bar_edit(grid, from, to, roll(2) == 0 ? BarPaint::kColor : BarPaint::kYarn, roll(4)));
-  const Mirror mirror = mirror_of(desk_.view(), draft());
+  const Mirror mirror = mirror_of(desk_.view().drawing, desk_.view().select.selected, draft());
   if (roll(3) == 0 && from.valid() && to.valid()) {
     constexpr Tool kShapes[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
-    desk_.view().shape = ActiveShape{kShapes[roll(3)], grid, from, to, roll(2) == 0};
+    desk_.view().drawing.shape = ActiveShape{kShapes[roll(3)], grid, from, to, roll(2) == 0};
     if (const MaybeEdit edit = finish_shape(desk_.view(), desk_.document().now())) desk_.commit(*edit);
     return;
   }

@@ -85,7 +85,7 @@ TEST_F(RefusalTest, EndsWithTheNextEditAndWithUndo) {
 
 TEST_F(RefusalTest, ShapesAndFillsAreRefusedWhole) {
   DocumentView view;
-  view.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {4, 2}, true};
+  view.drawing.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {4, 2}, true};
   const MaybeEdit edit = finish_shape(view, now());
   ASSERT_TRUE(edit);
   EXPECT_FALSE(session_.commit(*edit, 3));

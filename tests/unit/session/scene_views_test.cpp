@@ -17,8 +17,8 @@ Design plain() {
   return d;
 }
 
-DocumentView seen_from(float azimuth, bool flat = false) {
-  DocumentView v;
+ClothView seen_from(float azimuth, bool flat = false) {
+  ClothView v;
   v.camera = {azimuth, 10, 0.5f, 0.1f, -0.2f};
   v.flat = flat;
   return v;
@@ -43,7 +43,7 @@ TEST(Views, AreKeptWithCameraLightAndWhatHangs) {
 
 TEST(Views, GoingThereMovesTheCameraAndEditsOnlyTheLightAndWhatHangs) {
   Design d = plain();
-  DocumentView v = seen_from(20);
+  ClothView v = seen_from(20);
   d = keep_view_edit(v, "Here").apply(d);
   v.camera = {};
   EXPECT_FALSE(go_to_view(v, d, d.views[0])) << "the light is the same: nothing to undo";
@@ -61,7 +61,7 @@ TEST(Views, GoingThereMovesTheCameraAndEditsOnlyTheLightAndWhatHangs) {
 
 TEST(Views, TheFlatSwatchIsLitLowFromTheSideWhereThatIsAskedFor) {
   const Design d = plain();
-  DocumentView v = seen_from(20);
+  ClothView v = seen_from(20);
   v.grazing = true;
   EXPECT_EQ(seen_scene(v, d), with_orbit(d.scene, v.camera)) << "the drape keeps its light";
   v.flat = true;

@@ -71,14 +71,14 @@ TEST_F(SessionTest, EachDocumentHasItsOwnHistoryAndView) {
   const auto s = session();
   const uint64_t one = open(*s, draft_file("one.wif")).id;
   s->commit(paint(), 0);
-  s->active().view.pitch = 17;
+  s->active().view.draft.pitch = 17;
   const Design painted = s->active().document.now();
   const uint64_t two = open(*s, draft_file("two.wif", 8)).id;
-  EXPECT_EQ(s->active().view.pitch, 0) << "to be fitted";
+  EXPECT_EQ(s->active().view.draft.pitch, 0) << "to be fitted";
   EXPECT_FALSE(s->undo()) << "nothing was done in this one";
   EXPECT_EQ(s->unsaved(), std::vector<uint64_t>{one});
   s->show(one);
-  EXPECT_EQ(s->active().view.pitch, 17);
+  EXPECT_EQ(s->active().view.draft.pitch, 17);
   EXPECT_EQ(s->active().document.now(), painted);
   EXPECT_TRUE(s->undo());
   EXPECT_TRUE(s->unsaved().empty());

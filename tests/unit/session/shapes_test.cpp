@@ -17,13 +17,13 @@ using Rows = std::vector<std::string>;
 
 DocumentView view_with(ActiveShape shape) {
   DocumentView v;
-  v.shape = shape;
+  v.drawing.shape = shape;
   return v;
 }
 
 Design drawn(const Design& d, DocumentView& v) {
   const MaybeEdit edit = finish_shape(v, d);
-  EXPECT_FALSE(v.shape) << "it is no longer in hand";
+  EXPECT_FALSE(v.drawing.shape) << "it is no longer in hand";
   return edit ? edit->apply(d) : d;
 }
 
@@ -56,7 +56,7 @@ TEST(Shapes, RectanglesAreOutlinesOrFilledAndClearWhatTheyBeginOn) {
   d.draft = blank_draft(6, 6, 6, 6);
   DocumentView v = view_with({Tool::kFilledRectangle, GridId::kTieup, {0, 0}, {5, 5}, true});
   d = drawn(d, v);
-  v.shape = ActiveShape{Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, false};
+  v.drawing.shape = ActiveShape{Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, false};
   d = drawn(d, v);
   EXPECT_EQ(text_of(d.draft.tieup), (Rows{"111111", "100001", "101101", "101101", "100001", "111111"}));
 }
@@ -82,7 +82,7 @@ TEST(Shapes, CrossingsAreDrawnAndWhatTheLoomCannotFollowIsTold) {
   // Threading rules: ends 1 and 5 share a shaft, and one cannot go where the other is.
   d.loom.leading = Leading::kThreading;
   d.draft.threading.set(0, 0, false);  // end 1 is on no shaft
-  v.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
+  v.drawing.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
   drawn(d, v);
   EXPECT_EQ(v.select.notice, "Filled rectangle; 2 crossings could not follow: ends on the same shafts rise together");
 }
@@ -190,15 +190,15 @@ TEST(Shapes, ColourBarsFillTheThreadsThatAreAlike) {
 TEST(Mirrors, TheAxisIsTheMiddleOfTheDraftOrOfWhatIsSelected) {
   const Draft d = blank_draft(10, 7, 4, 4);
   DocumentView v;
-  EXPECT_FALSE(mirror_of(v, d).ends);
-  v.mirror_ends = v.mirror_picks = true;
-  const Mirror whole = mirror_of(v, d);
+  EXPECT_FALSE(mirror_of(v.drawing, v.select.selected, d).ends);
+  v.drawing.mirror_ends = v.drawing.mirror_picks = true;
+  const Mirror whole = mirror_of(v.drawing, v.select.selected, d);
   EXPECT_EQ(images_of(whole, GridId::kThreading, {0, 2}), (std::vector<Cell>{{0, 2}, {9, 2}}));
   EXPECT_EQ(images_of(whole, GridId::kTreadling, {1, 0}), (std::vector<Cell>{{1, 0}, {1, 6}}));
   EXPECT_EQ(images_of(whole, GridId::kDrawdown, {0, 0}), (std::vector<Cell>{{0, 0}, {9, 0}, {0, 6}, {9, 6}}));
   EXPECT_EQ(images_of(whole, GridId::kTieup, {1, 1}).size(), 1u) << "a tie-up has neither ends nor picks";
   v.select.selected = {BitGrid::kThreading, 2, 5, 0, 4};
-  const Mirror part = mirror_of(v, d);
+  const Mirror part = mirror_of(v.drawing, v.select.selected, d);
   EXPECT_EQ(images_of(part, GridId::kThreading, {2, 0})[1], (Cell{4, 0}));
   EXPECT_EQ(images_of(part, GridId::kDrawdown, {2, 0})[2], (Cell{2, 6})) << "the picks about those of the draft";
 }
@@ -207,10 +207,12 @@ TEST(Mirrors, ThePenAndShapesAreDrawnOnBothSides) {
   Design d;
   d.draft = blank_draft(8, 8, 4, 4);
   DocumentView v;
-  v.mirror_ends = true;
-  const Design painted = paint_edit(GridId::kThreading, {0, 0}, {1, 1}, true, true, mirror_of(v, d.draft)).apply(d);
+  v.drawing.mirror_ends = true;
+  const Design painted =
+      paint_edit(GridId::kThreading, {0, 0}, {1, 1}, true, true, mirror_of(v.drawing, v.select.selected, d.draft))
+          .apply(d);
   EXPECT_EQ(text_of(painted.draft.threading), (Rows{"1000", "0100", "0000", "0000", "0000", "0000", "0100", "1000"}));
-  v.shape = ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true};
+  v.drawing.shape = ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true};
   const Design point = drawn(d, v);
   EXPECT_EQ(text_of(point.draft.threading), (Rows{"1000", "0100", "0010", "0001", "0001", "0010", "0100", "1000"}));
 }

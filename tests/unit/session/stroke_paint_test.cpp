@@ -55,7 +55,7 @@ class StrokeTest : public testing::Test {
     const bool on = !cells().get(along.front().b, along.front().a);
     commit(begin_stroke(view(), now(), GridId::kDrawdown, along.front(), on, true));
     for (const Cell& at : along) commit(go_on_with_stroke(view(), now(), at, true));
-    view().stroke = {};
+    view().drawing.stroke = {};
   }
 
   Scratch scratch_{"strokes"};
@@ -132,12 +132,12 @@ TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
     design.draft.rising = roll(4) != 0;
     design = with_leading(std::move(design), static_cast<Leading>(roll(3)));
     open(design);
-    view().mirror_ends = roll(4) == 0;
-    view().mirror_picks = roll(4) == 0;
+    view().drawing.mirror_ends = roll(4) == 0;
+    view().drawing.mirror_picks = roll(4) == 0;
     const LoomSize given{now().draft.shafts, now().draft.treadles};
     for (int strokes = 0; strokes < 3; ++strokes) {
       const Design before = now();
-      const Mirror mirror = mirror_of(view(), before.draft);
+      const Mirror mirror = mirror_of(view().drawing, view().select.selected, before.draft);
       std::vector<Cell> along{{roll(14), roll(12)}};
       for (int steps = roll(6); steps > 0; --steps) along.push_back({roll(14), roll(12)});
       const bool on = !cells().get(along.front().b, along.front().a);
@@ -167,10 +167,10 @@ TEST_F(StrokeTest, AShapeWithItsImagesLeavesNothingThatNothingNeeds) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
     open(with_leading(std::move(design), static_cast<Leading>(roll(3))));
-    const LoomSize given = view().given;
-    view().mirror_ends = view().mirror_picks = true;
+    const LoomSize given = view().drawing.given;
+    view().drawing.mirror_ends = view().drawing.mirror_picks = true;
     constexpr Tool kTools[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
-    view().shape =
+    view().drawing.shape =
         ActiveShape{kTools[roll(3)], GridId::kDrawdown, {roll(14), roll(12)}, {roll(14), roll(12)}, roll(2) == 0};
     ++stroke_;
     commit(finish_shape(view(), now()));
@@ -185,7 +185,7 @@ TEST_F(StrokeTest, AMovedBlockLeavesNothingThatNothingNeeds) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
     open(with_leading(std::move(design), static_cast<Leading>(roll(3))));
-    const LoomSize given = view().given;
+    const LoomSize given = view().drawing.given;
     const int a = roll(10), b = roll(8);
     const Selection s{BitGrid::kDrawdown, a, a + 1 + roll(4), b, b + 1 + roll(4)};
     ASSERT_EQ(fault_of(with_moved(now(), s, roll(10), roll(8)).draft, given), "") << round;

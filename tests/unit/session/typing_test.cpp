@@ -53,7 +53,7 @@ TEST(Typing, DigitsThreadOneEndAfterTheOther) {
   Typist t(blank(6, 8));
   t.type("1 2 3 4");
   EXPECT_EQ(t.shafts(), (Shafts{1, 2, 3, 4, 0, 0}));
-  EXPECT_EQ(t.view.cursor.at.a, 4);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 4);
   EXPECT_EQ(t.steps, 4) << "each a step of undo";
   t.document.undo();
   EXPECT_EQ(t.shafts(), (Shafts{1, 2, 3, 0, 0, 0}));
@@ -94,7 +94,7 @@ TEST(Typing, CommasMayStandAfterAnyNumber) {
 TEST(Typing, EscapeDropsTheNumberAndThenTheTool) {
   Typist t(blank(8, 16));
   t.type("1 Escape");
-  EXPECT_EQ(t.view.cursor.typed, 0);
+  EXPECT_EQ(t.view.drawing.cursor.typed, 0);
   EXPECT_EQ(t.view.select.tool, Tool::kType);
   EXPECT_EQ(t.steps, 0);
   t.type("Escape");
@@ -107,37 +107,37 @@ TEST(Typing, ZeroClearsAndGoesOnDeleteClearsAndStays) {
   Typist t(d);
   t.type("0 Delete");
   EXPECT_EQ(t.shafts(), (Shafts{0, 0, 3, 4, 1, 2}));
-  EXPECT_EQ(t.view.cursor.at.a, 1);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 1);
 }
 
 TEST(Typing, ArrowsMoveAsSeenAndTakeAWaitingNumber) {
   Typist t(blank(30, 16));
-  t.view.seen_ends = 10;
-  t.view.seen_shafts = 16;
+  t.view.draft.seen_ends = 10;
+  t.view.draft.seen_shafts = 16;
   t.type("Left Left Up");  // end 1 is at the right
-  EXPECT_EQ(t.view.cursor.at, (Cell{2, 1}));
+  EXPECT_EQ(t.view.drawing.cursor.at, (Cell{2, 1}));
   t.type("1 Left");
   EXPECT_EQ(t.shafts()[2], 1);
-  EXPECT_EQ(t.view.cursor.at.a, 3) << "one step, not two";
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 3) << "one step, not two";
   t.type("End");
-  EXPECT_EQ(t.view.cursor.at.a, 29);
-  EXPECT_GE(t.view.scroll_end, 20) << "the cursor is in sight";
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 29);
+  EXPECT_GE(t.view.draft.scroll_end, 20) << "the cursor is in sight";
   t.type("Home");
-  EXPECT_EQ(t.view.cursor.at.a, 0);
-  EXPECT_LE(t.view.scroll_end, 0);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
+  EXPECT_LE(t.view.draft.scroll_end, 0);
   EXPECT_FALSE(t.type("Ctrl+S")) << "what means nothing here is left to the actions";
 }
 
 TEST(Typing, TreadlesAreTypedPickByPickAndTabGoesRound) {
   Typist t(blank(6, 4));
   t.type("Tab Tab");
-  ASSERT_EQ(t.view.cursor.grid, GridId::kTreadling);
+  ASSERT_EQ(t.view.drawing.cursor.grid, GridId::kTreadling);
   t.type("4 3 2");
   EXPECT_EQ(t.draft().treadling.first(0), 3);
   EXPECT_EQ(t.draft().treadling.first(2), 1);
-  EXPECT_EQ(t.view.cursor.at.b, 3);
+  EXPECT_EQ(t.view.drawing.cursor.at.b, 3);
   t.type("Tab Tab");
-  EXPECT_EQ(t.view.cursor.grid, GridId::kThreading) << "past the drawdown";
+  EXPECT_EQ(t.view.drawing.cursor.grid, GridId::kThreading) << "past the drawdown";
 }
 
 TEST(Typing, InTheTieUpNumbersTurnMarksOverAndSpaceTurnsAnyCell) {
@@ -155,7 +155,7 @@ TEST(Typing, WhatCannotBeIsSaid) {
   Typist t(blank(6, 4));
   t.type("7");
   EXPECT_EQ(t.view.select.notice, "There is no shaft 7: the last is 4");
-  EXPECT_EQ(t.view.cursor.at.a, 0);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
   EXPECT_EQ(t.steps, 0);
 }
 
@@ -166,7 +166,7 @@ TEST(Typing, ALockedGridIsLeftAndTheCursorStays) {
   Typist t(d);
   t.type("2");
   EXPECT_EQ(t.steps, 0);
-  EXPECT_EQ(t.view.cursor.at.a, 0);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
   EXPECT_EQ(t.view.select.notice, "this follows the drawdown and is locked");
 }
 

@@ -117,7 +117,7 @@ BENCHMARK(float_overlay_10000)->Unit(benchmark::kMillisecond);
 
 void layers_10000(benchmark::State& state) {
   const BitMatrix cells = drawdown(large_draft(ShedControl::kTreadling));
-  for (auto _ : state) benchmark::DoNotOptimize(layers(cells));
+  for (auto _ : state) benchmark::DoNotOptimize(weave_layers(cells));
 }
 BENCHMARK(layers_10000)->Unit(benchmark::kMillisecond);
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../unit/actions/bare_desk.h"
+#include "../unit/actions/bare_editor.h"
 #include "screen.h"
 #include "session/report.h"
 #include "ui/damage.h"
@@ -37,18 +37,18 @@ enum Tab { kThreads, kYarns, kCloth, kAnalysis };
 /// Draws like the editor (app/panels.cpp), with its own panel state.
 class WholeWindow {
  public:
-  explicit WholeWindow(Design design) : desk_(std::move(design)) {
-    desk_.view() = view_of(desk_.document(), false);
-    report_ = report_on(desk_.document().now(), desk_.document().cells(), 5);
-    report_.revision = desk_.document().revision();
+  explicit WholeWindow(Design design) : editor_(std::move(design)) {
+    editor_.view() = view_of(editor_.document(), false);
+    report_ = report_on(editor_.document().now(), editor_.document().cells(), 5);
+    report_.revision = editor_.document().revision();
   }
 
-  DocumentView& view() { return desk_.view(); }
-  const Document& document() const { return desk_.document(); }
+  DocumentView& view() { return editor_.view(); }
+  const Document& document() const { return editor_.document(); }
   /// Counts what has to be redrawn.
   size_t frame(Screen& screen, Tab tab) {
-    screen.frame(desk_.document(), desk_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
-    return damage_.of(screen.drawn()).size();
+    screen.frame(editor_.document(), editor_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
+    return damage_.changed_areas(screen.drawn()).size();
   }
 
  private:
@@ -59,8 +59,8 @@ class WholeWindow {
   }
 
   void draw(PanelContext& c, Screen& screen, Tab tab) {
-    const DocumentView& v = desk_.view();
-    const std::vector<ActionItem> items = actions::show(table_, desk_);
+    const DocumentView& v = editor_.view();
+    const std::vector<ActionItem> items = actions::show(table_);
     draw_menu_bar(c, items, "draft.wif");
     const ImGuiViewport* view = ImGui::GetMainViewport();
     const WindowLayout l = lay_out_window(screen.style(), view->WorkPos, view->WorkSize, 0.5f, true);
@@ -81,7 +81,7 @@ class WholeWindow {
   }
 
   void draw_tab(PanelContext& c, Tab tab) {
-    const DocumentView& v = desk_.view();
+    const DocumentView& v = editor_.view();
     if (tab == kThreads) draw_palette(c, v.drawing), draw_threads(c, v.chosen, v.units, typed_);
     if (tab == kYarns) draw_yarns(c, v.drawing, strip_);
     if (tab == kCloth) draw_scene(c, {}), draw_accuracy(c);
@@ -92,8 +92,8 @@ class WholeWindow {
     draw_yarn_need(c, v.analysis);
   }
 
-  actions::BareDesk desk_;
-  std::vector<actions::Action> table_ = actions::make_actions({});
+  actions::BareEditor editor_;
+  std::vector<actions::Action> table_ = actions::make_actions(editor_.subjects(), {});
   Report report_;
   DraftPictures pictures_;
   YarnStrip strip_;

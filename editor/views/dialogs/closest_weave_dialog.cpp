@@ -25,7 +25,7 @@ constexpr float kWidth = 300;  // pixels at 96 dpi
 constexpr int kShownPlaces = 9;
 
 void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
-  const ClosestWeave& n = *p.nearest;
+  const ClosestWeave& n = *p.closest;
   const int places = static_cast<int>(n.places.size());
   const float line = ImGui::GetTextLineHeightWithSpacing();
   ImGui::BeginChild("places",
@@ -46,7 +46,7 @@ void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
 }  // namespace
 
 DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
-  const ClosestWeave& n = *p.nearest;
+  const ClosestWeave& n = *p.closest;
   heading(c, tr("Closest weave"));
   ImGui::PushTextWrapPos(c.style.px(kWidth));
   muted_text(c, fill(tr("Your edit is beyond the loom: {reason}."), arg("reason", n.why)));

@@ -38,7 +38,7 @@ std::string larger(const Draft& d, const Draft& requested) {
 }
 
 void draw_card(PanelContext& c, const RejectedEdit& rejected) {
-  const ClosestWeave& n = *rejected.nearest;
+  const ClosestWeave& n = *rejected.closest;
   push_font(c.style.font.bold);
   ImGui::TextUnformatted(sentence(n.why).c_str());
   ImGui::PopFont();
@@ -64,7 +64,7 @@ void draw_card(PanelContext& c, const RejectedEdit& rejected) {
 }  // namespace
 
 void draw_closest_weave_notice(PanelContext& c, const std::optional<RejectedEdit>& rejected, ImVec2 min, ImVec2 max) {
-  if (!rejected || !rejected->nearest) return;
+  if (!rejected || !rejected->closest) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(16), c.style.px(12)});

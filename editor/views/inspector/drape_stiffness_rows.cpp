@@ -38,7 +38,7 @@ void draw_progress(PanelContext& c, const DrapeState& drape) {
 }
 
 void draw_stage(PanelContext& c, const DrapeState& drape) {
-  if (drape.stage == DrapeStage::kFalling) return draw_progress(c, drape);
+  if (drape.stage == DrapeStage::kSimulating) return draw_progress(c, drape);
   const bool failed = drape.stage == DrapeStage::kFailed;
   if (!failed && drape.stage != DrapeStage::kStopped) return;
   if (failed) draw_words(c, drape.problem, c.style.color.error, tr("What went wrong"));

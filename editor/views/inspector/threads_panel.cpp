@@ -39,27 +39,27 @@ struct Subject {
 
 struct LengthSpec {
   SliderSpec slider;
-  const char* what;  // for the undo label
-  const char* link;  // control that resets it to the yarn's
+  ThreadProperty property;  // for the undo label
+  const char* link;         // control that resets it to the yarn's
   SharedLength SharedThreads::*shared;
   Design (*set)(Design, System, std::span<const int>, float);
 };
 const LengthSpec kThickness = {
     {"threads.thickness", mark("Thickness"), 0.02f, 10, "%.2f mm", mark("Diameter of the threads"), true},
-    mark("Thickness"),
+    ThreadProperty::kThickness,
     "threads.thickness:yarn",
     &SharedThreads::thickness,
     with_thread_thickness};
 const LengthSpec kSpacing = {{"threads.spacing", mark("Spacing"), 0.05f, 20, "%.2f mm",
                               mark("Distance between the centres of neighbouring threads"), true},
-                             mark("Spacing"),
+                             ThreadProperty::kSpacing,
                              "threads.spacing:yarn",
                              &SharedThreads::spacing,
                              with_thread_spacing};
 
 template <class Apply>
-Edit edit_of(const Subject& s, const char* what, Apply apply) {
-  return {thread_label(tr(what), s.system, s.threads.size()),
+Edit edit_of(const Subject& s, ThreadProperty property, Apply apply) {
+  return {thread_label(property, s.system, s.threads.size()),
           [apply, system = s.system, threads = s.threads](Design d) { return apply(std::move(d), system, threads); }};
 }
 
@@ -152,7 +152,7 @@ void activate_color(PanelContext& c, int color) {
 
 Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
   activate_yarn(c, yarn);
-  return edit_of(s, mark("Yarn"), [yarn](Design d, System system, const std::vector<int>& threads) {
+  return edit_of(s, ThreadProperty::kYarn, [yarn](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(std::move(d), system, threads, yarn);
   });
 }
@@ -161,7 +161,7 @@ Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
 Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
   const auto index = static_cast<int>(c.design.yarns.size());
   activate_yarn(c, index);
-  return edit_of(s, mark("Yarn"), [yarn, index](Design d, System system, const std::vector<int>& threads) {
+  return edit_of(s, ThreadProperty::kYarn, [yarn, index](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
   });
 }
@@ -224,7 +224,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     const ImVec2 a = ImGui::GetCursorScreenPos();
     ImGui::PushID(i);
     if (hit_area("color", {side, side})) {
-      edit = edit_of(s, mark("Colour"), [i](Design d, System system, const std::vector<int>& threads) {
+      edit = edit_of(s, ThreadProperty::kColor, [i](Design d, System system, const std::vector<int>& threads) {
         return with_thread_color(std::move(d), system, threads, i);
       });
       activate_color(c, i);
@@ -241,7 +241,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
   if (ImGui::Selectable(tr("New colour"))) {
     const auto index = static_cast<int>(palette.size());
     const Rgb copy = palette[static_cast<size_t>(s.shared.color.value)];
-    edit = edit_of(s, mark("Colour"), [copy, index](Design d, System system, const std::vector<int>& threads) {
+    edit = edit_of(s, ThreadProperty::kColor, [copy, index](Design d, System system, const std::vector<int>& threads) {
       return with_thread_color(with_new_palette_color(std::move(d), copy), system, threads, index);
     });
     activate_color(c, index);
@@ -287,12 +287,12 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   float mm = length.mixed() ? (length.low + length.high) / 2 * 1.0001f : length.low;
   MaybeEdit edit;
   if (span_slider(c, spec.slider, {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)}, mm))
-    edit = edit_of(s, spec.what,
+    edit = edit_of(s, spec.property,
                    [set = spec.set, mm = rounded(mm)](Design d, System system, const std::vector<int>& threads) {
                      return set(std::move(d), system, threads, mm);
                    });
   if (draw_link(c, spec, length))
-    edit = edit_of(s, spec.what, [set = spec.set](Design d, System system, const std::vector<int>& threads) {
+    edit = edit_of(s, spec.property, [set = spec.set](Design d, System system, const std::vector<int>& threads) {
       return set(std::move(d), system, threads, kFromYarn);
     });
   return edit;
@@ -317,9 +317,10 @@ MaybeEdit draw_sett(PanelContext& c, const SettUnits& units, const Subject& s) {
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
-    edit = edit_of(s, mark("Spacing"), [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
-      return with_thread_spacing(std::move(d), system, threads, mm);
-    });
+    edit = edit_of(s, ThreadProperty::kSpacing,
+                   [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
+                     return with_thread_spacing(std::move(d), system, threads, mm);
+                   });
   ImGui::SameLine();
   muted_text(c, tr("per"));
   ImGui::SameLine();

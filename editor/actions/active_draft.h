@@ -1,0 +1,20 @@
+#pragma once
+// The draft that is shown, its view, and the one way to change it.
+
+#include <functional>
+
+#include "actions/names.h"
+#include "session/document.h"
+#include "session/document_view.h"
+
+namespace weftlight::actions {
+
+struct ActiveDraft {
+  std::function<const Document&()> document;
+  /// Of that document; the settings are shared by all documents.
+  std::function<DocumentView&()> view;
+  std::function<void(const Edit&)> commit;
+  std::function<void()> undo, redo;
+};
+
+}  // namespace weftlight::actions

@@ -1,0 +1,50 @@
+#pragma once
+// The panes of the window: draft and cloth side by side, the inspector, the status line; or the loom in their place.
+
+#include <span>
+#include <string>
+
+#include "app/cloth_pane.h"
+#include "app/editing.h"
+#include "app/loom_window.h"
+#include "app/messages.h"
+#include "app/names.h"
+#include "app/reports.h"
+#include "session/action_item.h"
+#include "session/user_files.h"
+#include "views/draft/draft_panel.h"
+#include "views/inspector/yarn_strip.h"
+#include "views/shell/window_layout.h"
+
+namespace weftlight::app {
+
+class Panels {
+ public:
+  Panels(Editing& editing, const Settings& settings, ClothPane& cloth, LoomWindow& loom, Reports& reports,
+         Messages& messages);
+  /// Below the tabs. `trouble`: what could not be written, or empty.
+  void draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const std::string& trouble);
+  /// Another document is shown.
+  void forget() { typed_threads_.clear(); }
+
+ private:
+  void draw_draft_pane(PanelContext& c, const WindowLayout& layout, std::span<const ActionItem> items);
+  void draw_splitter(PanelContext& c, const WindowLayout& layout) const;
+  void draw_inspector(PanelContext& c, const WindowLayout& layout);
+  void draw_status(PanelContext& c, const WindowLayout& layout, const std::string& trouble);
+  /// Fraction of the width for the pane of the draft.
+  float split_of(const Style& style, float room, float height);
+
+  Editing& editing_;
+  const Settings& settings_;
+  ClothPane& cloth_;
+  LoomWindow& loom_;
+  Reports& reports_;
+  Messages& messages_;
+  DraftPictures draft_pictures_;
+  YarnStrip strip_;
+  std::string typed_threads_;
+  float fitted_split_ = 0.5f;  // used until the user moves the splitter
+};
+
+}  // namespace weftlight::app

@@ -1,0 +1,96 @@
+#include "app/start_dialogs.h"
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "app/window.h"
+#include "base/text.h"
+#include "base/user_folders.h"
+#include "session/bring_back.h"
+#include "session/gallery.h"
+
+namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
+namespace {
+
+int64_t now_ns() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+}
+
+}  // namespace
+
+StartDialogs::StartDialogs(Session& session, Files& files, Settings& settings, Dialogs& dialogs, Messages& messages,
+                           std::function<void()> new_draft)
+    : session_(session),
+      files_(files),
+      settings_(settings),
+      dialogs_(dialogs),
+      messages_(messages),
+      new_draft_(std::move(new_draft)) {}
+
+void StartDialogs::show_gallery(bool library) {
+  GalleryPrompt prompt;
+  const char* home = std::getenv("HOME");
+  prompt.page = library ? 1 : 0;
+  prompt.recent = recent_cards(settings_.recent, home != nullptr ? home : "");
+  prompt.library = library_cards();
+  prompt.pictures = std::make_shared<GalleryPictures>(cache_folder() + "/drafts", Window::wake, now_ns());
+  dialogs_.ask(std::move(prompt), [this](int button) {
+    const GalleryCard card = dialogs_.prompt<GalleryPrompt>().open;
+    dialogs_.close();
+    if (button == GalleryPrompt::kBrowse) return files_.open();
+    if (button == GalleryPrompt::kNew) return new_draft_();
+    if (card.copy) files_.open_copy(card.path);
+    else files_.open_path(card.path);
+  });
+}
+
+void StartDialogs::offer_recovery() {
+  if (session_.left().empty()) return;
+  RecoveryPrompt prompt;
+  for (const LeftWork& left : session_.left()) {
+    const std::string when = time_in_words(left.written_ns, now_ns());
+    if (!left.problem.empty()) prompt.rows.push_back({tr("Cannot be read"), when, left.journal + ": " + left.problem});
+    else prompt.rows.push_back({name_of(left.note), when, left.note.path.empty() ? tr("never saved") : left.note.path});
+  }
+  dialogs_.ask(std::move(prompt), [this](int button) {
+    const auto& asked = dialogs_.prompt<RecoveryPrompt>();
+    const auto chosen = static_cast<size_t>(asked.chosen);
+    switch (asked.button(button)) {
+      case RecoveryPrompt::Button::kOne:
+        return bring_back(chosen);
+      case RecoveryPrompt::Button::kAll:
+        return bring_back_all();
+      case RecoveryPrompt::Button::kDiscard:
+        session_.discard(chosen);
+        return offer_recovery();
+      case RecoveryPrompt::Button::kLater:
+        return;
+    }
+  });
+}
+
+void StartDialogs::bring_back(size_t chosen) {
+  const DocumentNote note = session_.left()[chosen].note;
+  std::vector<Diagnostic> why;
+  const OpenDocument* open = session_.bring_back(chosen, settings_.per_inch, why);
+  if (open == nullptr) return messages_.report(std::move(why), name_of(note));
+  if (open->document.path().empty() && !note.path.empty())
+    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", note.path)));
+  else if (!session_.left().empty()) messages_.say(tr("There is more to recover: File, Recover unsaved work"));
+}
+
+void StartDialogs::bring_back_all() {
+  // The newest is recovered last, so that it is shown; unreadable work stays.
+  for (size_t left = session_.left().size(); left-- > 0;) bring_back(left);
+}
+
+}  // namespace weftlight::app

@@ -1,0 +1,39 @@
+#pragma once
+// What the window may start with: the gallery of recent drafts and of the library, and unsaved work of crashed
+// sessions. Both can also be asked for later.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "app/dialogs.h"
+#include "app/files.h"
+#include "app/messages.h"
+#include "app/names.h"
+#include "session/session.h"
+#include "session/user_files.h"
+
+namespace weftlight::app {
+
+class StartDialogs {
+ public:
+  /// `new_draft` asks for a new draft.
+  StartDialogs(Session& session, Files& files, Settings& settings, Dialogs& dialogs, Messages& messages,
+               std::function<void()> new_draft);
+  void show_gallery(bool library);
+  void offer_recovery();
+  bool has_left_work() const { return !session_.left().empty(); }
+
+ private:
+  void bring_back(size_t left);
+  void bring_back_all();
+
+  Session& session_;
+  Files& files_;
+  Settings& settings_;
+  Dialogs& dialogs_;
+  Messages& messages_;
+  std::function<void()> new_draft_;
+};
+
+}  // namespace weftlight::app

@@ -39,7 +39,7 @@ class FileDialogTest : public ScratchTest {
   std::string path_ = std::getenv("PATH");
 };
 
-TEST_F(FileDialogTest, TheDesktopsOwnProgramAsksAndElseTheOneThatIsThere) {
+TEST_F(FileDialogTest, PrefersTheProgramOfTheDesktop) {
   const std::string folders = "/nowhere:" + dir_.string();
   EXPECT_EQ(find_asker(folders, "KDE"), Asker::kNone);
   install("kdialog");
@@ -50,7 +50,7 @@ TEST_F(FileDialogTest, TheDesktopsOwnProgramAsksAndElseTheOneThatIsThere) {
   EXPECT_EQ(find_asker("", ""), Asker::kNone);
 }
 
-TEST_F(FileDialogTest, BothAreAskedForTheSame) {
+TEST_F(FileDialogTest, BothProgramsGetTheSameRequest) {
   using Words = std::vector<std::string>;
   const char* kinds =
       "Weaving drafts (*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO)|"
@@ -65,7 +65,7 @@ TEST_F(FileDialogTest, BothAreAskedForTheSame) {
     EXPECT_NE(std::ranges::find(save, word), save.end()) << word;
 }
 
-TEST_F(FileDialogTest, WhatIsChosenComesAndWhatIsLeftDoesNot) {
+TEST_F(FileDialogTest, ReportsAChosenPathAndNothingWhenCancelled) {
   std::vector<std::string> chosen;
   FileDialog dialog;
   const auto ask = [&] {
@@ -82,7 +82,7 @@ TEST_F(FileDialogTest, WhatIsChosenComesAndWhatIsLeftDoesNot) {
   EXPECT_EQ(chosen.size(), 1u);
 }
 
-TEST_F(FileDialogTest, WhoQuitsWhileItAsksDoesNotWait) {
+TEST_F(FileDialogTest, QuittingDoesNotWaitForAnOpenDialog) {
   const std::string number = (dir_ / "number").string();
   asks("echo $$ >'" + number + "'\nexec sleep 30\n");
   const auto start = std::chrono::steady_clock::now();

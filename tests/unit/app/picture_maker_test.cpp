@@ -37,7 +37,7 @@ double apart(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
   return std::sqrt(sum / (3.0 * static_cast<double>(a.size())));
 }
 
-TEST(PictureMakerTest, AtRestItIsTheSameWhenMadeAgain) {
+TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
   std::string error;
   const std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
   if (!context) GTEST_SKIP() << "no graphics: " << error;

@@ -22,7 +22,7 @@ bool comes_true(const Holds& holds) {
   return false;
 }
 
-TEST(PreviewPaneTest, WhatIsThrownIsSaidAndTheThreadGoesOn) {
+TEST(PreviewPaneTest, AnExceptionIsShownAndTheThreadContinues) {
   std::atomic<int> wakes{0};
   PreviewPane pane([&] {
     const int now = wakes++;

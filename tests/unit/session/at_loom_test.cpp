@@ -23,7 +23,7 @@ void take(Design& d, const LoomStep& step) {
   if (step.edit) d = step.edit->apply(std::move(d));
 }
 
-TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
+TEST(AtLoom, AStepByHandWeavesOnePickAndTheDraftKeepsThePlace) {
   AtLoom at;
   Design d = straight_draft(4);
   for (const int next : {1, 2, 3, 0, 1}) {
@@ -38,7 +38,7 @@ TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
   EXPECT_EQ(one.edit->stroke, two.edit->stroke) << "a sitting is one step of undo";
 }
 
-TEST(AtLoom, ASectionIsWovenOverAndOver) {
+TEST(AtLoom, ASectionRepeats) {
   AtLoom at;
   Design d = straight_draft(4);
   take(d, keep_to_section(at, d, {1, 3}));
@@ -51,7 +51,7 @@ TEST(AtLoom, ASectionIsWovenOverAndOver) {
   EXPECT_EQ(d.loom.next_pick, 1);
 }
 
-TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
+TEST(AtLoom, UndoAndEditsMoveThePlace) {
   AtLoom at;
   Design d = straight_draft(4);
   d.loom.next_pick = 2;  // from the file, or by undo
@@ -60,7 +60,7 @@ TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
   EXPECT_EQ(place_of(at, d).next_pick, 3) << "the draft has become shorter";
 }
 
-TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
+TEST(AtLoom, WithALoomTheFirstStepRaisesTheShownPick) {
   AtLoom at;
   Design d = straight_draft(4);
   LoomStep step = step_by_hand(at, d, true, true);
@@ -72,7 +72,7 @@ TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
   EXPECT_EQ(d.loom.next_pick, 1);
 }
 
-TEST(AtLoom, FeetAndHandsAreTold) {
+TEST(AtLoom, TreadlesToPressOrShaftsToLift) {
   Design d = straight_draft(4);
   d.draft.treadling.set(2, 0, true);
   EXPECT_EQ(to_press(d.draft, 2), (std::vector<int>{0, 2}));
@@ -110,7 +110,7 @@ struct Weaver {
   }
 };
 
-TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
+TEST(LoomLink, AfterALostConnectionWeavingContinuesAtTheSamePick) {
   const LoomPort port;
   Weaver w;
   w.link.connect(port.address());
@@ -146,7 +146,7 @@ TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
   ::close(loom);
 }
 
-TEST(LoomLink, ASerialLineIsTakenUpAgainWhereItBrokeOff) {
+TEST(LoomLink, ASerialConnectionResumesAtTheSamePick) {
   const Scratch scratch("serial");
   LoomTerminal loom(scratch / "loom");
   if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
@@ -180,7 +180,7 @@ TEST(LoomLink, ASerialLineIsTakenUpAgainWhereItBrokeOff) {
   EXPECT_EQ(w.design.loom.next_pick, 2);
 }
 
-TEST(LoomLink, SaysWhyThereIsNoLoom) {
+TEST(LoomLink, ReportsWhyItCannotConnect) {
   LoomLink link([] {});
   link.connect("somewhere");
   ASSERT_TRUE(comes_true([&] { return !link.why().empty(); }));

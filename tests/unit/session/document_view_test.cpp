@@ -5,7 +5,7 @@
 namespace weftlight::session {
 namespace {
 
-TEST(DraftView, ACellComesIntoSightByAsLittleAsThatTakes) {
+TEST(DraftView, ScrollsAsLittleAsNeededToShowACell) {
   DraftView v;
   v.seen_ends = v.seen_picks = 10;
   v.seen_shafts = v.seen_treadles = 4;
@@ -22,7 +22,7 @@ TEST(DraftView, ACellComesIntoSightByAsLittleAsThatTakes) {
   EXPECT_EQ(v.scroll_end, 2);
 }
 
-TEST(DraftView, PagesKeepATenthInSight) {
+TEST(DraftView, ATenthOfThePageStaysVisible) {
   DraftView w;
   w.seen_ends = 40;
   w.seen_picks = 100;
@@ -34,7 +34,7 @@ TEST(DraftView, PagesKeepATenthInSight) {
   EXPECT_EQ(w.scroll_end, 72);
 }
 
-TEST(DraftView, AThreadIsBroughtToTheMiddle) {
+TEST(DraftView, ScrollsAThreadToTheMiddle) {
   DraftView w;
   w.seen_ends = 41;
   w.seen_picks = 21;

@@ -59,7 +59,7 @@ TEST_F(RecoveryTest, OffersEveryCrashedSessionNewestFirst) {
   for (const LeftWork& one : left) EXPECT_EQ(read_left(one)->text, "text of " + one.note.name);
 }
 
-TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSame) {
+TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSameWork) {
   crash({"a.wif"});
   Recovery one(root());
   EXPECT_EQ(one.left_behind().size(), 1u);
@@ -67,13 +67,13 @@ TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSame) {
   EXPECT_EQ(one.left_behind().size(), 1u) << "the same window may ask again";
 }
 
-TEST_F(RecoveryTest, WhatWasPutOffIsOfferedTheNextTime) {
+TEST_F(RecoveryTest, PostponedWorkIsOfferedNextTime) {
   crash({"a.wif"});
   { Recovery(root()).left_behind(); }
   EXPECT_EQ(names(Recovery(root()).left_behind()), Names{"a.wif"});
 }
 
-TEST_F(RecoveryTest, ALivingSessionIsLeftAlone) {
+TEST_F(RecoveryTest, ARunningSessionIsLeftAlone) {
   Recovery living(root());
   Journal journal(living);
   journal.keep(1, {"", "Untitled", {}}, [] { return "text"; });
@@ -83,7 +83,7 @@ TEST_F(RecoveryTest, ALivingSessionIsLeftAlone) {
   EXPECT_TRUE(fs::exists(living.journal_path(1)));
 }
 
-TEST_F(RecoveryTest, DiscardsOneOfSeveralThenTheFolder) {
+TEST_F(RecoveryTest, DiscardsOneJournalAndFinallyTheFolder) {
   crash({"a.wif", "b.wif"});
   Recovery now(root());
   std::vector<LeftWork> left = now.left_behind();
@@ -96,7 +96,7 @@ TEST_F(RecoveryTest, DiscardsOneOfSeveralThenTheFolder) {
   EXPECT_TRUE(now.left_behind().empty());
 }
 
-TEST_F(RecoveryTest, WhatCannotBeReadIsNamedLastAndStays) {
+TEST_F(RecoveryTest, UnreadableWorkIsListedLastAndKept) {
   crash({"a.wif"});
   fs::create_directories(path("recovery/00000000000000ff"));
   written("recovery/00000000000000ff/1.journal", "not a journal");
@@ -119,7 +119,7 @@ TEST_F(RecoveryTest, WhatCannotBeReadIsNamedLastAndStays) {
   EXPECT_TRUE(fs::exists(path("recovery/mine")));
 }
 
-TEST_F(RecoveryTest, StartsAtTheSameMomentDoNotTakeEachOtherForCrashed) {
+TEST_F(RecoveryTest, SessionsStartedAtOnceDoNotSeemCrashed) {
   std::vector<std::thread> starts;
   std::atomic<int> taken{0};
   for (int t = 0; t < 8; ++t)

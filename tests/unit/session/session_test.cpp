@@ -85,7 +85,7 @@ TEST_F(SessionTest, EachDocumentHasItsOwnHistoryAndView) {
   EXPECT_NE(one, two);
 }
 
-TEST_F(SessionTest, StatesOfTwoDocumentsAreToldApart) {
+TEST_F(SessionTest, RevisionsOfTwoDocumentsDiffer) {
   const auto s = session();
   open(*s, draft_file("one.wif"));
   const uint64_t before = s->revision();
@@ -95,7 +95,7 @@ TEST_F(SessionTest, StatesOfTwoDocumentsAreToldApart) {
   EXPECT_TRUE(s->is_of_active(s->revision()));
 }
 
-TEST_F(SessionTest, WhatTheWindowBeganWithGivesWayUntilItIsEdited) {
+TEST_F(SessionTest, TheFirstDocumentIsReplacedUnlessEdited) {
   const auto s = session();
   s->add(Document(plain(4, "a")), Origin::kShipped, false);
   EXPECT_EQ(titles(*s), (Titles{"a"}));
@@ -108,7 +108,7 @@ TEST_F(SessionTest, WhatTheWindowBeganWithGivesWayUntilItIsEdited) {
   EXPECT_EQ(titles(*s), (Titles{"b", "c", "d"})) << "to a file of the weaver's own a shipped one does not give way";
 }
 
-TEST_F(SessionTest, AFileThatIsOpenIsFoundByAnyOfItsNames) {
+TEST_F(SessionTest, AnOpenFileIsFoundByAnyPath) {
   const auto s = session();
   const std::string file = draft_file("one.wif");
   const uint64_t id = open(*s, file).id;
@@ -119,7 +119,7 @@ TEST_F(SessionTest, AFileThatIsOpenIsFoundByAnyOfItsNames) {
   EXPECT_EQ(s->on_file(""), nullptr);
 }
 
-TEST_F(SessionTest, TabsStepRoundMoveAndClose) {
+TEST_F(SessionTest, TabsStepAroundMoveAndClose) {
   const auto s = session();
   std::vector<uint64_t> ids;
   for (const char* name : {"a", "b", "c"}) ids.push_back(s->add(Document(plain(4, name)), Origin::kOwn, false).id);
@@ -142,7 +142,7 @@ TEST_F(SessionTest, TabsStepRoundMoveAndClose) {
   EXPECT_EQ(s->all().size(), 1u);
 }
 
-TEST_F(SessionTest, BothAreOfferedAfterAKill) {
+TEST_F(SessionTest, AllDocumentsAreOfferedAfterACrash) {
   const std::string a = draft_file("a.wif"), b = draft_file("b.wif", 6);
   ASSERT_NO_FATAL_FAILURE(crash_with({a, b}));
   const auto s = session();
@@ -159,7 +159,7 @@ TEST_F(SessionTest, BothAreOfferedAfterAKill) {
   EXPECT_TRUE(Session(path("recovery"), first(), false).left().empty()) << "this session has them now";
 }
 
-TEST_F(SessionTest, WorkComesBackInTheTabOfItsFile) {
+TEST_F(SessionTest, RecoveredWorkReplacesTheTabOfItsFile) {
   const std::string a = draft_file("a.wif");
   ASSERT_NO_FATAL_FAILURE(crash_with({a}));
   const auto s = session();
@@ -171,7 +171,7 @@ TEST_F(SessionTest, WorkComesBackInTheTabOfItsFile) {
   EXPECT_TRUE(s->active().document.now().draft.threading.get(0, 1));
 }
 
-TEST_F(SessionTest, WorkOnAFileThatIsBeingEditedComesBackBesideIt) {
+TEST_F(SessionTest, RecoveredWorkOpensBesideAnEditedTabOfItsFile) {
   const std::string a = draft_file("a.wif");
   ASSERT_NO_FATAL_FAILURE(crash_with({a}));
   const auto s = session();
@@ -184,7 +184,7 @@ TEST_F(SessionTest, WorkOnAFileThatIsBeingEditedComesBackBesideIt) {
   EXPECT_EQ(s->active().document.name(), "a.wif");
 }
 
-TEST_F(SessionTest, WhatIsSavedOrClosedLeavesNoJournal) {
+TEST_F(SessionTest, SavedAndClosedDocumentsLeaveNoJournal) {
   const auto journals = [this] {
     int count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(path("recovery")))
@@ -209,7 +209,7 @@ TEST_F(SessionTest, WhatIsSavedOrClosedLeavesNoJournal) {
   EXPECT_TRUE(open_document(a).document->now().draft.threading.get(0, 1));
 }
 
-TEST_F(SessionTest, SavesAllAndSaysWhatItCannot) {
+TEST_F(SessionTest, SavesAllAndReportsWhatFails) {
   const auto s = session();
   std::vector<std::string> files{draft_file("a.wif"), draft_file("b.wif"), path("gone/c.wif")};
   for (size_t i = 0; i < 2; ++i) {

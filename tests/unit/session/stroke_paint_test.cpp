@@ -63,7 +63,7 @@ class StrokeTest : public testing::Test {
   uint64_t stroke_ = 0;
 };
 
-TEST_F(StrokeTest, OverTheWholeShedOfAPickLeavesNoTreadleThatItAddedOnItsWay) {
+TEST_F(StrokeTest, AStrokeOverAWholePickLeavesNoSpareTreadle) {
   open(twill(Leading::kThreading));
   paint({{2, 1}, {1, 1}});
   EXPECT_EQ(now().draft.treadles, 4) << "the fifth was for the first of the two crossings";
@@ -71,7 +71,7 @@ TEST_F(StrokeTest, OverTheWholeShedOfAPickLeavesNoTreadleThatItAddedOnItsWay) {
   EXPECT_EQ(fault_of(now().draft, {4, 4}), "");
 }
 
-TEST_F(StrokeTest, AClickAndAnotherAreNothing) {
+TEST_F(StrokeTest, TwoClicksOnACellChangeNothing) {
   for (const Leading leading : {Leading::kThreading, Leading::kLiftplan, Leading::kDrawdown}) {
     open(twill(leading));
     const Design first = now();
@@ -88,7 +88,7 @@ TEST_F(StrokeTest, AClickAndAnotherAreNothing) {
   }
 }
 
-TEST_F(StrokeTest, WhatTheWeaverAddedStays) {
+TEST_F(StrokeTest, ShaftsAndTreadlesThatTheWeaverAddedStay) {
   open(twill(Leading::kThreading));
   session_.commit({"Size", [](Design d) { return with_size(std::move(d), 48, 48, 4, 6); }}, 0);
   const Design first = now();
@@ -105,7 +105,7 @@ TEST_F(StrokeTest, WhatTheWeaverAddedStays) {
   EXPECT_EQ(now(), first) << "those that redo brought back, too";
 }
 
-TEST_F(StrokeTest, AnUndoWhileTheButtonIsDownIsNotPaintedOver) {
+TEST_F(StrokeTest, AnUndoDuringAStrokeIsNotPaintedOver) {
   open(twill(Leading::kDrawdown));
   const Design first = now();
   ++stroke_;
@@ -116,14 +116,14 @@ TEST_F(StrokeTest, AnUndoWhileTheButtonIsDownIsNotPaintedOver) {
   EXPECT_TRUE(cells().get(1, 2)) << "what was taken back has come again";
 }
 
-TEST_F(StrokeTest, GoesOnOnlyInAnotherCell) {
+TEST_F(StrokeTest, AStrokeContinuesOnlyInAnotherCell) {
   open(twill(Leading::kDrawdown));
   EXPECT_TRUE(begin_stroke(view(), now(), GridId::kDrawdown, {2, 1}, false, true));
   EXPECT_FALSE(go_on_with_stroke(view(), now(), {2, 1}, true));
   EXPECT_FALSE(go_on_with_stroke(view(), now(), {}, true));
 }
 
-TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
+TEST_F(StrokeTest, AStrokeInAnyDraftGivesTheRequestedCells) {
   std::mt19937 random(7);
   const auto roll = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   for (int round = 0; round < 300; ++round) {
@@ -160,7 +160,7 @@ TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
   }
 }
 
-TEST_F(StrokeTest, AShapeWithItsImagesLeavesNothingThatNothingNeeds) {
+TEST_F(StrokeTest, AMirroredShapeLeavesNoSpareShaftOrTreadle) {
   std::mt19937 random(8);
   const auto roll = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   for (int round = 0; round < 200; ++round) {
@@ -178,7 +178,7 @@ TEST_F(StrokeTest, AShapeWithItsImagesLeavesNothingThatNothingNeeds) {
   }
 }
 
-TEST_F(StrokeTest, AMovedBlockLeavesNothingThatNothingNeeds) {
+TEST_F(StrokeTest, AMovedBlockLeavesNoSpareShaftOrTreadle) {
   std::mt19937 random(9);
   const auto roll = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   for (int round = 0; round < 300; ++round) {

@@ -1,5 +1,5 @@
-// Every row of the table, run without a window in every state that it can be run in: what changes the design is taken
-// back exactly and brought again exactly, and what is no edit changes nothing.
+// Every row of the table, run without a window in every state: what changes the design is undone and redone exactly,
+// and what is no edit changes nothing.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Which keys run an action while a text field has the keyboard; and that every row of the table can be found.
+// Which shortcuts run while a text field has the keyboard; and that ids and shortcuts are unique.
 
 #include "actions/keys.h"
 

@@ -1,5 +1,5 @@
-// A hundred thousand random actions, as no weaver would do them: the draft stays whole, every step is taken back and
-// brought again exactly, and memory stays bounded.
+// A hundred thousand random actions: the draft stays consistent, every step is undone and redone exactly, and memory
+// stays bounded.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

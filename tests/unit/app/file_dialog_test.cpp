@@ -1,4 +1,4 @@
-// Which program asks for a file, and in what words.
+// Which program shows the file dialog, and its arguments.
 
 #include "app/file_dialog.h"
 

@@ -1,4 +1,4 @@
-// The picture at rest: made again, the same but for its grain.
+// The finished picture is reproducible except for its noise.
 
 #include "app/picture_maker.h"
 

@@ -1,4 +1,4 @@
-// The thread of the picture: what is thrown on it is said in the picture's place, and the next is drawn.
+// The drawing thread: an exception is shown in place of the picture, and the next picture is drawn.
 
 #include "app/preview_pane.h"
 

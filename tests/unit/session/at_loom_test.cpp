@@ -1,4 +1,4 @@
-// Weaving at a loom: the place in the design, steps by hand, and a mock loom on a line that breaks off.
+// Weaving at a loom: the place in the design, steps by hand, and a mock loom whose connection is lost.
 
 #include "session/at_loom.h"
 

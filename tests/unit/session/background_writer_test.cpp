@@ -1,4 +1,4 @@
-// What is kept on the disk is tried again until it stands there, and said until then.
+// Writes in the background are retried until they succeed, and their error is shown until then.
 
 #include "session/background_writer.h"
 

@@ -1,4 +1,4 @@
-// Recovered work keeps its own name, and its own file only while that is the file it began with.
+// Recovered work keeps its name, and its file only if the file is unchanged.
 
 #include "session/bring_back.h"
 

@@ -1,4 +1,4 @@
-// Files of other kinds become documents without a name of their own.
+// Files of other formats become unnamed documents.
 
 #include "session/document.h"
 

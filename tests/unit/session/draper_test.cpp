@@ -1,4 +1,4 @@
-// The cloth's own drape on request: it falls on a thread of its own, can be stopped, and is found again.
+// The simulated drape: computed on its own thread, stopped, restarted, and cached.
 
 #include "session/draper.h"
 

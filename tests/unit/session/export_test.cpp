@@ -1,4 +1,4 @@
-// What comes of a choice to export, and the thread that does it.
+// The plan of a texture export, the thread that writes it, and its preview.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Another program's changes of a file are noticed, its touching alone is not taken for one.
+// Changes of a file by other programs are noticed; a new time alone is no change.
 
 #include "session/file_identity.h"
 

@@ -1,4 +1,4 @@
-// The page of drafts with pictures: which cards, which of them the keys lead to, and what the pictures are.
+// The gallery: its cards, its keyboard navigation, and the thumbnails.
 
 #include "session/gallery.h"
 

@@ -1,4 +1,4 @@
-// What a hand does faster than the frames come: nothing lost, nothing overtaken.
+// Input that is faster than the frames is neither lost nor reordered.
 
 #include "session/input_queue.h"
 

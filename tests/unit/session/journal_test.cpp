@@ -1,4 +1,4 @@
-// What a journal keeps, and what is left of it when it is torn, the disk full, or its folder gone.
+// What a journal keeps, and what can be read when it is damaged, the disk is full, or its folder is gone.
 
 #include "session/journal.h"
 

@@ -1,4 +1,4 @@
-// Memory that a thread cannot have is told; the thread goes on, and nothing of the weaver's is lost.
+// A thread that runs out of memory reports it and goes on; no work is lost.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// --live-export and --ui-map replace what they wrote themselves, and nothing else.
+// --live-export and --ui-map replace their own files and no others.
 
 #include "session/own_output.h"
 

@@ -1,4 +1,4 @@
-// Which sessions crashed is told by their locks; what they left is offered, newest first, once.
+// Crashed sessions are recognised by their locks; their work is offered once, newest first.
 
 #include "session/recovery.h"
 

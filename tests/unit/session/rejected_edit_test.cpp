@@ -1,4 +1,4 @@
-// What the loom cannot weave of what was painted is kept as a whole gesture, and the closest to it is offered.
+// An edit that the loom cannot weave is kept as a whole gesture, and the closest weave is offered.
 
 #include "session/rejected_edit.h"
 

@@ -1,4 +1,4 @@
-// Views of the cloth by name: kept, gone to, renamed, dropped, and in the file.
+// Named views of the cloth: saved, shown, renamed, deleted, and in the file.
 
 #include "session/scene_views.h"
 

@@ -1,4 +1,4 @@
-// Several documents at once, without a window: opened, edited, closed, saved, killed and brought back.
+// Several documents without a window: opened, edited, closed, saved, and recovered after a crash.
 
 #include "session/session.h"
 

@@ -1,4 +1,4 @@
-// Temporary files of the dead go; nothing else does.
+// Temporary files of processes that ended are removed, and no others.
 
 #include "session/stale_files.h"
 

@@ -1,4 +1,4 @@
-// Strokes in cells: what a gesture makes of a design is what its cells ask, whatever it passed on its way.
+// A stroke gives the cells that it passed, whatever it needed on its way.
 
 #include <gtest/gtest.h>
 

@@ -217,9 +217,9 @@ Design to_treadling(Design design, int most_treadles) {
   return design;
 }
 
-Design to_skeleton(Design design, int treadles_per_pick) {
+Design to_skeleton(Design design, int treadles_per_pick, const base::TaskProgress& progress) {
   Draft& d = design.draft;
-  Skeleton skeleton = skeleton_tieup(lifts(d), treadles_per_pick);
+  Skeleton skeleton = skeleton_tieup(lifts(d), treadles_per_pick, progress);
   if (skeleton.tieup.rows() < 1 || skeleton.tieup.rows() > kMaxShafts) return design;
   d.treadles = skeleton.tieup.rows();
   d.tieup = std::move(skeleton.tieup);

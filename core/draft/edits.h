@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "base/progress.h"
 #include "draft/design.h"
 #include "draft/drawdown.h"
 
@@ -43,7 +44,8 @@ Design to_liftplan(Design design);
 /// number if its picks still have one lift; the others are the fewest possible, numbered by first use. Unchanged if the
 /// draft is treadled so already, or needs more than `most_treadles` (treadles_needed in factor.h counts beforehand).
 Design to_treadling(Design design, int most_treadles = kMaxShafts);
-/// Same drawdown with a skeleton tie-up (skeleton.h): up to `treadles_per_pick` at once, fewer treadles in all.
-Design to_skeleton(Design design, int treadles_per_pick);
+/// Same drawdown with a skeleton tie-up (skeleton.h): up to `treadles_per_pick` at once, fewer treadles in all. Takes
+/// up to seconds.
+Design to_skeleton(Design design, int treadles_per_pick, const base::TaskProgress& progress = {});
 
 }  // namespace weftlight::draft

@@ -179,8 +179,8 @@ DistinctRows distinct_rows_of(const BitMatrix& m) {
 
 // The matrix with at most `most` distinct rows. Repeatedly the distinct row that costs the fewest cells is replaced by
 // the most similar other one; of more than kMany distinct rows the most frequent are kept instead. The empty row does
-// not count if `empty_is_free`.
-BitMatrix with_fewer_rows(BitMatrix m, int most, bool empty_is_free) {
+// not count if `empty_is_free`. Asked to stop, it returns early, with more rows.
+BitMatrix with_fewer_rows(BitMatrix m, int most, bool empty_is_free, const base::TaskProgress& progress) {
   constexpr size_t kMany = 1024;
   DistinctRows d = distinct_rows_of(m);
   const auto is_free = [&](size_t i) { return empty_is_free && m.first(d.first[i]) < 0; };
@@ -202,13 +202,22 @@ BitMatrix with_fewer_rows(BitMatrix m, int most, bool empty_is_free) {
     std::ranges::stable_sort(kept, [&](size_t a, size_t b) { return d.count[a] > d.count[b]; });
     const std::vector<size_t> rest(kept.begin() + most, kept.end());
     kept.resize(static_cast<size_t>(most));
-    for (const size_t i : rest) becomes[i] = static_cast<int>(closest(i).second);
+    for (const size_t i : rest) {
+      if (progress.stopped()) return m;
+      becomes[i] = static_cast<int>(closest(i).second);
+    }
     counted = most;
   }
   std::vector<std::pair<int, size_t>> to(d.first.size());
   if (counted > most)
-    for (const size_t i : kept) to[i] = closest(i);
+    for (const size_t i : kept) {
+      if (progress.stopped()) return m;
+      to[i] = closest(i);
+    }
+  const int excess = std::max(counted - most, 1);
   while (counted > most && kept.size() > 1) {
+    if (progress.stopped()) return m;
+    progress.report(1 - static_cast<float>(counted - most) / static_cast<float>(excess));
     size_t least = kept.front();
     int64_t least_cost = std::numeric_limits<int64_t>::max();
     for (const size_t i : kept) {
@@ -330,7 +339,8 @@ Factored within_loom(const Draft& base, LoomSize most) {
   return out;
 }
 
-Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
+Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
+                          const base::TaskProgress& progress) {
   Factored exact = with_drawdown(base, cells, most);
   if (exact.done() && fits(exact.draft, most)) return exact;
   // The weaver's numbering may not fit: try without it.
@@ -338,9 +348,10 @@ Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize mo
   Factored out = with_drawdown(bare, cells, most);
   const std::string why = exact.done() ? out.why : exact.why;
   if (!out.done()) {
-    BitMatrix near = transposed(with_fewer_rows(transposed(cells), std::max(most.shafts, 1), false));
+    BitMatrix near = transposed(with_fewer_rows(transposed(cells), std::max(most.shafts, 1), false, progress));
     if (base.shed_control == ShedControl::kTreadling)
-      near = with_fewer_rows(std::move(near), std::max(most.treadles, 1), base.rising);
+      near = with_fewer_rows(std::move(near), std::max(most.treadles, 1), base.rising, progress);
+    if (progress.stopped()) return {base, why, 0, 0, 0};
     out = with_drawdown(base, near, most);
     if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);
   }

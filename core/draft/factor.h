@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/progress.h"
 #include "draft/draft.h"
 
 namespace weftlight::draft {
@@ -33,8 +34,10 @@ Factored with_lifts(const Draft& base, const BitMatrix& lifts, int most_treadles
 Factored with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most);
 
 /// The same, with wrong crossings if the loom is too small: greedily, the column (row) that costs the fewest crossings
-/// is woven as the most similar other one. Each step is optimal, their sequence need not be.
-Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most);
+/// is woven as the most similar other one. Each step is optimal, their sequence need not be. Takes up to seconds; asked
+/// to stop, it soon returns some draft that the loom can weave, or `base`, with a reason.
+Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
+                          const base::TaskProgress& progress = {});
 
 /// The same cloth on a loom of that size. The weaver's numbering is kept if all of it fits.
 Factored within_loom(const Draft& base, LoomSize most);

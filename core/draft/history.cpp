@@ -87,8 +87,6 @@ std::string History::undo_label() const { return can_undo() ? steps_[position_].
 
 std::string History::redo_label() const { return can_redo() ? steps_[position_ + 1].label : std::string(); }
 
-void History::mark_saved() { saved_id_ = steps_[position_].id; }
-
 void History::mark_unsaved() { saved_id_ = std::numeric_limits<uint64_t>::max(); }
 
 bool History::is_saved() const { return is_saved(position_); }

@@ -39,7 +39,11 @@ class History {
   /// Label of the step that undo would revert, or redo repeat; empty if there is none.
   std::string undo_label() const;
   std::string redo_label() const;
-  void mark_saved();
+  /// Names the present step for mark_saved().
+  uint64_t mark() const { return steps_[position_].id; }
+  void mark_saved() { mark_saved(mark()); }
+  /// That step counts as saved, the present one only if it still is the same. No other does any more.
+  void mark_saved(uint64_t mark) { saved_id_ = mark; }
   /// No step counts as saved any more.
   void mark_unsaved();
   bool is_saved() const;

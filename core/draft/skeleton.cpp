@@ -46,9 +46,9 @@ int size_of(const Set& a) {
 }
 
 // The lifts, then their intersections, of two and more.
-std::vector<Set> candidates_of(const std::vector<Set>& lifts) {
+std::vector<Set> candidates_of(const std::vector<Set>& lifts, const base::TaskProgress& progress) {
   std::vector<Set> found = lifts;
-  for (size_t i = 0; i < found.size() && found.size() < kMaxCandidates; ++i)
+  for (size_t i = 0; i < found.size() && found.size() < kMaxCandidates && !progress.stopped(); ++i)
     for (size_t k = 0; k < lifts.size() && found.size() < kMaxCandidates; ++k) {
       Set both = common(found[i], lifts[k]);
       if (!is_empty(both) && std::ranges::find(found, both) == found.end()) found.push_back(std::move(both));
@@ -98,6 +98,9 @@ int least_treadles(int64_t lifts, int most) {
 }
 
 struct Search {
+  explicit Search(const base::TaskProgress& p) : progress(p) {}
+
+  const base::TaskProgress& progress;
   std::vector<std::vector<Combination>> combinations;  // of each lift
   int at_least = 0, steps = 0;
   std::vector<int> uses;    // of each candidate: number of lifts that use it
@@ -105,7 +108,17 @@ struct Search {
   int treadles = 0;
   std::vector<int> best_chosen;
   int best = 0;
+  int all_steps = 0, told_steps = 0;
 
+  // True when the search is to end. Reports the progress now and then.
+  bool is_over() {
+    constexpr int kTold = 1 << 16;
+    if (told_steps - steps >= kTold) {
+      told_steps = steps;
+      progress.report(1 - static_cast<float>(std::max(steps, 0)) / static_cast<float>(all_steps));
+    }
+    return steps <= 0 || progress.stopped();
+  }
   int new_treadles(const Combination& combination) const {
     return static_cast<int>(
         std::ranges::count_if(combination, [this](int c) { return uses[static_cast<size_t>(c)] == 0; }));
@@ -132,7 +145,8 @@ struct Search {
     return next;
   }
   void run() {
-    if (steps-- <= 0 || best <= at_least || treadles >= best) return;
+    --steps;
+    if (is_over() || best <= at_least || treadles >= best) return;
     const int lift = next_lift();
     if (lift < 0) {
       best = treadles;
@@ -154,14 +168,14 @@ struct Search {
       run();
       use(here[static_cast<size_t>(w)], -1);
       chosen[static_cast<size_t>(lift)] = -1;
-      if (free || steps <= 0) return;  // a combination without new treadles is never worse
+      if (free || is_over()) return;  // a combination without new treadles is never worse
     }
   }
 };
 
 }  // namespace
 
-Skeleton skeleton_tieup(const BitMatrix& lifts, int treadles_per_pick, int steps) {
+Skeleton skeleton_tieup(const BitMatrix& lifts, int treadles_per_pick, const base::TaskProgress& progress, int steps) {
   int most = std::clamp(treadles_per_pick, 1, 4);
   const std::vector<int> first = first_equal_rows(lifts);
   std::vector<Set> distinct;
@@ -175,26 +189,27 @@ Skeleton skeleton_tieup(const BitMatrix& lifts, int treadles_per_pick, int steps
     lift_of[p] = lift_of[first[p]];
   }
   if (distinct.size() > kMaxLifts) most = 1;
-  const std::vector<Set> all = most > 1 ? candidates_of(distinct) : distinct;
-  Search search;
+  const std::vector<Set> all = most > 1 ? candidates_of(distinct, progress) : distinct;
+  Search search(progress);
   bool all_combinations = all.size() < kMaxCandidates;
   for (size_t i = 0; i < distinct.size(); ++i) {
-    search.combinations.push_back(most > 1 ? combinations_of(all, distinct[i], most)
-                                           : std::vector<Combination>{{static_cast<int>(i)}});
+    const bool alone = most == 1 || progress.stopped();
+    search.combinations.push_back(alone ? std::vector<Combination>{{static_cast<int>(i)}}
+                                        : combinations_of(all, distinct[i], most));
     search.best_chosen.push_back(0);
     all_combinations = all_combinations && search.combinations.back().size() < kMaxCombinations;
   }
   // A treadle per lift is the fallback: the largest candidate inside a lift is the lift itself, its first combination.
   search.best = static_cast<int>(distinct.size());
   search.at_least = least_treadles(static_cast<int64_t>(distinct.size()), most);
-  search.steps = steps;
+  search.steps = search.all_steps = search.told_steps = steps;
   search.uses.assign(all.size(), 0);
   search.chosen.assign(distinct.size(), -1);
   search.run();
 
   Skeleton out;
   out.at_least = search.at_least;
-  out.fewest = search.best == search.at_least || (search.steps > 0 && all_combinations);
+  out.fewest = search.best == search.at_least || (search.steps > 0 && all_combinations && !progress.stopped());
   std::vector<int> treadle_of(all.size(), -1), order;
   out.treadling = BitMatrix(lifts.rows(), search.best);
   for (int p = 0; p < lifts.rows(); ++p) {

@@ -14,6 +14,8 @@ struct ActiveDraft {
   /// Of that document; the settings are shared by all documents.
   std::function<DocumentView&()> view;
   std::function<void(const Edit&)> commit;
+  /// Commits it when it is computed, if the draft is still the same.
+  std::function<void(const SlowEdit&)> compute;
   std::function<void()> undo, redo;
 };
 

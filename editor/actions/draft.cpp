@@ -77,9 +77,9 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
   control("treadling", tr("Tie-up and treadling"), ShedControl::kTreadling)->item.group = true;
   control("liftplan", tr("Use the liftplan"), ShedControl::kLiftplan);
   add(all, "Draft", "skeleton", tr("Skeleton tie-up, two treadles a pick"), "", [&draft] {
-    Edit edit{tr("Skeleton tie-up, two treadles a pick"), [](Design d) { return to_skeleton(std::move(d), 2); }};
-    edit.why = [](const Design&) { return std::string(tr("No skeleton tie-up needs fewer treadles.")); };
-    draft.commit(edit);
+    draft.compute({tr("Skeleton tie-up, two treadles a pick"), tr("Searching for a skeleton tie-up"),
+                   [](Design d, const base::TaskProgress& progress) { return to_skeleton(std::move(d), 2, progress); },
+                   tr("No skeleton tie-up needs fewer treadles.")});
   });
   add_leading(all, draft, dialogs);
 }

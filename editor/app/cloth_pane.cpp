@@ -1,5 +1,6 @@
 #include "app/cloth_pane.h"
 
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -12,13 +13,16 @@
 
 namespace weftlight::app {
 
+using base::arg;
+using base::fill;
 using base::mark;
 using base::tr;
 
-ClothPane::ClothPane(Editing& editing, const Settings& settings, Dialogs& dialogs, Messages& messages,
-                     FrameSchedule& schedule)
+ClothPane::ClothPane(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
+                     Messages& messages, FrameSchedule& schedule)
     : editing_(editing),
       settings_(settings),
+      tasks_(tasks),
       dialogs_(dialogs),
       messages_(messages),
       schedule_(schedule),
@@ -116,11 +120,19 @@ void ClothPane::choose_environment() {
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
         if (!is_environment(path)) return messages_.say(tr("An environment picture ends in .hdr or .exr."));
-        if (const std::string problem = environment_problem(path); !problem.empty()) return messages_.say(problem);
-        editing_.commit({tr("Environment picture"), [path](Design d) {
-                           d.scene = lit_by_environment(d.scene, path);
-                           return d;
-                         }});
+        base::Task task = base::task_with_result([path](const base::RunningTask&) { return environment_problem(path); },
+                                                 [this, path, id = editing_.shown_id()](const std::string& problem) {
+                                                   if (!problem.empty()) return messages_.say(problem);
+                                                   editing_.commit_to(id, {tr("Environment picture"), [path](Design d) {
+                                                                             d.scene =
+                                                                                 lit_by_environment(d.scene, path);
+                                                                             return d;
+                                                                           }});
+                                                 },
+                                                 [this](const std::string& why) { messages_.say(why); });
+        task.kind = "environment";
+        task.name = fill(tr("Opening {file}"), arg("file", std::filesystem::path(path).filename().string()));
+        tasks_.reading().start(std::move(task));
       },
       ".hdr");
 }

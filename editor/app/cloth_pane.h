@@ -7,6 +7,7 @@
 #include <string>
 
 #include "actions/cloth_actions.h"
+#include "app/background_tasks.h"
 #include "app/dialogs.h"
 #include "app/editing.h"
 #include "app/frame_schedule.h"
@@ -20,7 +21,8 @@ namespace weftlight::app {
 
 class ClothPane {
  public:
-  ClothPane(Editing& editing, const Settings& settings, Dialogs& dialogs, Messages& messages, FrameSchedule& schedule);
+  ClothPane(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages,
+            FrameSchedule& schedule);
 
   /// Called after every change of the shown design.
   void follow();
@@ -54,6 +56,7 @@ class ClothPane {
 
   Editing& editing_;
   const Settings& settings_;
+  BackgroundTasks& tasks_;
   Dialogs& dialogs_;
   Messages& messages_;
   FrameSchedule& schedule_;

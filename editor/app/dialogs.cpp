@@ -18,6 +18,19 @@ void Dialogs::ask(Dialog dialog, std::function<void(int)> then) {
   answer_ = std::move(then);
 }
 
+void Dialogs::when_none(std::function<void()> then) {
+  if (any()) later_.push_back(std::move(then));
+  else then();
+}
+
+bool Dialogs::run_next() {
+  if (any() || later_.empty()) return false;
+  const auto due = std::move(later_.front());
+  later_.pop_front();
+  due();
+  return true;
+}
+
 void Dialogs::ask_path(FileAsk what, const std::string& title, const std::string& start,
                        std::function<void(const std::string&)> chosen, const std::string& ending) {
   // The system dialog is not modal: the answer belongs to the draft that was active when it opened.

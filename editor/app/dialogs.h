@@ -1,6 +1,7 @@
 #pragma once
 // The dialog that is open, of the window or of the system, and what follows its answer. One is open at a time.
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <variant>
@@ -35,6 +36,10 @@ class Dialogs {
   }
   bool any() const { return !shows<std::monostate>(); }
   void close() { dialog_ = {}; }
+  /// Runs `then` now, or by run_next() when the open dialog is closed.
+  void when_none(std::function<void()> then);
+  /// Runs what waits longest, if no dialog is open. True if there was anything.
+  bool run_next();
   /// True while the system's file dialog is open.
   bool system_asks() const { return file_dialog_.waiting(); }
   /// True while an open dialog computes something, or the system's asks.
@@ -57,6 +62,7 @@ class Dialogs {
   FrameSchedule& schedule_;
   Dialog dialog_;
   std::function<void(int)> answer_;
+  std::deque<std::function<void()>> later_;  // when no dialog is open
   bool busy_ = false;
   FileDialog file_dialog_;
 };

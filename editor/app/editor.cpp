@@ -14,6 +14,10 @@
 
 namespace weftlight::app {
 
+using base::arg;
+using base::fill;
+using base::tr;
+
 namespace {
 
 constexpr double kCaretS = 0.4;  // blink of a text caret
@@ -27,30 +31,28 @@ Editor::Editor(Window& window, const EditorOptions& options)
     : window_(window),
       settings_(load_settings()),
       session_(state_folder() + "/recovery", Files::first_document(), settings_.per_inch),
-      editing_(session_, messages_, [this] { edited(); }),
+      editing_(session_, tasks_, messages_, [this] { edited(); }),
       dialogs_(session_, messages_, schedule_),
       live_export_(options.live_export),
-      files_(session_, settings_, dialogs_, messages_, live_export_, [this] { edited(); }),
+      files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
       prompts_(editing_, files_, dialogs_),
-      start_(session_, files_, settings_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
+      start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
       tabs_(session_, files_, dialogs_, schedule_),
       exports_(session_, dialogs_, messages_),
-      printing_(editing_, settings_, dialogs_, messages_),
-      cloth_(editing_, settings_, dialogs_, messages_, schedule_),
+      printing_(editing_, settings_, tasks_, dialogs_, messages_),
+      cloth_(editing_, settings_, tasks_, dialogs_, messages_, schedule_),
       loom_(session_, editing_, settings_),
-      reports_(session_, editing_, settings_, dialogs_, messages_),
-      panels_(editing_, settings_, cloth_, loom_, reports_, messages_),
+      reports_(session_, editing_, settings_, files_, dialogs_, messages_),
+      panels_(editing_, settings_, cloth_, loom_, reports_, tasks_, messages_),
       actions_(subjects()),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
-  if (!options.file.empty()) files_.open_path(options.file);
+  if (!options.file.empty()) files_.start_with(options.file);
   // No tour if a program drives the window.
   const bool driven = !options.ui_map.empty() || !options.live_export.empty();
   if (!settings_.toured && !driven) settings_.tour = 0;
   follow_shown();
-  start_.offer_recovery();
-  if (!dialogs_.any() && opens_with_gallery(settings_, !options.file.empty(), driven))
-    start_.show_gallery(settings_.recent.empty());
+  start_.begin(opens_with_gallery(settings_, !options.file.empty(), driven));
 }
 
 Subjects Editor::subjects() {
@@ -114,6 +116,8 @@ void Editor::run() {
     frame();
   }
   window_.size(settings_.width, settings_.height);
+  // What is still being written is finished without the window.
+  window_.hide();
   save_settings(settings_);
   session_.forget_all();
 }
@@ -125,7 +129,7 @@ double Editor::sleep_s() {
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
   if (const auto until = waits_until(editing_.view())) sooner(std::max(0.0, *until - now));
-  if (dialogs_.busy() || printing_.busy() || exports_.busy() || reports_.busy()) sooner(kDialogPollS);
+  if (dialogs_.busy() || tasks_.busy() || exports_.busy()) sooner(kDialogPollS);
   if (session_.busy() || live_export_.busy()) sooner(kTroublePollS);
   return sleep;
 }
@@ -135,8 +139,21 @@ std::string Editor::trouble() const {
   return problem.empty() ? live_export_.problem() : problem;
 }
 
+bool Editor::take_results() {
+  // Not in the middle of a gesture or a dialog.
+  const bool taken = tasks_.take(!ImGui::IsAnyMouseDown() && !dialogs_.any());
+  if (taken) editing_.take_computed();
+  return dialogs_.run_next() || taken;
+}
+
+void Editor::cancel(const base::ShownTask& task) {
+  files_.cancel(task.kind);
+  editing_.cancel(task.kind);
+  messages_.say(fill(tr("Cancelled: {task}"), arg("task", task.name)));
+}
+
 bool Editor::update_background() {
-  const bool dialog_changed = printing_.update() | exports_.update() | dialogs_.update();
+  const bool dialog_changed = exports_.update() | dialogs_.update();
   const bool changed = cloth_.update() | dialog_changed | reports_.update() | loom_.update() |
                        editing_.commit(type_after_wait(editing_.view(), editing_.document().now(), Window::seconds()));
   // The content may change the layout, and the --ui-map is written only once that is stable.
@@ -145,6 +162,7 @@ bool Editor::update_background() {
 }
 
 void Editor::frame() {
+  if (take_results() | tasks_.update_shown()) schedule_.draw(2);
   follow_shown();
   const double now = Window::seconds();
   const bool changed = update_background();
@@ -158,7 +176,7 @@ void Editor::frame() {
   apply_input();
   draw_window();
   window_.end_frame(style_.color.window);
-  map_file_.frame(map_);
+  if (!files_.starting()) map_file_.frame(map_);
   update_title();
 }
 
@@ -224,7 +242,7 @@ void Editor::draw_window() {
   wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
   const float tabs_height = tabs_.height(style_);
   const TabRequest requested = tabs_.draw(c, tabs_height);
-  panels_.draw(c, tabs_height, items, trouble_);
+  panels_.draw(c, tabs_height, items, {trouble_, tabs_.awaits()});
   wanted.add_action(draw_context_menu(c, items, &ActionItem::on_selection, "context", c.frame.selection_menu));
   wanted.add_action(tabs_.draw_menu(c, items));
   wanted.add_action(tools_.draw_commands(c, items));
@@ -236,6 +254,7 @@ void Editor::draw_window() {
   carry_out(wanted);
   // Last, since it may activate another draft.
   tabs_.carry_out(requested);
+  if (const auto task = tasks_.take_cancelled()) cancel(*task);
   SelectState& select = editing_.view().select;
   if (select.drag == SelectDrag::kBand) messages_.clear();  // it was about the earlier selection
   if (!select.notice.empty()) messages_.say(std::exchange(select.notice, {}));
@@ -271,7 +290,7 @@ void Editor::follow_shown() {
 
 void Editor::edited() {
   cloth_.follow();
-  live_export_.keep(editing_.document());
+  files_.keep_live_export();
   exports_.follow();
   schedule_.draw(3);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/action_table.h"
+#include "app/background_tasks.h"
 #include "app/cloth_pane.h"
 #include "app/dialogs.h"
 #include "app/draft_prompts.h"
@@ -47,7 +48,10 @@ class Editor {
   void draw_window();
   /// Carries out the requests of the panels in their order.
   void carry_out(Intents& wanted);
-  /// Takes what was computed in the background; true if there is something to show.
+  /// Takes up what the tasks beside the window did; true if there was anything.
+  bool take_results();
+  void cancel(const base::ShownTask& task);
+  /// Takes what the parts of the window computed in the background; true if there is something to show.
   bool update_background();
   /// Updates picture, live export and derived state after another document was activated.
   void follow_shown();
@@ -62,6 +66,7 @@ class Editor {
   Settings settings_;
   Style style_;
   Session session_;
+  BackgroundTasks tasks_;  // ends before the session, which its tasks may use
   FrameSchedule schedule_;
   Messages messages_;
   Editing editing_;

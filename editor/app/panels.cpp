@@ -21,10 +21,16 @@ using base::mark;
 using base::tr;
 
 Panels::Panels(Editing& editing, const Settings& settings, ClothPane& cloth, LoomWindow& loom, Reports& reports,
-               Messages& messages)
-    : editing_(editing), settings_(settings), cloth_(cloth), loom_(loom), reports_(reports), messages_(messages) {}
+               BackgroundTasks& tasks, Messages& messages)
+    : editing_(editing),
+      settings_(settings),
+      cloth_(cloth),
+      loom_(loom),
+      reports_(reports),
+      tasks_(tasks),
+      messages_(messages) {}
 
-void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const std::string& trouble) {
+void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
@@ -32,7 +38,7 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
   const WindowLayout l = lay_out_window(c.style, at, size, split_of(c.style, room, size.y), settings_.inspector);
   if (editing_.view().at_loom.open) {
     loom_.draw(c, l);
-    return draw_status(c, l, trouble);
+    return draw_status(c, l, status);
   }
   draw_draft_pane(c, l, items);
   draw_splitter(c, l);
@@ -40,7 +46,7 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
   cloth_.draw(c);
   ImGui::End();
   if (l.inspector.shown()) draw_inspector(c, l);
-  draw_status(c, l, trouble);
+  draw_status(c, l, status);
 }
 
 void Panels::draw_draft_pane(PanelContext& c, const WindowLayout& l, std::span<const ActionItem> items) {
@@ -53,10 +59,11 @@ void Panels::draw_draft_pane(PanelContext& c, const WindowLayout& l, std::span<c
                             {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
 }
 
-void Panels::draw_status(PanelContext& c, const WindowLayout& l, const std::string& trouble) {
+void Panels::draw_status(PanelContext& c, const WindowLayout& l, const StatusTexts& status) {
   const DocumentView& v = editing_.view();
   begin_fixed("Status", l.status, {c.style.px(14), c.style.px(6)}, kFixed);
-  if (draw_status_bar(c, v.select, v.drawing, trouble, messages_.text(), messages_.remarks()))
+  tasks_.draw(c, status.awaits);
+  if (draw_status_bar(c, v.select, v.drawing, status.trouble, messages_.text(), messages_.remarks()))
     messages_.toggle_remarks();
   ImGui::End();
 }

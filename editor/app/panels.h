@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "app/background_tasks.h"
 #include "app/cloth_pane.h"
 #include "app/editing.h"
 #include "app/loom_window.h"
@@ -21,9 +22,13 @@ namespace weftlight::app {
 class Panels {
  public:
   Panels(Editing& editing, const Settings& settings, ClothPane& cloth, LoomWindow& loom, Reports& reports,
-         Messages& messages);
-  /// Below the tabs. `trouble`: what could not be written, or empty.
-  void draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const std::string& trouble);
+         BackgroundTasks& tasks, Messages& messages);
+  struct StatusTexts {
+    std::string trouble;  // what could not be written, or empty
+    std::string awaits;   // what happens when the saves in progress are done, or empty
+  };
+  /// Below the tabs.
+  void draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status);
   /// Another document is shown.
   void forget() { typed_threads_.clear(); }
 
@@ -31,7 +36,7 @@ class Panels {
   void draw_draft_pane(PanelContext& c, const WindowLayout& layout, std::span<const ActionItem> items);
   void draw_splitter(PanelContext& c, const WindowLayout& layout) const;
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
-  void draw_status(PanelContext& c, const WindowLayout& layout, const std::string& trouble);
+  void draw_status(PanelContext& c, const WindowLayout& layout, const StatusTexts& status);
   /// Fraction of the width for the pane of the draft.
   float split_of(const Style& style, float room, float height);
 
@@ -40,6 +45,7 @@ class Panels {
   ClothPane& cloth_;
   LoomWindow& loom_;
   Reports& reports_;
+  BackgroundTasks& tasks_;
   Messages& messages_;
   DraftPictures draft_pictures_;
   YarnStrip strip_;

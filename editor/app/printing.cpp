@@ -38,15 +38,25 @@ void Printing::ask() {
 
 void Printing::start(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
-    const auto job = [path, p, design = editing_.document().snapshot()] {
-      const print::Printed printed = print::printed(*design, p.format, chosen_options(p));
-      std::string problem = printed.why;
-      for (size_t i = 0; i < printed.files.size() && problem.empty(); ++i)
-        problem = write_file_atomically(print::sheet_file(path, i, printed.files.size()), printed.files[i]);
-      return problem.empty() ? problem : fill(tr("Not printed: {problem}"), arg("problem", problem));
-    };
-    writer_.run(path, fill(tr("Printed to {path}"), arg("path", path)), job);
-    messages_.say(tr("Printing\xE2\x80\xA6"));
+    base::Task task = base::task_with_result(
+        [path, p, design = editing_.document().snapshot()](const base::RunningTask& running) {
+          const print::Printed printed = print::printed(*design, p.format, chosen_options(p));
+          std::string problem = printed.why;
+          for (size_t i = 0; i < printed.files.size() && problem.empty(); ++i) {
+            running.report(static_cast<float>(i) / static_cast<float>(printed.files.size()));
+            problem = write_file_atomically(print::sheet_file(path, i, printed.files.size()), printed.files[i]);
+          }
+          return problem;
+        },
+        [this, path](const std::string& problem) {
+          messages_.say(problem.empty() ? fill(tr("Printed to {path}"), arg("path", path))
+                                        : fill(tr("Not printed: {problem}"), arg("problem", problem)));
+        },
+        [this](const std::string& why) { messages_.say(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+    task.kind = "print:" + path;
+    task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));
+    task.finishes = true;
+    tasks_.computing().start(std::move(task));
   };
   // The dialog confirmed the name itself, but not those of further sheets.
   const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);
@@ -61,13 +71,6 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
             if (button == 0) write();
           });
   write();
-}
-
-bool Printing::update() {
-  std::string message = writer_.take_error();
-  if (message.empty()) message = writer_.take_message();
-  if (!message.empty()) messages_.say(message);
-  return !message.empty();
 }
 
 }  // namespace weftlight::app

@@ -3,32 +3,29 @@
 
 #include <string>
 
+#include "app/background_tasks.h"
 #include "app/dialogs.h"
 #include "app/editing.h"
 #include "app/messages.h"
 #include "app/names.h"
-#include "session/background_writer.h"
 #include "session/user_files.h"
 
 namespace weftlight::app {
 
 class Printing {
  public:
-  Printing(Editing& editing, const Settings& settings, Dialogs& dialogs, Messages& messages)
-      : editing_(editing), settings_(settings), dialogs_(dialogs), messages_(messages) {}
+  Printing(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages)
+      : editing_(editing), settings_(settings), tasks_(tasks), dialogs_(dialogs), messages_(messages) {}
   void ask();
-  /// Shows what became of the last print. True if there is something to show.
-  bool update();
-  bool busy() const { return writer_.busy(); }
 
  private:
   void start(const std::string& path, const PrintPrompt& prompt);
 
   Editing& editing_;
   const Settings& settings_;
+  BackgroundTasks& tasks_;
   Dialogs& dialogs_;
   Messages& messages_;
-  BackgroundWriter writer_;
 };
 
 }  // namespace weftlight::app

@@ -31,14 +31,17 @@ const Report* Reports::last() const {
 void Reports::choose_draft() {
   dialogs_.ask_path(
       FileAsk::kOpen, tr("Compare with a draft"), editing_.document().path(), [this](const std::string& path) {
-        OpenResult result = open_document(path);
-        if (!result.document) return messages_.report(std::move(result.remarks), path);
-        DifferenceView& differences = editing_.view().differences;
-        differences.other = std::make_shared<const OtherDraft>(OtherDraft{
-            std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
-        differences.place = -1;
-        settings_.inspector = true;
-        settings_.inspector_tab = kInspectorTab;
+        files_.read(path, [this, path, id = session_.active().id](OpenResult result) {
+          if (!result.document) return messages_.report(std::move(result.remarks), path);
+          OpenDocument* open = session_.find(id);
+          if (open == nullptr) return;
+          DifferenceView& differences = open->view.differences;
+          differences.other = std::make_shared<const OtherDraft>(OtherDraft{
+              std::filesystem::path(path).filename().string(), result.document->now(), result.document->cells()});
+          differences.place = -1;
+          settings_.inspector = true;
+          settings_.inspector_tab = kInspectorTab;
+        });
       });
 }
 

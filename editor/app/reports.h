@@ -4,8 +4,10 @@
 #include "actions/comparison_actions.h"
 #include "app/dialogs.h"
 #include "app/editing.h"
+#include "app/files.h"
 #include "app/messages.h"
 #include "app/names.h"
+#include "app/window.h"
 #include "session/report.h"
 #include "session/session.h"
 #include "session/user_files.h"
@@ -18,8 +20,13 @@ class Reports {
   /// The tab of the inspector that shows the analysis.
   static constexpr int kInspectorTab = 3;
 
-  Reports(Session& session, Editing& editing, Settings& settings, Dialogs& dialogs, Messages& messages)
-      : session_(session), editing_(editing), settings_(settings), dialogs_(dialogs), messages_(messages) {}
+  Reports(Session& session, Editing& editing, Settings& settings, Files& files, Dialogs& dialogs, Messages& messages)
+      : session_(session),
+        editing_(editing),
+        settings_(settings),
+        files_(files),
+        dialogs_(dialogs),
+        messages_(messages) {}
 
   /// Starts a new report if one is visible and the last is outdated.
   void start();
@@ -31,7 +38,6 @@ class Reports {
   void forget() { analysis_ = {}; }
   /// True if there is something to show.
   bool update();
-  bool busy() const { return reporter_.busy(); }
   /// The tab of the inspector.
   void draw(PanelContext& c);
 
@@ -41,9 +47,10 @@ class Reports {
   Session& session_;
   Editing& editing_;
   Settings& settings_;
+  Files& files_;
   Dialogs& dialogs_;
   Messages& messages_;
-  Reporter reporter_;
+  Reporter reporter_{Window::wake};
   AnalysisState analysis_;
 };
 

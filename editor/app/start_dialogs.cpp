@@ -27,14 +27,30 @@ int64_t now_ns() {
 
 }  // namespace
 
-StartDialogs::StartDialogs(Session& session, Files& files, Settings& settings, Dialogs& dialogs, Messages& messages,
-                           std::function<void()> new_draft)
+StartDialogs::StartDialogs(Session& session, Files& files, Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
+                           Messages& messages, std::function<void()> new_draft)
     : session_(session),
       files_(files),
       settings_(settings),
+      tasks_(tasks),
       dialogs_(dialogs),
       messages_(messages),
       new_draft_(std::move(new_draft)) {}
+
+void StartDialogs::begin(bool gallery) {
+  base::Task task = base::task_with_result(
+      [&session = session_](const base::RunningTask&) { return session.find_left(); },
+      [this, gallery](std::vector<LeftWork> left) {
+        session_.set_left(std::move(left));
+        if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
+        else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
+      },
+      [this](const std::string& why) {
+        messages_.say(fill(tr("Unsaved work cannot be looked for: {problem}"), arg("problem", why)));
+      });
+  task.kind = "left";
+  tasks_.computing().start(std::move(task));
+}
 
 void StartDialogs::show_gallery(bool library) {
   GalleryPrompt prompt;
@@ -79,12 +95,24 @@ void StartDialogs::offer_recovery() {
 }
 
 void StartDialogs::bring_back(size_t chosen) {
-  const DocumentNote note = session_.left()[chosen].note;
-  std::vector<Diagnostic> why;
-  const OpenDocument* open = session_.bring_back(chosen, settings_.per_inch, why);
-  if (open == nullptr) return messages_.report(std::move(why), name_of(note));
-  if (open->document.path().empty() && !note.path.empty())
-    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", note.path)));
+  const LeftWork& left = session_.left()[chosen];
+  const std::string name = name_of(left.note);
+  base::Task task = base::task_with_result([left](const base::RunningTask&) { return session::bring_back(left); },
+                                           [this, left](OpenResult back) { take_back(left, std::move(back)); },
+                                           [this, name](const std::string& why) {
+                                             messages_.report({{Severity::kError, 0, why, {}}}, name);
+                                           });
+  task.kind = "left:" + left.journal;
+  task.name = fill(tr("Recovering {draft}"), arg("draft", name));
+  tasks_.reading().start(std::move(task));
+}
+
+void StartDialogs::take_back(const LeftWork& left, OpenResult back) {
+  if (!back.document) return messages_.report(std::move(back.remarks), name_of(left.note));
+  const OpenDocument* open = session_.take_back(left, std::move(back), settings_.per_inch);
+  if (open == nullptr) return;
+  if (open->document.path().empty() && !left.note.path.empty())
+    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", left.note.path)));
   else if (!session_.left().empty()) messages_.say(tr("There is more to recover: File, Recover unsaved work"));
 }
 

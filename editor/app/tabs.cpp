@@ -28,14 +28,17 @@ void Tabs::close(uint64_t id, const std::function<void()>& then) {
   };
   const OpenDocument* open = session_.find(id);
   if (open == nullptr) return;
+  if (Saver& saver = files_.saver(); saver.saving(id))
+    return saver.after(id, [this, id, then] { dialogs_.when_none([this, id, then] { close(id, then); }); });
   if (open->document.is_saved()) return closed();
   session_.show(id);
   dialogs_.ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),
                         tr("Your changes since the last save would be lost."),
                         {mark("Save"), mark("Do not save"), mark("Cancel")}},
-               [this, closed](int button) {
+               [this, id, then, closed](int button) {
                  if (button == 1) closed();
-                 if (button == 0) files_.save_shown(closed);
+                 // Again, since there may be edits meanwhile.
+                 if (button == 0) files_.save_shown([this, id, then] { close(id, then); });
                });
 }
 
@@ -60,6 +63,8 @@ void Tabs::close_to_right() {
 }
 
 void Tabs::quit() {
+  if (Saver& saver = files_.saver(); saver.saving(0))
+    return saver.after(0, [this] { dialogs_.when_none([this] { quit(); }); });
   const std::vector<uint64_t> unsaved = session_.unsaved();
   if (unsaved.empty()) {
     leaving_ = true;
@@ -79,8 +84,16 @@ void Tabs::quit() {
                         {one ? mark("Save") : mark("Save all"), mark("Do not save"), mark("Cancel")}},
                [this, unsaved](int button) {
                  if (button == 1) leaving_ = true;
-                 if (button == 0) files_.save_each(unsaved, [this] { leaving_ = true; });
+                 // Again, since there may be edits meanwhile.
+                 if (button == 0) files_.save_each(unsaved, [this] { quit(); });
                });
+}
+
+std::string Tabs::awaits() const {
+  const Saver& saver = std::as_const(files_).saver();
+  if (saver.awaited(0)) return tr("Weftlight closes when your drafts are saved\xE2\x80\xA6");
+  if (saver.awaited(session_.active().id)) return tr("This tab closes when its draft is saved\xE2\x80\xA6");
+  return {};
 }
 
 /// "twill.wif", "Overshot"; with the folder if two have the same name.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "actions/tab_actions.h"
@@ -30,6 +31,8 @@ class Tabs {
   void close_to_right();
   /// Asks about unsaved changes, then leaves.
   void quit();
+  /// What happens when the saves in progress are done; empty if nothing.
+  std::string awaits() const;
   /// True once the window may end.
   bool leaving() const { return leaving_; }
 

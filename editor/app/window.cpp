@@ -318,6 +318,7 @@ bool Window::wait(double seconds) {
 bool Window::wants_close() const { return glfwWindowShouldClose(window_); }
 void Window::set_wants_close(bool close) { glfwSetWindowShouldClose(window_, close); }
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+void Window::hide() { glfwHideWindow(window_); }
 
 float Window::pixel_ratio() const {
   int window = 0, pixels = 0, unused = 0;

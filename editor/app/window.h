@@ -27,6 +27,7 @@ class Window {
   bool wants_close() const;
   void set_wants_close(bool close);
   void set_title(const std::string& title);
+  void hide();
 
   /// Updates fonts and the style of ImGui after the theme or the display scale changed.
   void use_style(Style& style);

@@ -4,8 +4,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "base/tasks.h"
 #include "base/text.h"
-#include "base/worker.h"
 #include "render_data/stages.h"
 
 namespace weftlight::gl {
@@ -19,7 +19,7 @@ void append(std::vector<T>& to, std::vector<T> more) {
 }  // namespace
 
 struct Pipeline::Parts {
-  // Guards everything below except `stages`, which belongs to the worker; its packed maps are read by the thread with
+  // Guards everything below except `stages`, which belongs to the runner; its packed maps are read by the thread with
   // the GL context under `maps`.
   mutable std::mutex mutex;
   std::mutex maps;
@@ -34,8 +34,8 @@ struct Pipeline::Parts {
   bool quick_drawn = true;
   std::condition_variable_any drawn;
   Stages stages;
-  // Constructed last and destroyed first: its jobs use all of the above.
-  Worker worker{[this](const std::string& why, const auto&) { fail(why); }};
+  // Constructed last and destroyed first: its tasks use all of the above.
+  base::TaskRunner runner;
 
   void fail(const std::string& why);
   void compute(const std::shared_ptr<const Design>& design, Effort effort);
@@ -96,7 +96,7 @@ void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> c
 }
 
 bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
-  // The worker locks its maps while it computes: then the last good ones stay on screen.
+  // The runner locks its maps while it computes: then the last good ones stay on screen.
   std::unique_lock hold(maps, std::defer_lock);
   if (wait) hold.lock();
   std::unique_lock lock(mutex);
@@ -121,11 +121,14 @@ Pipeline::Pipeline() : parts_(std::make_unique<Parts>()) {}
 Pipeline::~Pipeline() = default;
 
 void Pipeline::submit(std::shared_ptr<const Design> design) {
-  parts_->worker.post([parts = parts_.get(), design = std::move(design)](const std::stop_token& stop) {
+  base::Task task;
+  task.work = [parts = parts_.get(), design = std::move(design)](const base::RunningTask& running) {
     parts->compute(design, Effort::kQuick);
-    parts->wait_for_picture(stop);
-    if (!stop.stop_requested()) parts->compute(design, Effort::kFull);
-  });
+    parts->wait_for_picture(running.stop());
+    if (!running.stopped()) parts->compute(design, Effort::kFull);
+  };
+  task.failed = [parts = parts_.get()](const std::string& why, const base::RunningTask&) { parts->fail(why); };
+  parts_->runner.start(std::move(task));
 }
 
 void Pipeline::set_visible_part(const VisiblePart& visible) {
@@ -138,7 +141,7 @@ void Pipeline::set_visible_part(const VisiblePart& visible) {
 
 bool Pipeline::poll(Renderer& renderer) { return parts_->upload(renderer, false); }
 
-void Pipeline::wait() const { parts_->worker.wait(); }
+void Pipeline::wait() const { parts_->runner.wait(); }
 
 std::string Pipeline::finish(Renderer& renderer) {
   wait();
@@ -152,7 +155,7 @@ std::string Pipeline::problem() const {
 }
 
 bool Pipeline::busy() const {
-  if (parts_->worker.busy()) return true;
+  if (parts_->runner.busy()) return true;
   const std::lock_guard lock(parts_->mutex);
   return parts_->has_updates();
 }

@@ -11,14 +11,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{1};
 
-std::string run_safely(const std::function<std::string()>& job) {
-  try {
-    return job();
-  } catch (...) {
-    return words_of_thrown();
-  }
-}
-
 }  // namespace
 
 BackgroundWriter::BackgroundWriter() : thread_([this] { work(); }) {}
@@ -33,21 +25,15 @@ BackgroundWriter::~BackgroundWriter() {
 }
 
 void BackgroundWriter::keep(const std::string& path, std::function<std::string()> job) {
-  post(path, {std::move(job), true});
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_[path] = std::move(job);
+  }
+  wake_.notify_one();
 }
 
 void BackgroundWriter::drop(const std::string& path) {
-  post(path, {[] { return std::string(); }, false});  // replaces a waiting job and stops its retries
-}
-
-void BackgroundWriter::run(const std::string& path, std::string done, std::function<std::string()> job) {
-  post(path, {[this, done = std::move(done), job = std::move(job)] {
-                std::string problem = job();
-                const std::lock_guard lock(mutex_);
-                if (problem.empty()) message_ = done;
-                return problem;
-              },
-              false});
+  keep(path, [] { return std::string(); });  // replaces a waiting job and stops its retries
 }
 
 std::string BackgroundWriter::problem() const {
@@ -57,28 +43,10 @@ std::string BackgroundWriter::problem() const {
 
 bool BackgroundWriter::busy() const {
   const std::lock_guard lock(mutex_);
-  return working_ || !waiting_.empty() || !message_.empty() || !error_.empty();
+  return working_ || !waiting_.empty();
 }
 
-std::string BackgroundWriter::take_message() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(message_, {});
-}
-
-std::string BackgroundWriter::take_error() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(error_, {});
-}
-
-void BackgroundWriter::post(const std::string& path, Job job) {
-  {
-    const std::lock_guard lock(mutex_);
-    waiting_[path] = std::move(job);
-  }
-  wake_.notify_one();
-}
-
-std::map<std::string, BackgroundWriter::Job>::iterator BackgroundWriter::due() {
+BackgroundWriter::Jobs::iterator BackgroundWriter::due() {
   const bool now = leaving_ || Clock::now() >= retry_;
   return std::find_if(waiting_.begin(), waiting_.end(),
                       [&](const auto& job) { return now || !problems_.contains(job.first); });
@@ -95,16 +63,13 @@ void BackgroundWriter::work() {
     auto job = waiting_.extract(next);
     working_ = true;
     lock.unlock();
-    std::string problem = run_safely(job.mapped().run);
+    std::string problem;
+    const std::string thrown = caught([&] { problem = job.mapped()(); });
+    if (!thrown.empty()) problem = thrown;
     lock.lock();
     working_ = false;
     problems_.erase(job.key());
-    if (problem.empty()) continue;
-    if (!job.mapped().again) {
-      error_ = std::move(problem);
-      continue;
-    }
-    if (leaving_) continue;  // the last try at exit
+    if (problem.empty() || leaving_) continue;  // the last try at exit
     retry_ = Clock::now() + kRetry;
     const auto placed = waiting_.insert(std::move(job));  // does nothing if a newer job waits
     caught([&] { problems_[placed.position->first] = std::move(problem); });

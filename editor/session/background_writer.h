@@ -28,30 +28,19 @@ class BackgroundWriter {
   void drop(const std::string& path);
   /// The error of a kept file until its write succeeds; empty if there is none.
   std::string problem() const;
-
-  /// Runs `job` once. After success take_message() returns `done`; the error of a failure goes to take_error().
-  void run(const std::string& path, std::string done, std::function<std::string()> job);
   bool busy() const;
-  std::string take_message();
-  /// The last error of a job run once, since the last call; empty if there is none.
-  std::string take_error();
 
  private:
-  struct Job {
-    std::function<std::string()> run;  // returns its error, or empty
-    bool again = false;                // retried after an error
-  };
-  void post(const std::string& path, Job job);
+  using Jobs = std::map<std::string, std::function<std::string()>>;  // by path
   void work();
   /// The next job that is due. While all waiting jobs have failed there is none until `retry_`.
-  std::map<std::string, Job>::iterator due();
+  Jobs::iterator due();
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::map<std::string, Job> waiting_;
+  Jobs waiting_;
   std::map<std::string, std::string> problems_;  // by path, of jobs that wait for a retry
   std::chrono::steady_clock::time_point retry_{};
-  std::string error_, message_;
   bool leaving_ = false, working_ = false;
   std::thread thread_;
 };

@@ -76,10 +76,10 @@ bool Document::go_to(size_t step) {
   return follow(before);
 }
 
-void Document::mark_saved(std::string path, std::string_view bytes) {
+void Document::mark_saved(std::string path, const FileIdentity& file, uint64_t mark) {
   path_ = std::move(path);
-  file_ = identify(path_, bytes);
-  history_.mark_saved();
+  file_ = file;
+  history_.mark_saved(mark);
 }
 
 void Document::without_file(std::string name) {

@@ -46,8 +46,8 @@ class Document {
   bool redo();
   /// Goes to a step of the history.
   bool go_to(size_t step);
-  /// `bytes` are those that were written.
-  void mark_saved(std::string path, std::string_view bytes);
+  /// The step of the history with this mark is on disk, as `file` at `path`.
+  void mark_saved(std::string path, const FileIdentity& file, uint64_t mark);
   /// The disk no longer holds what is shown.
   void mark_unsaved() { history_.mark_unsaved(); }
   /// Detaches the document from its file; it keeps the name.
@@ -55,8 +55,11 @@ class Document {
 
   /// How another program changed the file since it was read or written. Cheap if nothing changed.
   FileChange look_at_file() { return path_.empty() ? FileChange::kNone : changed_since(path_, file_); }
+  /// The file as it was read or written last.
+  const FileIdentity& file() const { return file_; }
   /// Accepts the file as it is now, so that a save may replace it.
-  void accept_file() { file_ = identify(path_); }
+  void accept_file() { accept(identify(path_)); }
+  void accept(const FileIdentity& file) { file_ = file; }
   /// The header of its journal.
   DocumentNote note() const;
 

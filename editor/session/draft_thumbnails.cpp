@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "base/caught.h"
 #include "base/user_folders.h"
 #include "files/files.h"
 #include "files/picture_draft.h"
@@ -77,40 +76,22 @@ DraftThumbnail look_of_file(const std::string& path, const std::string& cache_fo
 }
 
 DraftThumbnails::DraftThumbnails(std::string cache_folder, std::function<void()> wake)
-    : cache_folder_(std::move(cache_folder)), wake_(std::move(wake)) {}
+    : cache_folder_(std::move(cache_folder)), runner_(std::move(wake)) {}
 
 void DraftThumbnails::ask(const std::string& path) {
-  {
-    const std::lock_guard lock(mutex_);
-    waiting_.push_back(path);
-  }
-  worker_.post([this](const std::stop_token& stop) { look(stop); });
-}
-
-void DraftThumbnails::look(const std::stop_token&) {
-  for (;;) {
-    std::string path;
-    {
-      const std::lock_guard lock(mutex_);
-      if (waiting_.empty()) return;
-      path = std::move(waiting_.front());
-      waiting_.pop_front();
-    }
-    DraftThumbnail made;
-    // A file that runs out of memory must not stop the others.
-    if (!caught([&] { made = look_of_file(path, cache_folder_); }).empty())
-      made.state = DraftThumbnail::State::kUnreadable;
-    const std::lock_guard lock(mutex_);
-    news_.emplace_back(std::move(path), std::move(made));
-    wake_();
-  }
+  const auto made = [this, path](DraftThumbnail look) { news_.emplace_back(path, std::move(look)); };
+  base::Task task = base::task_with_result(
+      [path, folder = cache_folder_](const base::RunningTask&) { return look_of_file(path, folder); }, made,
+      [made](const std::string&) {
+        made({DraftThumbnail::State::kUnreadable, 0, {}});
+      });
+  task.kind = path;
+  runner_.start(std::move(task));
 }
 
 std::vector<std::pair<std::string, DraftThumbnail>> DraftThumbnails::take() {
-  const std::lock_guard lock(mutex_);
+  runner_.take();
   return std::exchange(news_, {});
 }
-
-bool DraftThumbnails::busy() const { return worker_.busy(); }
 
 }  // namespace weftlight::session

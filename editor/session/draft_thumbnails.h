@@ -1,16 +1,14 @@
 #pragma once
-// Thumbnails of draft files. They are made on a worker thread and cached in the user's cache folder by path, size and
-// time, so that a file is read again only after it changed.
+// Thumbnails of draft files. They are made on a thread of their own and cached in the user's cache folder by path, size
+// and time, so that a file is read again only after it changed.
 
 #include <cstdint>
-#include <deque>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/worker.h"
+#include "base/tasks.h"
 #include "session/names.h"
 #include "session/thumbnail.h"
 
@@ -31,23 +29,18 @@ DraftThumbnail look_of_file(const std::string& path, const std::string& cache_fo
 
 class DraftThumbnails {
  public:
-  /// `wake` is called on the worker thread when there is a result.
+  /// `wake` is called on that thread when there is a result.
   DraftThumbnails(std::string cache_folder, std::function<void()> wake);
   /// Queues a file.
   void ask(const std::string& path);
   /// The results since the last call.
   std::vector<std::pair<std::string, DraftThumbnail>> take();
-  bool busy() const;
+  bool busy() const { return runner_.busy(); }
 
  private:
-  void look(const std::stop_token& stop);
-
   std::string cache_folder_;
-  std::function<void()> wake_;
-  mutable std::mutex mutex_;  // guards the next two
-  std::deque<std::string> waiting_;
   std::vector<std::pair<std::string, DraftThumbnail>> news_;
-  base::Worker worker_;  // destroyed first: it writes to the members above
+  base::TaskRunner runner_;
 };
 
 }  // namespace weftlight::session

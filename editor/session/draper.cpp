@@ -36,13 +36,18 @@ void Draper::follow(const std::shared_ptr<const Design>& design) {
     state_ = {wanted.empty() ? DrapeStage::kGeneric : DrapeStage::kSimulating, 0, {}};
     update_.any = true;
   }
-  worker_.drop();
+  runner_.stop();
   if (wanted.empty()) return;
-  worker_.post([this, design, wanted = std::move(wanted)](const std::stop_token& stop) { run(*design, wanted, stop); });
+  base::Task task;
+  task.work = [this, design, wanted = std::move(wanted)](const base::RunningTask& running) {
+    run(*design, wanted, running.stop());
+  };
+  task.failed = [this](const std::string& why, const base::RunningTask&) { fail(why); };
+  runner_.start(std::move(task));
 }
 
 void Draper::stop() {
-  worker_.drop();
+  runner_.stop();
   const std::lock_guard lock(mutex_);
   if (state_.stage != DrapeStage::kSimulating) return;
   state_ = {DrapeStage::kStopped, 0, {}};

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-#include "base/worker.h"
+#include "base/tasks.h"
 #include "draft/design.h"
 #include "session/edit.h"
 #include "session/names.h"
@@ -38,7 +38,7 @@ class Draper {
     std::string message;    // for the user; empty if there is none
   };
 
-  /// `wake` is called on the worker thread when there is an update.
+  /// `wake` is called on its thread when there is an update.
   explicit Draper(std::function<void()> wake);
   /// Follows the shown design: loads its drape from the cache, or simulates it.
   void follow(const std::shared_ptr<const Design>& design);
@@ -52,16 +52,15 @@ class Draper {
  private:
   void run(const Design& design, const std::string& wanted, const std::stop_token& stop);
   void fail(const std::string& why);
-  /// Reports from the worker thread, if the drape is still wanted.
+  /// Reports from its thread, if the drape is still wanted.
   void tell(const std::string& wanted, DrapeState state, std::string message = {});
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;  // guards the next three
   DrapeState state_;
   Update update_;
-  std::string wanted_;  // cache path of the drape; empty for the generic one
-  base::Worker worker_{
-      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
+  std::string wanted_;       // cache path of the drape; empty for the generic one
+  base::TaskRunner runner_;  // destroyed first: its tasks write to the members above
 };
 
 }  // namespace weftlight::session

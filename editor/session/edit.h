@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "base/progress.h"
 #include "draft/design.h"
 #include "session/names.h"
 
@@ -21,5 +22,13 @@ struct Edit {
   std::function<Design(Design)> anew = {};  // the same for any design, if `apply` only fits one
 };
 using MaybeEdit = std::optional<Edit>;
+
+/// An edit that takes seconds. It is computed beside the window, and committed unless the draft changed meanwhile.
+struct SlowEdit {
+  std::string label;
+  std::string doing;  // shown meanwhile: "Searching for a skeleton tie-up"
+  std::function<Design(Design, const base::TaskProgress&)> apply;
+  std::string no_change;  // said if the design did not change
+};
 
 }  // namespace weftlight::session

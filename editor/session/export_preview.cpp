@@ -142,7 +142,7 @@ int64_t bytes_on_disk(const ExportPreview& preview, const TextureSize& size) {
 }
 
 ExportPreviewer::ExportPreviewer(std::shared_ptr<const Design> design, std::function<void()> wake)
-    : design_(std::move(design)), wake_(std::move(wake)) {}
+    : design_(std::move(design)), runner_(std::move(wake)) {}
 
 void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const PreviewSizes& sizes) {
   TextureSetOptions small = options;
@@ -151,37 +151,26 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
   for (const int n : {sizes.swatch_width, sizes.swatch_height, sizes.side}) now.append(" ").append(std::to_string(n));
   if (now == asked_) return;
   asked_ = std::move(now);
-  {
-    const std::lock_guard lock(mutex_);
-    busy_ = true;
-  }
-  worker_.post([this, face, small, sizes](const std::stop_token& stop) {
-    ExportPreview made = export_preview(*design_, face, small, sizes, stop);
-    if (stop.stop_requested()) return;
-    {
-      const std::lock_guard lock(mutex_);
-      made_ = std::move(made), busy_ = false;
-    }
-    wake_();
-  });
+  busy_ = true;
+  runner_.start(base::task_with_result(
+      [design = design_, face, small, sizes](const base::RunningTask& running) {
+        return export_preview(*design, face, small, sizes, running.stop());
+      },
+      [this](ExportPreview made) { show(std::move(made)); },
+      [this](const std::string& why) {
+        ExportPreview none;
+        none.problem = fill(tr("No preview: {problem}"), arg("problem", why));
+        show(std::move(none));
+      }));
 }
 
-void ExportPreviewer::fail(const std::string& why) {
-  {
-    const std::lock_guard lock(mutex_);
-    made_.emplace().problem = fill(tr("No preview: {problem}"), arg("problem", why));
-    busy_ = false;
-  }
-  wake_();
-}
-
-bool ExportPreviewer::busy() const {
-  const std::lock_guard lock(mutex_);
-  return busy_;
+void ExportPreviewer::show(ExportPreview made) {
+  made_ = std::move(made);
+  busy_ = false;
 }
 
 std::optional<ExportPreview> ExportPreviewer::take() {
-  const std::lock_guard lock(mutex_);
+  runner_.take();
   return std::exchange(made_, std::nullopt);
 }
 

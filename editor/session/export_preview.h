@@ -1,16 +1,15 @@
 #pragma once
 // Preview of a texture set before it is written: the lit tile, and every image as colour and by channel, laid out in
-// one atlas. Made on a worker thread.
+// one atlas. Made on a thread of its own.
 
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/worker.h"
+#include "base/tasks.h"
 #include "session/export_plan.h"
 #include "session/names.h"
 
@@ -58,25 +57,22 @@ ExportPreview export_preview(const Design& design, Face face, const TextureSetOp
 
 class ExportPreviewer {
  public:
-  /// `wake` is called on the worker thread when a preview is ready.
+  /// `wake` is called on the other thread when a preview is ready.
   ExportPreviewer(std::shared_ptr<const Design> design, std::function<void()> wake);
   /// Starts a preview unless the same one was requested last; drops the one in progress.
   void ask(Face face, const TextureSetOptions& options, const PreviewSizes& sizes);
   /// The preview finished since the last call.
   std::optional<ExportPreview> take();
-  bool busy() const;
+  bool busy() const { return busy_; }
 
  private:
-  void fail(const std::string& why);
+  void show(ExportPreview made);
 
   std::shared_ptr<const Design> design_;
-  std::function<void()> wake_;
-  std::string asked_;         // key of the last request
-  mutable std::mutex mutex_;  // guards the next two
+  std::string asked_;  // key of the last request
   std::optional<ExportPreview> made_;
   bool busy_ = false;
-  base::Worker worker_{
-      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
+  base::TaskRunner runner_;
 };
 
 }  // namespace weftlight::session

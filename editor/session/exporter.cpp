@@ -29,13 +29,16 @@ void Exporter::start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> 
     state_ = {};
     state_.busy = true, state_.sets = jobs.size();
   }
-  worker_.post([this, jobs = std::move(jobs), design = std::move(design)](const std::stop_token& stop) {
-    run(jobs, *design, stop);
-  });
+  base::Task task;
+  task.work = [this, jobs = std::move(jobs), design = std::move(design)](const base::RunningTask& running) {
+    run(jobs, *design, running.stop());
+  };
+  task.failed = [this](const std::string& why, const base::RunningTask&) { fail(why); };
+  runner_.start(std::move(task));
 }
 
 void Exporter::stop() {
-  worker_.drop();
+  runner_.stop();
   const std::lock_guard lock(mutex_);
   if (!state_.busy) return;
   state_.busy = false, state_.stopped = true;

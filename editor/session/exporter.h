@@ -1,5 +1,5 @@
 #pragma once
-// Writes texture sets on a worker thread, with progress and a stop, and restarts when the draft changes. The earlier
+// Writes texture sets on its own thread, with progress and a stop, and restarts when the draft changes. The earlier
 // files stay until a set is complete.
 
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/worker.h"
+#include "base/tasks.h"
 #include "drape/mesh.h"
 #include "session/export_plan.h"
 #include "session/names.h"
@@ -25,7 +25,7 @@ class Exporter {
     std::vector<std::string> problems;  // one line each
   };
 
-  /// `wake` is called on the worker thread when there is an update.
+  /// `wake` is called on that thread when there is an update.
   explicit Exporter(std::function<void()> wake);
   /// Drops the export in progress.
   void start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> design);
@@ -52,10 +52,9 @@ class Exporter {
   State state_;
   bool news_ = false;
   std::string message_;
-  std::string mesh_name_;  // used by the worker only, as is mesh_
+  std::string mesh_name_;  // used by its tasks only, as is mesh_
   Mesh mesh_;
-  base::Worker worker_{
-      [this](const std::string& why, const auto&) { fail(why); }};  // destroyed first: it writes to the members above
+  base::TaskRunner runner_;  // destroyed first: its tasks write to the members above
 };
 
 }  // namespace weftlight::session

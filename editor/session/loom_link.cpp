@@ -85,7 +85,9 @@ void LoomLink::work() {
     if (address != address_) continue;
     why_ = thrown.empty() ? why : thrown;
     state_ = State::kConnecting;
+    lock.unlock();
     wake_();
+    lock.lock();
     changed_.wait_for(lock, kAgain, [&] { return address != address_; });
   }
 }
@@ -110,9 +112,11 @@ void LoomLink::talk(loom::Line& line, const std::string& address) {
     if (!out.empty() && !line.send(out)) return;
     std::vector<loom::LoomReport> said = reader.parse(line.receive(kListenMs));
     if (said.empty()) continue;
-    const std::lock_guard lock(mutex_);
-    if (address != address_) return;
-    for (loom::LoomReport& one : said) news_.reports.push_back(std::move(one));
+    {
+      const std::lock_guard lock(mutex_);
+      if (address != address_) return;
+      for (loom::LoomReport& one : said) news_.reports.push_back(std::move(one));
+    }
     wake_();
   }
 }

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using platform::FileLock;
 constexpr const char* kLock = "lock";
+constexpr const char* kMaking = ".making";  // ending of a folder that has no lock yet
 constexpr const char* kJournal = ".journal";
 
 std::vector<fs::path> sessions_in(const fs::path& root) {
@@ -63,6 +64,38 @@ bool stands_saved(const JournalEntry& last) {
   return identify(last.note.path).hash == content_hash(last.text);
 }
 
+/// A folder with its lock appears at once, under its own name: one without would be taken for that of a crashed
+/// session. Nobody is waited for. The lock is not held if that failed.
+FileLock make_session(const fs::path& folder, std::error_code& error) {
+  constexpr int kMaxTries = 10;  // another session may clear the folder away before it is locked
+  if (fs::is_directory(folder, error)) return FileLock::take((folder / kLock).string());  // only its lock was removed
+  const fs::path making = folder.string() + kMaking;
+  FileLock lock;
+  for (int i = 0; i < kMaxTries; ++i) {
+    fs::create_directories(making, error);
+    if (error) return lock;
+    lock = FileLock::take((making / kLock).string());
+    if (lock.answer() == platform::LockAnswer::kNoLocks) break;
+    if (!lock.held() || !lock.stands_at((making / kLock).string())) continue;
+    fs::rename(making, folder, error);
+    if (!error) return lock;
+  }
+  std::error_code ignored;
+  fs::remove_all(making, ignored);
+  return lock;
+}
+
+/// Removes what a session left that ended before its folder was made.
+void clear_half_made(const fs::path& root) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(root, error)) {
+    const fs::path& at = entry.path();
+    if (at.extension() != kMaking || !platform::is_unique_name(at.stem().string())) continue;
+    const FileLock lock = FileLock::take_existing((at / kLock).string());
+    if (lock.held() && lock.stands_at((at / kLock).string())) fs::remove_all(at, error);
+  }
+}
+
 /// Removes the folder and its contents unless it holds a journal.
 void remove_session(const fs::path& folder) {
   std::error_code ignored;
@@ -79,16 +112,13 @@ Recovery::~Recovery() {
 }
 
 std::string Recovery::open() {
-  const std::lock_guard mine(mutex_);
+  const std::lock_guard lock(own_);
   const std::string path = (fs::path(folder_) / kLock).string();
   if (lock_.stands_at(path)) return {};
   std::error_code error;
   fs::create_directories(root_, error);
-  // Searches for crashed sessions wait for this lock: they would take a folder without its own lock for a crashed one.
-  const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
-  if (!error) fs::create_directories(folder_, error);
+  if (!error) lock_ = make_session(folder_, error);
   if (error) return folder_ + ": " + error.message();
-  lock_ = FileLock::take(path);
   return lock_.held() ? std::string() : path + ": " + std::strerror(lock_.cause());
 }
 
@@ -97,11 +127,11 @@ std::string Recovery::journal_path(uint64_t document) const {
 }
 
 std::vector<LeftWork> Recovery::left_behind() {
-  const std::lock_guard mine(mutex_);
+  const std::lock_guard hold(others_);
   std::vector<LeftWork> found;
   std::error_code error;
   if (!fs::is_directory(root_, error)) return found;
-  const FileLock all = FileLock::wait_for((fs::path(root_) / kLock).string());
+  clear_half_made(root_);
   for (const fs::path& folder : sessions_in(root_)) {
     if (folder == folder_) continue;
     FileLock& lock = crashed_[folder.string()];
@@ -127,7 +157,7 @@ std::vector<LeftWork> Recovery::left_behind() {
 }
 
 void Recovery::discard(const LeftWork& left) {
-  const std::lock_guard mine(mutex_);
+  const std::lock_guard hold(others_);
   std::error_code ignored;
   fs::remove(left.journal, ignored);
   const fs::path folder = fs::path(left.journal).parent_path();

@@ -45,9 +45,10 @@ class Recovery {
 
  private:
   std::string root_, folder_;
-  platform::FileLock lock_;
-  std::mutex mutex_;
-  std::map<std::string, platform::FileLock> crashed_;  // by folder
+  // Two, so that a slow disk with old journals holds up none of this session.
+  std::mutex own_, others_;
+  platform::FileLock lock_;                            // guarded by own_
+  std::map<std::string, platform::FileLock> crashed_;  // by folder; guarded by others_
 };
 
 /// The last complete entry of the journal; none if it cannot be read.

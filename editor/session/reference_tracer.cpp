@@ -66,20 +66,23 @@ PictureComparison compare(Image around, const Image& preview, const TracedImage&
 }
 
 void ReferenceTracer::start(TraceJob job) {
+  base::Task task;
+  task.work = [this, job = std::move(job)](const base::RunningTask& running) { trace(job, running.stop()); };
+  task.failed = [this](const std::string& why, const base::RunningTask& running) { fail(why, running.stop()); };
   const std::lock_guard lock(mutex_);
-  worker_.post([this, job = std::move(job)](const std::stop_token& stop) { trace(job, stop); });
+  runner_.start(std::move(task));
   made_.reset();
 }
 
 void ReferenceTracer::stop() {
   const std::lock_guard lock(mutex_);
-  worker_.drop();
+  runner_.stop();
   made_.reset();
 }
 
 bool ReferenceTracer::busy() const {
   const std::lock_guard lock(mutex_);
-  return made_.has_value() || worker_.busy();
+  return made_.has_value() || runner_.busy();
 }
 
 std::optional<PictureComparison> ReferenceTracer::take() {

@@ -1,5 +1,5 @@
 #pragma once
-// Path-traces the reference picture of a still view on a worker thread, with a growing sample count, and compares it
+// Path-traces the reference picture of a still view on its own thread, with a growing sample count, and compares it
 // with the preview.
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/worker.h"
+#include "base/tasks.h"
 #include "files/files.h"
 #include "render_data/reference_scene.h"
 #include "session/names.h"
@@ -55,10 +55,8 @@ class ReferenceTracer {
 
   mutable std::mutex mutex_;  // guards made_
   std::optional<PictureComparison> made_;
-  ReferenceScene scene_;  // used by the worker only
-  Worker worker_{[this](const std::string& why, const auto& stop) {
-    fail(why, stop);
-  }};  // destroyed first: its jobs use all members above
+  ReferenceScene scene_;     // used by its tasks only
+  base::TaskRunner runner_;  // destroyed first: its tasks use all members above
 };
 
 }  // namespace weftlight::session

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/difference.h"
+#include "base/progress.h"
 #include "session/edit.h"
 #include "session/names.h"
 
@@ -34,8 +35,9 @@ struct RejectedEdit {
 std::optional<RejectedEdit> refusal_after(std::optional<RejectedEdit> last, const Design& before, const Edit& edit,
                                           uint64_t stroke, bool changed);
 
-/// Null if the request shows the same cloth as `now`.
-std::shared_ptr<const ClosestWeave> closest_weave_to(const Design& now, const Design& requested);
+/// Null if the request shows the same cloth as `now`. Takes up to seconds; of no use if it was asked to stop.
+std::shared_ptr<const ClosestWeave> closest_weave_to(const Design& now, const Design& requested,
+                                                     const base::TaskProgress& progress = {});
 
 /// The requested design on a loom that is large enough.
 Edit larger_loom_edit(const RejectedEdit& rejected_edit);

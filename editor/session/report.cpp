@@ -1,9 +1,7 @@
 #include "session/report.h"
 
-#include <chrono>
 #include <utility>
 
-#include "base/caught.h"
 #include "base/text.h"
 
 namespace weftlight::session {
@@ -51,27 +49,27 @@ const Report* Reporter::on(const std::shared_ptr<const Design>& design, const Bi
   const bool fits = report_ && report_->revision == revision && report_->limit == limit && report_->other == other;
   const Asked now{revision, limit, other};
   // A failed request is not retried until another is made.
-  if (!fits && !busy() && failed_ != now) {
-    asked_ = now;
-    failed_.reset();
-    work_ = std::async(std::launch::async, [design, cells, revision, limit, other] {
-      auto made = std::make_unique<Report>(report_on(*design, cells, limit, other));
-      made->revision = revision;
-      return made;
-    });
-  }
+  if (!fits && !busy() && failed_ != now) start(now, design, cells);
   return report_.get();
 }
 
-bool Reporter::poll() {
-  if (!work_.valid() || work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-  try {
-    report_ = work_.get();
-  } catch (...) {  // thrown on the thread
-    failed_ = asked_;
-    problem_ = fill(tr("The draft was not analysed: {problem}"), arg("problem", words_of_thrown()));
-  }
-  return true;
+void Reporter::start(const Asked& now, const std::shared_ptr<const Design>& design, const BitMatrix& cells) {
+  asked_ = now;
+  failed_.reset();
+  runner_.start(base::task_with_result(
+      [now, design, cells](const base::RunningTask&) {
+        auto made = std::make_unique<Report>(report_on(*design, cells, now.limit, now.other));
+        made->revision = now.revision;
+        return made;
+      },
+      [this](std::unique_ptr<Report> made) {
+        report_ = std::move(made);
+        asked_.reset();
+      },
+      [this](const std::string& why) {
+        failed_ = std::exchange(asked_, std::nullopt);
+        problem_ = fill(tr("The draft was not analysed: {problem}"), arg("problem", why));
+      }));
 }
 
 }  // namespace weftlight::session

@@ -3,7 +3,6 @@
 // window shows the last finished report.
 
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "analysis/floats.h"
 #include "analysis/threads.h"
 #include "analysis/weave_layers.h"
+#include "base/tasks.h"
 #include "draft/repeat.h"
 #include "session/names.h"
 #include "session/other_draft.h"
@@ -43,6 +43,8 @@ Report report_on(const Design& design, const BitMatrix& cells, int limit,
 
 class Reporter {
  public:
+  /// `wake` is called on the other thread when poll() has a result.
+  explicit Reporter(std::function<void()> wake = {}) : runner_(std::move(wake)) {}
   /// The newest report, perhaps of an earlier design; null if there is none yet. Starts a new one if it is outdated.
   const Report* on(const std::shared_ptr<const Design>& design, const BitMatrix& cells, uint64_t revision, int limit,
                    const std::shared_ptr<const OtherDraft>& other = nullptr);
@@ -50,9 +52,9 @@ class Reporter {
   const Report* last() const { return report_.get(); }
   /// The error of the last request, returned once; empty if there is none.
   std::string take_problem() { return std::exchange(problem_, {}); }
-  bool busy() const { return work_.valid(); }
-  /// True if a report was finished.
-  bool poll();
+  bool busy() const { return asked_.has_value(); }
+  /// True if a report was finished or has failed.
+  bool poll() { return runner_.take(); }
 
  private:
   std::unique_ptr<Report> report_;
@@ -63,10 +65,11 @@ class Reporter {
     std::shared_ptr<const OtherDraft> other;
     bool operator==(const Asked&) const = default;
   };
-  std::optional<Asked> failed_;
-  Asked asked_;  // the last request
+  void start(const Asked& now, const std::shared_ptr<const Design>& design, const BitMatrix& cells);
+
+  std::optional<Asked> asked_, failed_;  // the request in progress; the last one, if it failed
   std::string problem_;
-  std::future<std::unique_ptr<Report>> work_;
+  base::TaskRunner runner_;
 };
 
 }  // namespace weftlight::session

@@ -10,7 +10,6 @@ namespace weftlight::session {
 Session::Session(std::string recovery, Document first, bool per_inch)
     : recovery_(std::move(recovery)), journal_(recovery_) {
   all_.push_back(made(std::move(first), Origin::kFirst, per_inch));
-  left_ = recovery_.left_behind();
 }
 
 std::unique_ptr<OpenDocument> Session::made(Document document, Origin origin, bool per_inch) {
@@ -28,6 +27,11 @@ size_t Session::place_of(uint64_t id) const {
 }
 
 OpenDocument* Session::find(uint64_t id) {
+  const size_t place = place_of(id);
+  return place < all_.size() ? all_[place].get() : nullptr;
+}
+
+const OpenDocument* Session::find(uint64_t id) const {
   const size_t place = place_of(id);
   return place < all_.size() ? all_[place].get() : nullptr;
 }
@@ -97,22 +101,21 @@ void Session::close(uint64_t id, Document (*instead)()) {
   if (place < active_ || active_ == all_.size()) --active_;
 }
 
-bool Session::followed(bool changed) {
+bool Session::followed(OpenDocument& open, bool changed) {
   if (!changed) return false;
-  active().view.rejected_edit.reset();
-  follow_document(active().view, active().document);
-  keep_unsaved(active());
+  open.view.rejected_edit.reset();
+  follow_document(open.view, open.document);
+  keep_unsaved(open);
   return true;
 }
 
-bool Session::commit(const Edit& edit, uint64_t stroke) {
-  OpenDocument& open = active();
+bool Session::commit(OpenDocument& open, const Edit& edit, uint64_t stroke) {
   const std::shared_ptr<const Design> before = open.document.snapshot();
   const bool changed = open.document.commit(edit, stroke);
   std::optional<RejectedEdit> rejected_edit =
       refusal_after(std::move(open.view.rejected_edit), *before, edit, stroke, changed);
   if (changed) follow_given(open.view.drawing.given, before->draft, open.document.now().draft, edit.by_painting);
-  followed(changed);
+  followed(open, changed);
   open.view.rejected_edit = std::move(rejected_edit);
   return changed;
 }
@@ -121,7 +124,7 @@ template <class Go>
 bool Session::gone(Go go) {
   OpenDocument& open = active();
   const std::shared_ptr<const Design> before = open.document.snapshot();
-  if (!followed(go(open.document))) return false;
+  if (!followed(open, go(open.document))) return false;
   follow_given(open.view.drawing.given, before->draft, open.document.now().draft, true);
   return true;
 }
@@ -136,16 +139,19 @@ bool Session::go_to(size_t step) {
   return gone([step](Document& d) { return d.go_to(step); });
 }
 
-std::string Session::save(uint64_t id, const std::string& path) {
-  OpenDocument* open = find(id);
+SaveJob Session::save_job(uint64_t id, const std::string& path) const {
+  const OpenDocument* open = find(id);
   if (open == nullptr) return {};
-  const std::string bytes = open->document.writer()();
-  std::string problem = write_file_atomically(path, bytes);
-  if (!problem.empty()) return problem;
-  open->document.mark_saved(path, bytes);
+  const Document& d = open->document;
+  return {id, path, d.writer(), d.history().mark(), {}};
+}
+
+void Session::take_saved(const SaveJob& job, const SaveResult& result) {
+  OpenDocument* open = find(job.document);
+  if (open == nullptr || !result.written()) return;
+  open->document.mark_saved(job.path, result.file, job.mark);
   open->origin = Origin::kOwn;
   keep_unsaved(*open);
-  return {};
 }
 
 void Session::keep_unsaved(const OpenDocument& open) {
@@ -157,14 +163,10 @@ void Session::forget_all() {
   for (const auto& open : all_) journal_.forget(open->id);
 }
 
-OpenDocument* Session::bring_back(size_t which, bool per_inch, std::vector<Diagnostic>& why) {
-  const LeftWork left = left_[which];
-  OpenResult back = session::bring_back(left);
-  if (!back.document) {
-    why = std::move(back.remarks);
-    return nullptr;
-  }
-  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(which));
+OpenDocument* Session::take_back(const LeftWork& left, OpenResult back, bool per_inch) {
+  const auto taken =
+      std::erase_if(left_, [&](const LeftWork& l) { return back.document && l.journal == left.journal; });
+  if (taken == 0) return nullptr;
   OpenDocument* there = back.document->path().empty() ? nullptr : on_file(back.document->path());
   if (there != nullptr && there->document.is_saved()) {
     show(there->id);

@@ -13,6 +13,7 @@
 #include "session/journal.h"
 #include "session/names.h"
 #include "session/recovery.h"
+#include "session/save.h"
 
 namespace weftlight::session {
 
@@ -42,6 +43,7 @@ class Session {
   size_t active_place() const { return active_; }
   /// Null if it is no longer open.
   OpenDocument* find(uint64_t id);
+  const OpenDocument* find(uint64_t id) const;
   /// The document of this file; null if none is open.
   OpenDocument* on_file(const std::string& path);
   std::vector<uint64_t> unsaved() const;
@@ -62,25 +64,32 @@ class Session {
   /// Discards unsaved changes. `instead` makes the document that replaces the last one.
   void close(uint64_t id, Document (*instead)());
 
-  // Edits of the active document. True if its design changed.
-  bool commit(const Edit& edit, uint64_t stroke);
+  // Edits of the active document, or of another one. True if its design changed.
+  bool commit(const Edit& edit, uint64_t stroke) { return commit(active(), edit, stroke); }
+  bool commit(OpenDocument& open, const Edit& edit, uint64_t stroke);
   bool undo();
   bool redo();
   /// Goes to a step of the history.
   bool go_to(size_t step);
-  /// Returns the error, or empty.
-  std::string save(uint64_t id, const std::string& path);
+  /// What a save of the document as it is now needs; it is written by write() of save.h, on any thread.
+  SaveJob save_job(uint64_t id, const std::string& path) const;
+  /// After write(): what was written counts as saved, edits made meanwhile do not. The document keeps its old file and
+  /// its unsaved changes if it failed.
+  void take_saved(const SaveJob& job, const SaveResult& result);
   /// Updates the journal after a direct change of the document.
   void keep_unsaved(const OpenDocument& open);
   /// Discards all unsaved changes.
   void forget_all();
 
   // Work of crashed sessions.
-  /// Newest first, as found when the session started.
+  /// Reads what crashed sessions left, newest first. From any thread, since a slow disk takes its time.
+  std::vector<LeftWork> find_left() { return recovery_.left_behind(); }
+  /// What find_left() returned is offered from now on.
+  void set_left(std::vector<LeftWork> left) { left_ = std::move(left); }
   const std::vector<LeftWork>& left() const { return left_; }
-  /// Opens the work, replacing the tab of its file if that has no unsaved changes. Null if it cannot be read: `why`
-  /// tells the reason, and the journal stays.
-  OpenDocument* bring_back(size_t left, bool per_inch, std::vector<Diagnostic>& why);
+  /// Opens what bring_back() made of that work (bring_back.h, for any thread), replacing the tab of its file if that
+  /// has no unsaved changes. Null if it could not be read, or has been opened already: its journal stays.
+  OpenDocument* take_back(const LeftWork& left, OpenResult back, bool per_inch);
   void discard(size_t left);
 
   /// The error of the journal until a retry succeeds.
@@ -92,7 +101,7 @@ class Session {
   static constexpr int kRevisionBits = 32;
   std::unique_ptr<OpenDocument> made(Document document, Origin origin, bool per_inch);
   bool gives_way(const OpenDocument& open, Origin to) const;
-  bool followed(bool changed);
+  bool followed(OpenDocument& open, bool changed);
   /// Goes to another step of the history by `go`.
   template <class Go>
   bool gone(Go go);

@@ -189,6 +189,11 @@ Window::Window(const Display& display, const std::filesystem::path& folder, cons
 
 nlohmann::json Window::map() const { return nlohmann::json::parse(bytes_of(map_), nullptr, false); }
 
+int Window::frame() const {
+  const nlohmann::json now = map();
+  return now.is_object() ? now["frame"].get<int>() : 0;
+}
+
 bool Window::is_ready() const { return map().is_object() && has("view") && !live().empty(); }
 
 Point Window::cell(const std::string& name, int a, int b) const {

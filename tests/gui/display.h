@@ -80,6 +80,8 @@ class Window {
   Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
          const std::vector<std::string>& more = {});
   bool is_ready() const;
+  /// The number of the frame that last changed the layout.
+  int frame() const;
   /// Centre of a cell of a grid, both counted from 1.
   Point cell(const std::string& grid, int a, int b) const;
   /// Columns and rows of a grid, as they were last drawn.

@@ -22,38 +22,29 @@ using base::tr;
 using namespace print;
 
 SheetPreview::SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake)
-    : design_(std::move(design)), wake_(std::move(wake)) {}
+    : design_(std::move(design)), runner_(std::move(wake)) {}
 
 void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per_mm) {
   Request now{options, sheet, pixels_per_mm};
   if (now == request_) return;
   request_ = now;
-  worker_.post([this, now](const std::stop_token&) {
-    SheetPicture made = picture_of_sheet(*design_, now.options, now.sheet, now.pixels_per_mm);
-    const std::lock_guard lock(mutex_);
-    finished_ = std::move(made);
-    wake_();
-  });
+  busy_ = true;
+  runner_.start(base::task_with_result(
+      [design = design_, now](const base::RunningTask&) {
+        return picture_of_sheet(*design, now.options, now.sheet, now.pixels_per_mm);
+      },
+      [this](SheetPicture made) { show(std::move(made)); },
+      [this](const std::string& why) {
+        SheetPicture none;
+        none.why = fill(tr("No preview: {problem}"), arg("problem", why));
+        show(std::move(none));
+      }));
 }
 
-void SheetPreview::fail(const std::string& why) {
-  {
-    const std::lock_guard lock(mutex_);
-    finished_.emplace().why = fill(tr("No preview: {problem}"), arg("problem", why));
-  }
-  wake_();
-}
-
-bool SheetPreview::poll() {
-  std::optional<SheetPicture> finished;
-  {
-    const std::lock_guard lock(mutex_);
-    finished = std::exchange(finished_, std::nullopt);
-  }
-  if (!finished) return false;
-  last_ = std::move(*finished);
+void SheetPreview::show(SheetPicture made) {
+  busy_ = false;
+  last_ = std::move(made);
   if (!last_.pixels.empty()) texture_.set(last_.width, last_.height, std::exchange(last_.pixels, {}));
-  return true;
 }
 
 PrintOptions chosen_options(const PrintPrompt& p) {

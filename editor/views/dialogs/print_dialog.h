@@ -3,11 +3,9 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
 
-#include "base/worker.h"
+#include "base/tasks.h"
 #include "print/print.h"
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
@@ -22,8 +20,8 @@ class SheetPreview {
   SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake);
   void ask(const print::PrintOptions& options, int sheet, double pixels_per_mm);
   /// True if there is a new picture to show. Call it on the window's thread.
-  bool poll();
-  bool busy() const { return worker_.busy(); }
+  bool poll() { return runner_.take(); }
+  bool busy() const { return busy_; }
   /// Facts about the last picture, or why there is none. Its pixels are in texture().
   const print::SheetPicture& last() const { return last_; }
   const PixelTexture& texture() const { return texture_; }
@@ -35,17 +33,14 @@ class SheetPreview {
     double pixels_per_mm = 0;
     bool operator==(const Request&) const = default;
   };
-  void fail(const std::string& why);
+  void show(print::SheetPicture made);
 
   std::shared_ptr<const Design> design_;
-  std::function<void()> wake_;
   Request request_;
   print::SheetPicture last_;
   PixelTexture texture_;
-  std::mutex mutex_;
-  std::optional<print::SheetPicture> finished_;  // guarded by the mutex
-  // Last: destroyed before what it writes to.
-  base::Worker worker_{[this](const std::string& why, const auto&) { fail(why); }};
+  bool busy_ = false;
+  base::TaskRunner runner_;
 };
 
 struct PrintPrompt {

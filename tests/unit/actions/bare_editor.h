@@ -28,6 +28,9 @@ class BareEditor {
   const Document& document() const { return document_; }
   DocumentView& view() { return view_; }
   void commit(const Edit& edit) { document_.commit(edit, edit.stroke); }
+  void compute(const SlowEdit& edit) {
+    commit({edit.label, [&edit](Design d) { return edit.apply(std::move(d), {}); }});
+  }
   void undo() { document_.undo(); }
   void redo() { document_.redo(); }
   void go_to_step(size_t step) { document_.go_to(step); }
@@ -43,6 +46,7 @@ class BareEditor {
     return {.draft = {.document = [this]() -> const Document& { return document_; },
                       .view = [this]() -> DocumentView& { return view_; },
                       .commit = [this](const Edit& edit) { commit(edit); },
+                      .compute = [this](const SlowEdit& edit) { compute(edit); },
                       .undo = [this] { undo(); },
                       .redo = [this] { redo(); }},
             .clipboard = {.text = [this] { return clipboard_; },

@@ -314,7 +314,7 @@ TEST(Skeleton, WeavesTheSameWithinTheTreadlesPerPick) {
     Design d;
     d.draft = random_draft(random, 12, 20, 6, 5);
     const int treadles_per_pick = 1 + static_cast<int>(random() % 3);
-    const Skeleton s = skeleton_tieup(lifts(d.draft), treadles_per_pick, 500000);
+    const Skeleton s = skeleton_tieup(lifts(d.draft), treadles_per_pick, {}, 500000);
     ASSERT_LE(most_treadles_per_pick(s.treadling), treadles_per_pick);
     ASSERT_LE(s.at_least, s.tieup.rows());
     ASSERT_LE(s.tieup.rows(), treadles_needed(d.draft));
@@ -322,6 +322,55 @@ TEST(Skeleton, WeavesTheSameWithinTheTreadlesPerPick) {
     ASSERT_TRUE(is_consistent(next));
     ASSERT_EQ(drawdown(next.draft), drawdown(d.draft));
   }
+}
+
+/// Counts its reports, and asks to stop at the first one.
+struct StopsAtOnce {
+  std::stop_source stop;
+  int reports = 0;
+  base::TaskProgress progress{stop.get_token(), [this](float, const std::string&) {
+                                ++reports;
+                                stop.request_stop();
+                              }};
+};
+
+TEST(Skeleton, EndsSoonAfterItIsAskedToStop) {
+  std::mt19937 random(37);
+  Design d;
+  d.draft = random_draft(random, 40, 40, 12, 40);
+  d.draft.shed_control = ShedControl::kLiftplan;
+  fill_randomly(d.draft.liftplan, random, 0.4);
+  int reports = 0;
+  const base::TaskProgress counted({}, [&reports](float share, const std::string&) {
+    ++reports;
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+  });
+  skeleton_tieup(lifts(d.draft), 2, counted);
+  ASSERT_GT(reports, 20) << "the search should be long";
+  StopsAtOnce stops;
+  const Design next = to_skeleton(d, 2, stops.progress);
+  EXPECT_EQ(stops.reports, 1);
+  EXPECT_TRUE(is_consistent(next));
+  EXPECT_EQ(drawdown(next.draft), drawdown(d.draft)) << "what it has found weaves the same";
+  const Skeleton never_begun = skeleton_tieup(lifts(d.draft), 2, stops.progress);
+  EXPECT_EQ(never_begun.tieup.rows(), treadles_needed(d.draft));
+  EXPECT_FALSE(never_begun.fewest);
+}
+
+TEST(Factor, TheClosestWeaveEndsSoonAfterItIsAskedToStop) {
+  std::mt19937 random(41);
+  BitMatrix cells(200, 200);
+  fill_randomly(cells, random, 0.5);
+  int reports = 0;
+  const base::TaskProgress counted({}, [&reports](float, const std::string&) { ++reports; });
+  EXPECT_LE(closest_drawdown(bare_loom(cells), cells, {8, 8}, counted).draft.shafts, 8);
+  ASSERT_GT(reports, 100) << "the search should be long";
+  StopsAtOnce stops;
+  const Factored stopped = closest_drawdown(bare_loom(cells), cells, {8, 8}, stops.progress);
+  EXPECT_EQ(stops.reports, 1);
+  EXPECT_FALSE(stopped.done());
+  EXPECT_EQ(stopped.draft, bare_loom(cells));
 }
 
 TEST(Skeleton, FindsTheTreadlesOfTheLifts) {

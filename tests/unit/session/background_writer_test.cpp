@@ -84,15 +84,5 @@ TEST_F(BackgroundWriterTest, AFailingWriteDoesNotDelayTheEnd) {
   EXPECT_LE(tries, 3);
 }
 
-TEST_F(BackgroundWriterTest, AJobRunOnceReportsItsResult) {
-  BackgroundWriter writer;
-  writer.run("a", "done", [] { return ""; });
-  EXPECT_TRUE(comes_true([&] { return writer.take_message() == "done"; }));
-  writer.run("a", "done", [] { return "went wrong"; });
-  EXPECT_TRUE(comes_true([&] { return writer.take_error() == "went wrong"; }));
-  EXPECT_TRUE(comes_true([&] { return !writer.busy(); }));
-  EXPECT_EQ(writer.take_message(), "");
-}
-
 }  // namespace
 }  // namespace weftlight::session

@@ -109,7 +109,7 @@ TEST_F(BringBack, ADocumentNoticesChangesOfItsFileByOtherPrograms) {
   one.commit(paint(), 0);
   const std::string bytes = one.writer()();
   written("a.wif", bytes);
-  one.mark_saved(file, bytes);
+  one.mark_saved(file, identify(file, bytes), one.history().mark());
   EXPECT_EQ(one.look_at_file(), FileChange::kNone);
   EXPECT_EQ(two.look_at_file(), FileChange::kContent) << "two windows on one file";
   two.accept_file();

@@ -95,10 +95,6 @@ TEST_F(NoMemory, TheWriterRetries) {
   });
   ASSERT_TRUE(comes_true([&] { return !writer.busy(); }));
   EXPECT_EQ(tries, 2);
-  writer.run(path("b"), "done", []() -> std::string { throw std::bad_alloc(); });
-  std::string said;
-  ASSERT_TRUE(comes_true([&] { return !(said = writer.take_error()).empty(); }));
-  EXPECT_TRUE(tells_of_memory(said)) << said;
 }
 
 TEST_F(NoMemory, AFailedAnalysisIsReportedAndTheNextSucceeds) {

@@ -83,6 +83,29 @@ TEST_F(RecoveryTest, ARunningSessionIsLeftAlone) {
   EXPECT_TRUE(fs::exists(living.journal_path(1)));
 }
 
+TEST_F(RecoveryTest, WaitsForNobodysLock) {
+  crash({"a.wif"});
+  // Held by a program that has stopped, on a disk that several share.
+  const auto held = platform::FileLock::take(path("recovery/lock"));
+  ASSERT_TRUE(held.held());
+  Recovery now(root());
+  EXPECT_EQ(now.open(), "");
+  EXPECT_EQ(names(now.left_behind()), Names{"a.wif"});
+  EXPECT_TRUE(Recovery(root()).left_behind().empty());
+}
+
+TEST_F(RecoveryTest, AFolderThatWasHalfMadeGoes) {
+  fs::create_directories(path("recovery/00000000000000ff.making"));
+  written("recovery/00000000000000ff.making/lock", "");
+  fs::create_directories(path("recovery/00000000000000fe.making"));
+  written("recovery/00000000000000fe.making/lock", "");
+  const auto held = platform::FileLock::take(path("recovery/00000000000000fe.making/lock"));
+  Recovery now(root());
+  EXPECT_TRUE(now.left_behind().empty());
+  EXPECT_FALSE(fs::exists(path("recovery/00000000000000ff.making")));
+  EXPECT_TRUE(fs::exists(path("recovery/00000000000000fe.making"))) << "its session is about to begin";
+}
+
 TEST_F(RecoveryTest, DiscardsOneJournalAndFinallyTheFolder) {
   crash({"a.wif", "b.wif"});
   Recovery now(root());

@@ -33,7 +33,17 @@ Edit paint(int shaft = 1) {
 
 class SessionTest : public ScratchTest {
  protected:
-  std::unique_ptr<Session> session() const { return std::make_unique<Session>(path("recovery"), first(), false); }
+  std::unique_ptr<Session> session() const {
+    auto made = std::make_unique<Session>(path("recovery"), first(), false);
+    made->set_left(made->find_left());
+    return made;
+  }
+  static std::string save(Session& s, uint64_t id, const std::string& file) {
+    const SaveJob job = s.save_job(id, file);
+    const SaveResult result = write(job);
+    s.take_saved(job, result);
+    return result.problem;
+  }
   std::string draft_file(const std::string& name, int shafts = 4) const {
     return written(name, write_new_wif(plain(shafts)));
   }
@@ -57,6 +67,13 @@ class SessionTest : public ScratchTest {
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
+  }
+  /// The newest work of a crashed session.
+  static OpenDocument* bring_back(Session& s, std::vector<Diagnostic>& why) {
+    const LeftWork left = s.left()[0];
+    OpenResult back = session::bring_back(left);
+    why = back.remarks;
+    return s.take_back(left, std::move(back), false);
   }
   static std::vector<std::string> titles(const Session& s) {
     std::vector<std::string> all;
@@ -148,7 +165,7 @@ TEST_F(SessionTest, AllDocumentsAreOfferedAfterACrash) {
   const auto s = session();
   ASSERT_EQ(s->left().size(), 2u);
   std::vector<Diagnostic> why;
-  while (!s->left().empty()) ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  while (!s->left().empty()) ASSERT_NE(bring_back(*s, why), nullptr);
   ASSERT_EQ(s->all().size(), 2u);
   EXPECT_EQ(s->unsaved().size(), 2u);
   ASSERT_NE(s->on_file(a), nullptr);
@@ -156,7 +173,7 @@ TEST_F(SessionTest, AllDocumentsAreOfferedAfterACrash) {
   EXPECT_TRUE(s->on_file(a)->document.now().draft.threading.get(0, 1));
   EXPECT_TRUE(s->on_file(b)->document.now().draft.threading.get(0, 2));
   s->settle();
-  EXPECT_TRUE(Session(path("recovery"), first(), false).left().empty()) << "this session has them now";
+  EXPECT_TRUE(Session(path("recovery"), first(), false).find_left().empty()) << "this session has them now";
 }
 
 TEST_F(SessionTest, RecoveredWorkReplacesTheTabOfItsFile) {
@@ -165,7 +182,7 @@ TEST_F(SessionTest, RecoveredWorkReplacesTheTabOfItsFile) {
   const auto s = session();
   open(*s, a);
   std::vector<Diagnostic> why;
-  ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  ASSERT_NE(bring_back(*s, why), nullptr);
   EXPECT_EQ(s->all().size(), 1u);
   EXPECT_EQ(s->active().document.path(), a);
   EXPECT_TRUE(s->active().document.now().draft.threading.get(0, 1));
@@ -178,7 +195,7 @@ TEST_F(SessionTest, RecoveredWorkOpensBesideAnEditedTabOfItsFile) {
   open(*s, a);
   s->commit(paint(3), 0);
   std::vector<Diagnostic> why;
-  ASSERT_NE(s->bring_back(0, false, why), nullptr);
+  ASSERT_NE(bring_back(*s, why), nullptr);
   EXPECT_EQ(s->all().size(), 2u);
   EXPECT_EQ(s->active().document.path(), "") << "one file, one tab";
   EXPECT_EQ(s->active().document.name(), "a.wif");
@@ -199,7 +216,7 @@ TEST_F(SessionTest, SavedAndClosedDocumentsLeaveNoJournal) {
   s->commit(paint(), 0);
   s->settle();
   EXPECT_EQ(journals(), 2);
-  EXPECT_EQ(s->save(one, a), "");
+  EXPECT_EQ(save(*s, one, a), "");
   s->settle();
   EXPECT_EQ(journals(), 1);
   EXPECT_EQ(s->unsaved(), std::vector<uint64_t>{two});
@@ -218,10 +235,10 @@ TEST_F(SessionTest, SavesAllAndReportsWhatFails) {
   }
   const std::vector<uint64_t> ids = s->unsaved();
   ASSERT_EQ(ids.size(), 2u);
-  for (const uint64_t id : ids) EXPECT_EQ(s->save(id, s->find(id)->document.path()), "");
+  for (const uint64_t id : ids) EXPECT_EQ(save(*s, id, s->find(id)->document.path()), "");
   EXPECT_TRUE(s->unsaved().empty());
   s->commit(paint(3), 0);
-  EXPECT_NE(s->save(s->active().id, files[2]), "") << "no such folder";
+  EXPECT_NE(save(*s, s->active().id, files[2]), "") << "no such folder";
   EXPECT_EQ(s->unsaved().size(), 1u);
   EXPECT_EQ(s->active().document.path(), files[1]);
 }

@@ -1,0 +1,129 @@
+#pragma once
+// Long work beside the window. A task runs on the thread of its runner, reports its progress, can be asked to stop, and
+// delivers its results to the thread that asked for it. What it throws ends that task alone and is told as a message.
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+
+namespace weftlight::base {
+
+/// A task while it runs.
+class RunningTask : public TaskProgress {
+ public:
+  /// take() runs `result` on its own thread, unless the task is stopped before.
+  void deliver(std::function<void()> result) const { deliver_(std::move(result)); }
+
+ private:
+  friend class TaskRunner;
+  RunningTask(std::stop_token stop, Listener listener, std::function<void(std::function<void()>)> deliver)
+      : TaskProgress(std::move(stop), std::move(listener)), deliver_(std::move(deliver)) {}
+  std::function<void(std::function<void()>)> deliver_;
+};
+
+struct Task {
+  std::function<void(const RunningTask&)> work;
+  /// Called on the thread of the task with the text of what it threw, unless the task was stopped.
+  std::function<void(const std::string& why, const RunningTask&)> failed = {};
+  std::string kind = {};  // of two tasks of one kind the newer counts
+  std::string name = {};  // for the user, while it runs or waits: "Saving twill.wif"; empty: not shown
+  bool finishes = false;  // once asked for it is done: it is never stopped, even where the runner ends
+};
+
+/// A task with one result: take() runs `done` with what `work` returned, or `failed` with the text of what it threw.
+template <class Work, class Done>
+Task task_with_result(Work work, Done done, std::function<void(const std::string&)> failed = {}) {
+  Task task;
+  task.work = [work = std::move(work), done = std::move(done)](const RunningTask& running) {
+    auto result = std::make_shared<std::invoke_result_t<const Work&, const RunningTask&>>(work(running));
+    running.deliver([done, result] { done(std::move(*result)); });
+  };
+  if (failed)
+    task.failed = [failed = std::move(failed)](const std::string& why, const RunningTask& running) {
+      running.deliver([failed, why] { failed(why); });
+    };
+  return task;
+}
+
+/// A task as users see it.
+struct ShownTask {
+  std::string name, sentence;
+  std::string kind;
+  float share = 0;  // 0..1
+  bool can_stop = false;
+  std::chrono::steady_clock::time_point since{};  // when it was asked for
+};
+
+/// A thread that runs tasks one after the other, oldest first. A newer task replaces a waiting one of the same kind and
+/// asks a running one to stop.
+class TaskRunner {
+ public:
+  /// `wake` is called on the runner's thread, without any lock, when there is something to show or to take.
+  explicit TaskRunner(std::function<void()> wake = {});
+  /// Drops or finishes the waiting tasks (Task::finishes) and waits for the running one. Results are not taken any
+  /// more.
+  ~TaskRunner();
+  TaskRunner(const TaskRunner&) = delete;
+  TaskRunner& operator=(const TaskRunner&) = delete;
+
+  void start(Task task);
+  /// Removes the waiting task of this kind and asks the running one to stop; its results are not taken.
+  void stop(const std::string& kind);
+  /// The same for all kinds.
+  void stop();
+  /// Runs what the tasks delivered, in order. True if there was anything.
+  bool take();
+
+  /// True if a task waits, or runs without a request to stop.
+  bool busy() const;
+  bool busy(const std::string& kind) const;
+  /// The tasks with a name: the running one, then the waiting ones.
+  std::vector<ShownTask> shown() const;
+  /// Blocks until no task waits or runs.
+  void wait() const;
+  /// The same for at most this time; true if none waits or runs.
+  bool wait_for(std::chrono::milliseconds longest) const;
+
+ private:
+  struct Entry {
+    Task task;
+    ShownTask shown;
+    std::stop_source stop;
+  };
+  struct Result {
+    std::stop_token stop;
+    std::function<void()> run;
+  };
+  using Entries = std::deque<std::shared_ptr<Entry>>;
+
+  template <class Chosen>
+  void stop_if(Chosen chosen);
+  static bool is_wanted(const Entry& entry);
+  bool idle() const { return waiting_.empty() && running_ == nullptr; }
+  void work();
+  void run(Entry& entry) noexcept;
+  void report(Entry& entry, float share, const std::string& sentence);
+  void deliver(const Entry& entry, std::function<void()> result);
+
+  const std::function<void()> wake_;
+  mutable std::mutex mutex_;  // protects all members below
+  mutable std::condition_variable changed_;
+  Entries waiting_;  // oldest first, one of a kind
+  std::shared_ptr<Entry> running_;
+  std::deque<Result> results_;
+  bool closing_ = false;
+  std::thread thread_;  // must be the last member
+};
+
+}  // namespace weftlight::base

@@ -4,16 +4,28 @@
 
 namespace weftlight::actions {
 
-std::vector<Action> make_actions(const std::vector<std::string>& recent, const std::map<std::string, std::string>& keys,
+std::vector<Action> make_actions(const Subjects& s, const std::vector<std::string>& recent,
+                                 const std::map<std::string, std::string>& keys,
                                  const std::vector<std::string>& views) {
   Actions all;
-  add_file_actions(all, recent);
-  add_edit_actions(all);
-  add_draft_actions(all);
-  add_view_actions(all, views);
-  add_cloth_actions(all);
-  add_library_actions(all);
-  add_help_actions(all);
+  add_file_actions(all, s.files, recent);
+  add_export_actions(all, s.exports);
+  add_file_of_draft_actions(all, s.files, s.draft, s.clipboard, s.window);
+  add_tab_actions(all, s.tabs);
+  add_quit_action(all, s.files);
+  add_history_actions(all, s.draft, s.settings);
+  add_selection_actions(all, {s.draft, s.clipboard, s.window, s.settings});
+  add_command_palette_action(all, s.window);
+  add_draft_actions(all, s.draft, s.dialogs);
+  add_thread_actions(all, s.draft, s.clipboard, s.window);
+  add_loom_actions(all, s.draft, s.loom);
+  add_draft_view_actions(all, s.draft, s.settings, s.dialogs);
+  add_cloth_view_actions(all, s.draft, s.cloth, views);
+  add_comparison_actions(all, s.draft, s.comparison, s.window);
+  add_window_actions(all, s.window, s.tabs, s.settings);
+  add_cloth_actions(all, s.draft, s.cloth, s.settings);
+  add_library_actions(all, s.files);
+  add_help_actions(all, s.window, s.settings);
   for (Action& a : all) {
     a.item.shipped = a.item.shortcut;
     if (const auto own = keys.find(a.item.id); own != keys.end()) a.item.shortcut = own->second;
@@ -21,13 +33,13 @@ std::vector<Action> make_actions(const std::vector<std::string>& recent, const s
   return all;
 }
 
-std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& host) {
+std::vector<ActionItem> show(const std::vector<Action>& actions) {
   std::vector<ActionItem> items;
   for (const Action& a : actions) {
     items.push_back(a.item);
-    items.back().enabled = !a.enabled || a.enabled(host);
-    items.back().checked = a.checked && a.checked(host);
-    if (a.label) items.back().label = a.label(host);
+    items.back().enabled = !a.enabled || a.enabled();
+    items.back().checked = a.checked && a.checked();
+    if (a.label) items.back().label = a.label();
   }
   return items;
 }

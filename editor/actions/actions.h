@@ -6,26 +6,27 @@
 #include <string>
 #include <vector>
 
-#include "actions/action_host.h"
 #include "actions/names.h"
+#include "actions/subjects.h"
 #include "session/action_item.h"
 
 namespace weftlight::actions {
 
 struct Action {
   ActionItem item;  // `enabled` and `checked` are filled in by show()
-  std::function<void(ActionHost&)> run;
-  std::function<bool(const ActionHost&)> enabled = nullptr;       // null: always
-  std::function<bool(const ActionHost&)> checked = nullptr;       // null: never
-  std::function<std::string(const ActionHost&)> label = nullptr;  // null: the label of the item
+  std::function<void()> run;
+  std::function<bool()> enabled = nullptr;       // null: always
+  std::function<bool()> checked = nullptr;       // null: never
+  std::function<std::string()> label = nullptr;  // null: the label of the item
 };
 
+/// The rows keep references to `subjects`, which outlive the table.
 /// `recent`: files offered under File. `keys`: shortcuts set by the user, by action id (Settings::keys). `views`: names
 /// of the saved views of the active document.
-std::vector<Action> make_actions(const std::vector<std::string>& recent,
+std::vector<Action> make_actions(const Subjects& subjects, const std::vector<std::string>& recent,
                                  const std::map<std::string, std::string>& keys = {},
                                  const std::vector<std::string>& views = {});
 /// The items for the panels, with their present state and labels.
-std::vector<ActionItem> show(const std::vector<Action>& actions, const ActionHost& host);
+std::vector<ActionItem> show(const std::vector<Action>& actions);
 
 }  // namespace weftlight::actions

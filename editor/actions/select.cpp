@@ -17,148 +17,150 @@ constexpr const char* kShift = mark("Shift by one");
 constexpr const char* kRepeat = mark("Repeat");
 constexpr const char* kThreads = mark("Threads");
 
-const Selection& selected(const ActionHost& e) { return e.view().select.selected; }
-bool has_selection(const ActionHost& e) { return !selected(e).empty(); }
-bool has_threads(const ActionHost& e) { return threads_of(selected(e)).has_value(); }
-bool has_block(const ActionHost& e) { return e.view().select.held.has_value(); }
+const Selection& selected(const SelectionSubjects& e) { return e.draft.view().select.selected; }
+bool has_selection(const SelectionSubjects& e) { return !selected(e).empty(); }
+bool has_threads(const SelectionSubjects& e) { return threads_of(selected(e)).has_value(); }
+bool has_block(const SelectionSubjects& e) { return e.draft.view().select.held.has_value(); }
 
-Action& on_selection(Action& a, const char* submenu = "") {
+Action& on_selection(const SelectionSubjects& e, Action& a, const char* submenu = "") {
   a.item.submenu = submenu;
   a.item.on_selection = true;
-  a.enabled = has_selection;
+  a.enabled = [e] { return has_selection(e); };
   return a;
 }
 
-Action& add_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
-                 SelectionEdit edit) {
-  return on_selection(add(all, "Edit", id, label, key,
-                          [=](ActionHost& e) {
-                            const bool properties = e.view().select.with_properties;
-                            e.commit({label, [s = selected(e), edit, properties](Design d) {
-                                        return edit(std::move(d), s, properties);
-                                      }});
+Action& add_edit(Actions& all, const SelectionSubjects& e, const char* submenu, const char* id, const char* label,
+                 const char* key, SelectionEdit edit) {
+  return on_selection(e,
+                      add(all, "Edit", id, label, key,
+                          [=] {
+                            const bool properties = e.draft.view().select.with_properties;
+                            e.draft.commit({label, [s = selected(e), edit, properties](Design d) {
+                                              return edit(std::move(d), s, properties);
+                                            }});
                           }),
                       submenu);
 }
 
-Action& add_thread_edit(Actions& all, const char* submenu, const char* id, const char* label, const char* key,
-                        ThreadEdit edit) {
-  Action& a = on_selection(add(all, "Edit", id, label, key,
-                               [=](ActionHost& e) {
-                                 const bool properties = e.view().select.with_properties;
-                                 e.commit({label, [t = *threads_of(selected(e)), edit, properties](Design d) {
-                                             return edit(std::move(d), t, properties);
-                                           }});
+Action& add_thread_edit(Actions& all, const SelectionSubjects& e, const char* submenu, const char* id,
+                        const char* label, const char* key, ThreadEdit edit) {
+  Action& a = on_selection(e,
+                           add(all, "Edit", id, label, key,
+                               [=] {
+                                 const bool properties = e.draft.view().select.with_properties;
+                                 e.draft.commit({label, [t = *threads_of(selected(e)), edit, properties](Design d) {
+                                                   return edit(std::move(d), t, properties);
+                                                 }});
                                }),
                            submenu);
-  a.enabled = has_threads;
+  a.enabled = [e] { return has_threads(e); };
   return a;
 }
 
 /// False, with a message, if there are too many cells.
-bool copy_selection(ActionHost& e) {
+bool copy_selection(const SelectionSubjects& e) {
   const Selection s = selected(e);
   const std::string size = size_text(s.grid, s.columns(), s.rows());
   if (int64_t{s.columns()} * s.rows() > kMaxBlockCells) {
-    e.say(fill(tr("{size} are too many to copy. Move or repeat them instead."), arg("size", size)));
+    e.window.say(fill(tr("{size} are too many to copy. Move or repeat them instead."), arg("size", size)));
     return false;
   }
-  e.set_clipboard(block_text({s.grid, cells_of(e.document().now().draft, s)}));
-  e.say(fill(tr("Copied {text}"), arg("text", size)));
+  e.clipboard.set_text(block_text({s.grid, cells_of(e.draft.document().now().draft, s)}));
+  e.window.say(fill(tr("Copied {text}"), arg("text", size)));
   return true;
 }
 
-void cut_selection(ActionHost& e) {
+void cut_selection(const SelectionSubjects& e) {
   if (!copy_selection(e)) return;
-  e.commit({tr("Cut"), [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
+  e.draft.commit({tr("Cut"), [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
 }
 
-void paste(ActionHost& e, bool as_marks) {
-  base::Result<CellBlock> read = read_block_text(e.clipboard());
-  if (!read) return e.say(message(read.error()));
-  hold_block(e.view().select, e.document().now().draft, std::move(*read), as_marks);
-  if (const auto grid = bit_grid_of(e.hover().grid)) hold_block_over(e.view().select, *grid, e.hover().cell);
+void paste(const SelectionSubjects& e, bool as_marks) {
+  base::Result<CellBlock> read = read_block_text(e.clipboard.text());
+  if (!read) return e.window.say(message(read.error()));
+  hold_block(e.draft.view().select, e.draft.document().now().draft, std::move(*read), as_marks);
+  if (const auto grid = bit_grid_of(e.window.hover().grid))
+    hold_block_over(e.draft.view().select, *grid, e.window.hover().cell);
 }
 
-void select_all(ActionHost& e) {
-  SelectState& s = e.view().select;
-  const auto hovered = bit_grid_of(e.hover().grid);
+void select_all(const SelectionSubjects& e) {
+  SelectState& s = e.draft.view().select;
+  const auto hovered = bit_grid_of(e.window.hover().grid);
   const BitGrid grid = hovered ? *hovered : s.selected.empty() ? BitGrid::kThreading : s.selected.grid;
-  select_cells(s, whole_grid(e.document().now().draft, grid));
+  select_cells(s, whole_grid(e.draft.document().now().draft, grid));
   s.anchor = {0, 0};
   s.tool = Tool::kSelect;
 }
 
-void select_whole_threads(ActionHost& e) {
+void select_whole_threads(const SelectionSubjects& e) {
   Selection s = selected(e);
-  const Selection all = whole_grid(e.document().now().draft, s.grid);
+  const Selection all = whole_grid(e.draft.document().now().draft, s.grid);
   if (s.grid == BitGrid::kThreading) s.b0 = all.b0, s.b1 = all.b1;
   else s.a0 = all.a0, s.a1 = all.a1;
-  select_cells(e.view().select, s);
+  select_cells(e.draft.view().select, s);
 }
 
-void insert_threads(ActionHost& e) {
+void insert_threads(const SelectionSubjects& e) {
   const ThreadRange t = *threads_of(selected(e));
-  e.commit({tr("Insert threads"), [t, properties = e.view().select.with_properties](Design d) {
-              return with_bare_threads(std::move(d), t.system, t.first, t.count(), properties);
-            }});
+  e.draft.commit({tr("Insert threads"), [t, properties = e.draft.view().select.with_properties](Design d) {
+                    return with_bare_threads(std::move(d), t.system, t.first, t.count(), properties);
+                  }});
 }
 
-void delete_threads(ActionHost& e) {
+void delete_threads(const SelectionSubjects& e) {
   const ThreadRange t = *threads_of(selected(e));
-  const bool all = t.count() >= e.document().now().draft.threads(t.system).size();
+  const bool all = t.count() >= e.draft.document().now().draft.threads(t.system).size();
   if (all)
-    return e.say(t.system == System::kWarp ? tr("A draft keeps at least one end.")
-                                           : tr("A draft keeps at least one pick."));
-  e.commit({tr("Delete threads"), [t, properties = e.view().select.with_properties](Design d) {
-              return without_threads(std::move(d), t, properties);
-            }});
-  select_cells(e.view().select, {});
+    return e.window.say(t.system == System::kWarp ? tr("A draft keeps at least one end.")
+                                                  : tr("A draft keeps at least one pick."));
+  e.draft.commit({tr("Delete threads"), [t, properties = e.draft.view().select.with_properties](Design d) {
+                    return without_threads(std::move(d), t, properties);
+                  }});
+  select_cells(e.draft.view().select, {});
 }
 
 /// Cancels one thing per call: the rejected edit, the shape being drawn, the drag or active block, the selection.
-void cancel_one(ActionHost& e) {
-  if (e.view().rejected_edit) return e.view().rejected_edit.reset();
-  if (e.view().shape) return e.view().shape.reset();
-  SelectState& s = e.view().select;
+void cancel_one(const SelectionSubjects& e) {
+  if (e.draft.view().rejected_edit) return e.draft.view().rejected_edit.reset();
+  if (e.draft.view().drawing.shape) return e.draft.view().drawing.shape.reset();
+  SelectState& s = e.draft.view().select;
   if (s.drag == SelectDrag::kNone) {
     escape(s);
-  } else if (const MaybeEdit back = cancel_drag(s, e.document().now())) {
-    e.commit(*back);
+  } else if (const MaybeEdit back = cancel_drag(s, e.draft.document().now())) {
+    e.draft.commit(*back);
   }
 }
 
-void add_clipboard(Actions& all) {
-  new_group(on_selection(add(all, "Edit", "cut", tr("Cut"), "Ctrl+X", cut_selection)));
-  on_selection(add(all, "Edit", "copy", tr("Copy"), "Ctrl+C", [](ActionHost& e) { copy_selection(e); }));
-  on_selection(add(all, "Edit", "paste", tr("Paste"), "Ctrl+V", [](ActionHost& e) { paste(e, false); })).enabled =
-      nullptr;
-  on_selection(add(all, "Edit", "paste_add", tr("Paste marks on top"), "Ctrl+Shift+V", [](ActionHost& e) {
-    paste(e, true);
-  })).enabled = nullptr;
-  add_edit(all, "", "clear", tr("Delete"), "Delete",
+void add_clipboard(Actions& all, const SelectionSubjects& e) {
+  new_group(on_selection(e, add(all, "Edit", "cut", tr("Cut"), "Ctrl+X", [e] { cut_selection(e); })));
+  on_selection(e, add(all, "Edit", "copy", tr("Copy"), "Ctrl+C", [e] { copy_selection(e); }));
+  on_selection(e, add(all, "Edit", "paste", tr("Paste"), "Ctrl+V", [e] { paste(e, false); })).enabled = nullptr;
+  on_selection(e, add(all, "Edit", "paste_add", tr("Paste marks on top"), "Ctrl+Shift+V", [e] { paste(e, true); }))
+      .enabled = nullptr;
+  add_edit(all, e, "", "clear", tr("Delete"), "Delete",
            [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
-  new_group(add(all, "Edit", "select_all", tr("Select the whole grid"), "Ctrl+A", select_all));
-  on_selection(add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A", select_whole_threads))
-      .enabled = has_threads;
-  add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", cancel_one).enabled = [](const ActionHost& e) {
-    return has_selection(e) || has_block(e) || e.view().shape || e.view().rejected_edit;
+  new_group(add(all, "Edit", "select_all", tr("Select the whole grid"), "Ctrl+A", [e] { select_all(e); }));
+  on_selection(e, add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A",
+                      [e] { select_whole_threads(e); }))
+      .enabled = [e] { return has_threads(e); };
+  add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", [e] { cancel_one(e); }).enabled = [e] {
+    return has_selection(e) || has_block(e) || e.draft.view().drawing.shape || e.draft.view().rejected_edit;
   };
 }
 
 using BlockTurn = BitMatrix (*)(const BitMatrix&);
 
 /// Mirrors or rotates the active block, else the selection.
-void turn(ActionHost& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
-  if (has_block(e)) return turn_held_block(e.view().select, of_block);
+void turn(const SelectionSubjects& e, const char* label, SelectionEdit edit, BlockTurn of_block) {
+  if (has_block(e)) return turn_held_block(e.draft.view().select, of_block);
   const Selection s = selected(e);
   const bool crossings = s.grid == BitGrid::kDrawdown;
-  const BitMatrix wanted = crossings ? of_block(cells_of(e.document().now().draft, s)) : BitMatrix();
-  e.commit({label, [s, edit, properties = e.view().select.with_properties](Design d) {
-              return edit(std::move(d), s, properties);
-            }});
-  const std::string missed = missed_text(e.document().now().draft, s.grid, s.a0, s.b0, wanted);
-  if (!missed.empty()) e.say(label + missed);
+  const BitMatrix wanted = crossings ? of_block(cells_of(e.draft.document().now().draft, s)) : BitMatrix();
+  e.draft.commit({label, [s, edit, properties = e.draft.view().select.with_properties](Design d) {
+                    return edit(std::move(d), s, properties);
+                  }});
+  const int64_t missed = missed_crossings(e.draft.document().now().draft, s.grid, s.a0, s.b0, wanted);
+  if (missed > 0) e.window.say(missed_text(label, missed));
 }
 
 /// Row 0 becomes the last column.
@@ -172,14 +174,14 @@ BitMatrix turned_on(const BitMatrix& cells) {
 BitMatrix turned_back(const BitMatrix& cells) { return half_turned(turned_on(cells)); }
 
 /// Clockwise as seen on the screen: a grid that is drawn mirrored rotates the other way.
-void quarter_turn(ActionHost& e) {
-  const SelectState& state = e.view().select;
+void quarter_turn(const SelectionSubjects& e) {
+  const SelectState& state = e.draft.view().select;
   const BitGrid grid = state.held ? state.held->grid : selected(e).grid;
-  const Cell right = screen_step(grid, e.settings(), 1, 0);
-  const Cell down = screen_step(grid, e.settings(), 0, 1);
+  const Cell right = screen_step(grid, e.settings, 1, 0);
+  const Cell down = screen_step(grid, e.settings, 0, 1);
   const BlockTurn turned = (right.a > 0) == (down.b > 0) ? turned_on : turned_back;
-  if (has_block(e)) return turn_held_block(e.view().select, turned);
-  const Draft& draft = e.document().now().draft;
+  if (has_block(e)) return turn_held_block(e.draft.view().select, turned);
+  const Draft& draft = e.draft.document().now().draft;
   const Selection s = clipped(selected(e), draft);
   const BitMatrix block = turned(cells_of(draft, s));
   const int columns = std::min(block.cols(), columns_of(draft, grid)),
@@ -193,99 +195,102 @@ void quarter_turn(ActionHost& e) {
     for (int x = 0; x < s.columns(); ++x) cells.set(s.b0 - both.b0 + y, s.a0 - both.a0 + x, false);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) cells.set(b - both.b0 + y, a - both.a0 + x, block.get(y, x));
-  e.commit({tr("Rotate by a quarter turn"), [both, cells](Design d) {
-              return with_block(std::move(d), both.grid, both.a0, both.b0, cells, Write::kInside);
-            }});
-  const std::string missed = missed_text(e.document().now().draft, grid, both.a0, both.b0, cells);
-  if (!missed.empty()) e.say(tr("Rotate by a quarter turn") + missed);
-  select_cells(e.view().select, {grid, a, a + columns, b, b + rows});
+  e.draft.commit({tr("Rotate by a quarter turn"), [both, cells](Design d) {
+                    return with_block(std::move(d), both.grid, both.a0, both.b0, cells, Write::kInside);
+                  }});
+  const int64_t missed = missed_crossings(e.draft.document().now().draft, grid, both.a0, both.b0, cells);
+  if (missed > 0) e.window.say(missed_text(tr("Rotate by a quarter turn"), missed));
+  select_cells(e.draft.view().select, {grid, a, a + columns, b, b + rows});
 }
 
-void add_turns(Actions& all) {
-  const auto add_turn = [&all](const char* id, const char* label, const char* key, SelectionEdit edit,
-                               BlockTurn of_block) {
-    Action& a =
-        on_selection(add(all, "Edit", id, label, key, [=](ActionHost& e) { turn(e, label, edit, of_block); }), kTurn);
-    a.enabled = [](const ActionHost& e) { return has_selection(e) || has_block(e); };
+void add_turns(Actions& all, const SelectionSubjects& e) {
+  const auto add_turn = [&all, &e](const char* id, const char* label, const char* key, SelectionEdit edit,
+                                   BlockTurn of_block) {
+    Action& a = on_selection(e, add(all, "Edit", id, label, key, [=] { turn(e, label, edit, of_block); }), kTurn);
+    a.enabled = [e] { return has_selection(e) || has_block(e); };
     return &a;
   };
   new_group(*add_turn("mirror_across", tr("Mirror left to right"), "Shift+H", with_mirrored_across, mirrored_across));
   add_turn("mirror_down", tr("Mirror top to bottom"), "Shift+V", with_mirrored_down, mirrored_down);
-  on_selection(add(all, "Edit", "quarter_turn", tr("Rotate by a quarter turn"), "R", quarter_turn), kTurn).enabled =
-      [](const ActionHost& e) { return has_selection(e) || has_block(e); };
+  on_selection(e, add(all, "Edit", "quarter_turn", tr("Rotate by a quarter turn"), "R", [e] { quarter_turn(e); }),
+               kTurn)
+      .enabled = [e] { return has_selection(e) || has_block(e); };
   add_turn("half_turn", tr("Rotate by a half turn"), "Shift+R", with_half_turn, half_turned);
   add_turn(
       "invert", tr("Invert"), "Ctrl+I",
       [](Design d, const Selection& s, bool) { return with_inverted(std::move(d), s); }, inverted);
 }
 
-void add_repeats(Actions& all) {
-  add_edit(all, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R",
+void add_repeats(Actions& all, const SelectionSubjects& e) {
+  add_edit(all, e, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R",
            [](Design d, const Selection& s, bool properties) {
              return with_repeated(std::move(d), s, RepeatExtent::kToEnd, properties);
            });
-  add_edit(all, kRepeat, "repeat_all", tr("Repeat over everything"), "Ctrl+Shift+R",
+  add_edit(all, e, kRepeat, "repeat_all", tr("Repeat over everything"), "Ctrl+Shift+R",
            [](Design d, const Selection& s, bool properties) {
              return with_repeated(std::move(d), s, RepeatExtent::kAll, properties);
            });
-  add_thread_edit(all, kRepeat, "point_end", tr("Point repeat to the end"), "Ctrl+M",
+  add_thread_edit(all, e, kRepeat, "point_end", tr("Point repeat to the end"), "Ctrl+M",
                   [](Design d, const ThreadRange& t, bool properties) {
                     return with_point_repeat(std::move(d), t, RepeatExtent::kToEnd, properties);
                   });
-  add_thread_edit(all, kRepeat, "advance_up", tr("Advancing repeat to the end, one up each time"), "Ctrl+.",
+  add_thread_edit(all, e, kRepeat, "advance_up", tr("Advancing repeat to the end, one up each time"), "Ctrl+.",
                   [](Design d, const ThreadRange& t, bool properties) {
                     return with_advancing_repeat(std::move(d), t, 1, properties);
                   });
-  add_thread_edit(all, kRepeat, "advance_down", tr("Advancing repeat to the end, one down each time"), "Ctrl+,",
+  add_thread_edit(all, e, kRepeat, "advance_down", tr("Advancing repeat to the end, one down each time"), "Ctrl+,",
                   [](Design d, const ThreadRange& t, bool properties) {
                     return with_advancing_repeat(std::move(d), t, -1, properties);
                   });
 }
 
-void add_threads(Actions& all) {
-  on_selection(add(all, "Edit", "insert_threads", tr("Insert empty threads before"), "Insert", insert_threads),
+void add_threads(Actions& all, const SelectionSubjects& e) {
+  on_selection(
+      e, add(all, "Edit", "insert_threads", tr("Insert empty threads before"), "Insert", [e] { insert_threads(e); }),
+      kThreads)
+      .enabled = [e] { return has_threads(e); };
+  on_selection(e, add(all, "Edit", "delete_threads", tr("Delete threads"), "Ctrl+Delete", [e] { delete_threads(e); }),
                kThreads)
-      .enabled = has_threads;
-  on_selection(add(all, "Edit", "delete_threads", tr("Delete threads"), "Ctrl+Delete", delete_threads), kThreads)
-      .enabled = has_threads;
-  add_thread_edit(all, kThreads, "reverse_threads", tr("Reverse the order"), "Ctrl+Shift+M", with_reversed_threads);
-  add_thread_edit(all, kThreads, "double_threads", tr("Insert a copy after"), "Ctrl+D",
+      .enabled = [e] { return has_threads(e); };
+  add_thread_edit(all, e, kThreads, "reverse_threads", tr("Reverse the order"), "Ctrl+Shift+M", with_reversed_threads);
+  add_thread_edit(all, e, kThreads, "double_threads", tr("Insert a copy after"), "Ctrl+D",
                   [](Design d, const ThreadRange& t, bool properties) {
                     return with_doubled_threads(std::move(d), t, false, properties);
                   });
-  add_thread_edit(all, kThreads, "double_mirrored", tr("Insert a mirrored copy after (shared point)"), "Ctrl+Shift+D",
-                  [](Design d, const ThreadRange& t, bool properties) {
+  add_thread_edit(all, e, kThreads, "double_mirrored", tr("Insert a mirrored copy after (shared point)"),
+                  "Ctrl+Shift+D", [](Design d, const ThreadRange& t, bool properties) {
                     return with_doubled_threads(std::move(d), t, true, properties);
                   });
   Action& properties =
-      on_selection(add(all, "Edit", "with_looks", tr("Threads keep their colours and yarns"), "",
-                       [](ActionHost& e) { e.view().select.with_properties = !e.view().select.with_properties; }),
+      on_selection(e,
+                   add(all, "Edit", "with_looks", tr("Threads keep their colours and yarns"), "",
+                       [e] { e.draft.view().select.with_properties = !e.draft.view().select.with_properties; }),
                    kThreads);
   properties.enabled = nullptr;
-  properties.checked = [](const ActionHost& e) { return e.view().select.with_properties; };
+  properties.checked = [e] { return e.draft.view().select.with_properties; };
 }
 
 /// An arrow key moves the active block, or the selected marks, by one cell.
-void step(ActionHost& e, int dx, int dy) {
-  SelectState& s = e.view().select;
-  const Design& design = e.document().now();
+void step(const SelectionSubjects& e, int dx, int dy) {
+  SelectState& s = e.draft.view().select;
+  const Design& design = e.draft.document().now();
   const BitGrid grid = s.held ? s.held->grid : s.selected.grid;
-  const Cell by = screen_step(grid, e.settings(), dx, dy);
+  const Cell by = screen_step(grid, e.settings, dx, dy);
   if (s.held) {
     const Cell at{std::clamp(s.held->at.a + by.a, 0, columns_of(design.draft, grid) - 1),
                   std::clamp(s.held->at.b + by.b, 0, rows_of(design.draft, grid) - 1)};
     return hold_block_over(s, grid, at);
   }
   if (const MaybeEdit edit = move_selection(s, design, s.selected.a0 + by.a, s.selected.b0 + by.b, false))
-    e.commit(*edit);
+    e.draft.commit(*edit);
 }
 
-void shift_by_one(ActionHost& e, const char* label, int dx, int dy) {
-  const Cell by = screen_step(selected(e).grid, e.settings(), dx, dy);
-  const bool properties = e.view().select.with_properties;
-  e.commit({label, [s = selected(e), by, properties](Design d) {
-              return with_shifted(std::move(d), s, by.a, by.b, properties);
-            }});
+void shift_by_one(const SelectionSubjects& e, const char* label, int dx, int dy) {
+  const Cell by = screen_step(selected(e).grid, e.settings, dx, dy);
+  const bool properties = e.draft.view().select.with_properties;
+  e.draft.commit({label, [s = selected(e), by, properties](Design d) {
+                    return with_shifted(std::move(d), s, by.a, by.b, properties);
+                  }});
 }
 
 struct Arrow {
@@ -302,39 +307,40 @@ constexpr Arrow kArrows[] = {
     {"Down", "down", mark("Shift down, wrapping"), mark("Move the selection down"), mark("Extend the selection down"),
      0, 1}};
 
-void add_shifts(Actions& all) {
+void add_shifts(Actions& all, const SelectionSubjects& e) {
   for (const Arrow& way : kArrows)
-    on_selection(add(all, "Edit", (std::string("shift_") + way.name).c_str(), tr(way.shift),
-                     (std::string("Alt+") + way.key).c_str(),
-                     [way](ActionHost& e) { shift_by_one(e, tr(way.shift), way.dx, way.dy); }),
-                 kShift);
+    on_selection(
+        e,
+        add(all, "Edit", (std::string("shift_") + way.name).c_str(), tr(way.shift),
+            (std::string("Alt+") + way.key).c_str(), [way, e] { shift_by_one(e, tr(way.shift), way.dx, way.dy); }),
+        kShift);
 }
 
 /// Actions without a menu item; the command palette lists them.
-void add_keys(Actions& all) {
+void add_keys(Actions& all, const SelectionSubjects& e) {
   for (const Arrow& way : kArrows) {
     const std::string name = way.name, key = way.key;
-    add(all, "", ("move_" + name).c_str(), tr(way.move), key.c_str(), [way](ActionHost& e) {
-      step(e, way.dx, way.dy);
-    }).enabled = [](const ActionHost& e) { return has_selection(e) || has_block(e); };
-    add(all, "", ("extend_" + name).c_str(), tr(way.extend), ("Shift+" + key).c_str(), [way](ActionHost& e) {
-      const Cell by = screen_step(selected(e).grid, e.settings(), way.dx, way.dy);
-      extend_selection(e.view().select, e.document().now().draft, by.a, by.b);
-    }).enabled = has_selection;
+    add(all, "", ("move_" + name).c_str(), tr(way.move), key.c_str(), [way, e] { step(e, way.dx, way.dy); }).enabled =
+        [e] { return has_selection(e) || has_block(e); };
+    add(all, "", ("extend_" + name).c_str(), tr(way.extend), ("Shift+" + key).c_str(), [way, e] {
+      const Cell by = screen_step(selected(e).grid, e.settings, way.dx, way.dy);
+      extend_selection(e.draft.view().select, e.draft.document().now().draft, by.a, by.b);
+    }).enabled = [e] { return has_selection(e); };
   }
-  add(all, "", "drop", tr("Place what is being pasted"), "Enter", [](ActionHost& e) {
-    if (const MaybeEdit edit = drop_block(e.view().select, e.document().now(), false)) e.commit(*edit);
-  }).enabled = has_block;
+  add(all, "", "drop", tr("Place what is being pasted"), "Enter", [e] {
+    if (const MaybeEdit edit = drop_block(e.draft.view().select, e.draft.document().now(), false))
+      e.draft.commit(*edit);
+  }).enabled = [e] { return has_block(e); };
 }
 
-void add_tools(Actions& all) {
-  const auto tool = [&all](const char* id, const char* label, const char* key, Tool to) {
-    Action& a = add(all, "Edit", id, label, key, [to](ActionHost& e) {
-      e.view().select.tool = to;
-      e.view().shape.reset();
-      e.view().cursor.typed = 0;
+void add_tools(Actions& all, const SelectionSubjects& e) {
+  const auto tool = [&all, &e](const char* id, const char* label, const char* key, Tool to) {
+    Action& a = add(all, "Edit", id, label, key, [to, e] {
+      e.draft.view().select.tool = to;
+      e.draft.view().drawing.shape.reset();
+      e.draft.view().drawing.cursor.typed = 0;
     });
-    a.checked = [to](const ActionHost& e) { return e.view().select.tool == to; };
+    a.checked = [to, e] { return e.draft.view().select.tool == to; };
     a.item.submenu = mark("Tools");
     return &a;
   };
@@ -344,28 +350,29 @@ void add_tools(Actions& all) {
   tool("tool_rectangle", tr("Rectangle tool"), "U", Tool::kRectangle);
   tool("tool_filled", tr("Filled rectangle tool"), "Shift+U", Tool::kFilledRectangle);
   tool("tool_fill", tr("Fill tool"), "G", Tool::kFill);
-  tool("tool_type", tr("Type shaft and treadle numbers"), "N", Tool::kType)->run = [](ActionHost& e) {
-    begin_typing(e.view(), e.document().now().draft, e.hover());
+  tool("tool_type", tr("Type shaft and treadle numbers"), "N", Tool::kType)->run = [e] {
+    begin_typing(e.draft.view(), e.draft.document().now().draft, e.window.hover());
   };
-  const auto mirror = [&all](const char* id, const char* label, const char* key, bool DocumentView::*on) {
-    Action& a = add(all, "Edit", id, label, key, [on](ActionHost& e) { e.view().*on = !(e.view().*on); });
-    a.checked = [on](const ActionHost& e) { return e.view().*on; };
+  const auto mirror = [&all, &e](const char* id, const char* label, const char* key, bool DrawingState::*on) {
+    Action& a =
+        add(all, "Edit", id, label, key, [on, e] { e.draft.view().drawing.*on = !(e.draft.view().drawing.*on); });
+    a.checked = [on, e] { return e.draft.view().drawing.*on; };
     a.item.submenu = mark("Mirrored drawing");
   };
-  mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DocumentView::mirror_ends);
-  mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DocumentView::mirror_picks);
+  mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DrawingState::mirror_ends);
+  mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DrawingState::mirror_picks);
 }
 
 }  // namespace
 
-void add_selection_actions(Actions& all) {
-  add_clipboard(all);
-  add_turns(all);
-  add_shifts(all);
-  add_repeats(all);
-  add_threads(all);
-  add_tools(all);
-  add_keys(all);
+void add_selection_actions(Actions& all, const SelectionSubjects& subjects) {
+  add_clipboard(all, subjects);
+  add_turns(all, subjects);
+  add_shifts(all, subjects);
+  add_repeats(all, subjects);
+  add_threads(all, subjects);
+  add_tools(all, subjects);
+  add_keys(all, subjects);
 }
 
 }  // namespace weftlight::actions

@@ -1,388 +1,306 @@
 #include "app/editor.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
+#include <variant>
 
+#include "actions/keys.h"
 #include "app/file_filters.h"
 #include "base/text.h"
 #include "base/user_folders.h"
-#include "design/edits.h"
-#include "files/files.h"
-#include "session/files/file_names.h"
 #include "session/library/gallery.h"
+#include "ui/imgui_compat.h"
+#include "ui/widgets.h"
+#include "views/shell/tour.h"
 
 namespace weftlight::app {
 
 using base::arg;
 using base::fill;
-using base::mark;
 using base::tr;
-using base::tr_n;
 
 namespace {
 
-/// The path that a save dialog starts with.
-std::string first_path(const Document& document) {
-  if (!document.path().empty()) return document.path();
-  return document.name() == "Untitled" ? "untitled.wif" : document.name();
-}
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
-}
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  for (size_t at = 0; at < text.size();) {
-    const size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
+constexpr double kCaretS = 0.4;  // blink of a text caret
+constexpr double kDialogPollS = 0.05;
+constexpr double kTroublePollS = 0.25;  // interval of the check for write errors
+constexpr double kInputS = 0.1;         // of waiting input is handled before a frame is drawn
 
 }  // namespace
 
-Document Editor::first_document() {
-  OpenResult starter = open_document(presets_dir() + "/drafts/starter.wif");
-  if (!starter.document) return Document(weaves::new_draft(*find_weave("straight"), {}, {48, 48}).design);
-  // Unnamed, so that saving asks where.
-  Document& d = *starter.document;
-  return Document(d.now());
-}
-
 Editor::Editor(Window& window, const EditorOptions& options)
     : window_(window),
-      options_(options),
       settings_(load_settings()),
-      session_(state_folder() + "/recovery", first_document(), settings_.per_inch),
-      live_export_(std::make_shared<LiveExport>(options.live_export, state_folder())),
-      preview_(Window::wake),
+      session_(state_folder() + "/recovery", Files::first_document(), settings_.per_inch),
+      editing_(session_, tasks_, messages_, [this] { edited(); }),
+      dialogs_(session_, messages_, schedule_),
+      live_export_(options.live_export),
+      files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
+      prompts_(editing_, files_, dialogs_),
+      start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
+      tabs_(session_, files_, dialogs_, schedule_),
+      exports_(session_, dialogs_, messages_),
+      printing_(editing_, settings_, tasks_, dialogs_, messages_),
+      cloth_(editing_, settings_, tasks_, dialogs_, messages_, schedule_),
+      loom_(session_, editing_, settings_),
+      reports_(session_, editing_, settings_, files_, dialogs_, messages_),
+      panels_(editing_, settings_, cloth_, loom_, reports_, tasks_, messages_),
+      actions_(subjects()),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
-  remake_actions();
-  if (!options.file.empty()) start_with(options.file);
+  if (!options.file.empty()) files_.start_with(options.file);
   // No tour if a program drives the window.
-  if (!settings_.toured && options.ui_map.empty() && options.live_export.empty()) settings_.tour = 0;
-  follow_shown();
   const bool driven = !options.ui_map.empty() || !options.live_export.empty();
-  look_for_left_work(opens_with_gallery(settings_, !options.file.empty(), driven));
+  if (!settings_.toured && !driven) settings_.tour = 0;
+  follow_shown();
+  start_.begin(opens_with_gallery(settings_, !options.file.empty(), driven));
 }
 
-void Editor::open() {
-  ask_path(FileAsk::kOpen, tr("Open a draft"), document().path(), [this](const std::string& path) { open_path(path); });
+Subjects Editor::subjects() {
+  return {.draft = editing_.actions(),
+          .clipboard = {.text =
+                            [] {
+                              const char* text = ImGui::GetClipboardText();
+                              return std::string(text != nullptr ? text : "");
+                            },
+                        .set_text = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); }},
+          .settings = settings_,
+          .window = {.say = [this](std::string text) { messages_.say(std::move(text)); },
+                     .hover = [this] { return notes_.hover; },
+                     .focus = [this](std::string control) { focus_ = std::move(control); },
+                     .show_commands = [this] { tools_.show_commands(); },
+                     .show_remarks = [this] { messages_.show_remarks(); },
+                     .toggle_keys = [this] { tools_.toggle_keys(); },
+                     .toggle_theme =
+                         [this] {
+                           style_.dark = settings_.dark = !style_.dark;
+                           restyle_ = true;
+                         }},
+          .files = {.new_draft = [this](int weave) { prompts_.ask_new_draft(weave); },
+                    .open = [this] { files_.open(); },
+                    .open_path = [this](const std::string& path) { files_.open_path(path); },
+                    .open_copy = [this](const std::string& path) { files_.open_copy(path); },
+                    .show_gallery = [this](bool library) { start_.show_gallery(library); },
+                    .save = [this] { files_.save(); },
+                    .save_as = [this] { files_.save_as(); },
+                    .save_all = [this] { files_.save_all(); },
+                    .save_for_others = [this] { files_.save_for_others(); },
+                    .any_unsaved = [this] { return !session_.unsaved().empty(); },
+                    .duplicate = [this] { files_.duplicate(); },
+                    .reload = [this] { files_.reload(); },
+                    .show_in_folder = [this] { files_.show_in_folder(); },
+                    .offer_recovery = [this] { start_.offer_recovery(); },
+                    .has_left_work = [this] { return start_.has_left_work(); },
+                    .quit = [this] { tabs_.quit(); }},
+          .exports = {.export_textures = [this] { exports_.ask(); }, .print = [this] { printing_.ask(); }},
+          .tabs = tabs_.actions(),
+          .dialogs = prompts_.actions(),
+          .cloth = cloth_.actions(),
+          .loom = loom_.actions(),
+          .comparison = reports_.actions()};
 }
 
-void Editor::open_path(const std::string& path) {
-  if (const OpenDocument* there = session_.on_file(path)) {
-    session_.show(there->id);
-    return look_at_file();
+void Editor::run() {
+  while (!tabs_.leaving()) {
+    const bool happened = window_.wait(sleep_s());
+    if (happened || window_.has_input()) schedule_.input(Window::seconds());
+    dialogs_.poll();
+    if (window_.take_focus()) files_.look_at_file();
+    if (std::string now = trouble(); now != trouble_) {
+      trouble_ = std::move(now);
+      schedule_.draw_after_event();
+    }
+    if (window_.wants_close()) {
+      window_.set_wants_close(false);
+      tabs_.quit();
+    }
+    frame();
   }
-  read(path, [this, path](OpenResult result) {
-    if (!result.document) return report(std::move(result.remarks), path);
-    if (const OpenDocument* there = session_.on_file(path)) return session_.show(there->id);
-    remember(settings_, path);
-    remake_actions();
-    open_beside(std::move(*result.document), Origin::kOwn);
-  });
+  window_.size(settings_.width, settings_.height);
+  // What is still being written is finished without the window.
+  window_.hide();
+  save_settings(settings_);
+  session_.forget_all();
 }
 
-void Editor::open_copy(const std::string& path) {
-  read(path, [this, path](OpenResult result) {
-    if (!result.document) return report(std::move(result.remarks), path);
-    open_beside(Document(result.document->now()), Origin::kShipped);
-  });
+double Editor::sleep_s() {
+  const double now = Window::seconds();
+  double sleep = schedule_.wait_s(now);
+  if (sleep == 0) return sleep;
+  const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
+  if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
+  if (const auto until = waits_until(editing_.view())) sooner(std::max(0.0, *until - now));
+  if (dialogs_.busy() || tasks_.busy() || exports_.busy()) sooner(kDialogPollS);
+  if (session_.busy() || live_export_.busy()) sooner(kTroublePollS);
+  return sleep;
 }
 
-void Editor::save() { save_shown(nullptr); }
-
-void Editor::save_shown(std::function<void()> then) {
-  if (!document().path().empty()) return save_to(document().path(), false, then);
-  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()),
-           [this, then](const std::string& path) { save_to(path, false, then); });
+std::string Editor::trouble() const {
+  std::string problem = session_.problem();
+  return problem.empty() ? live_export_.problem() : problem;
 }
 
-void Editor::save_as() {
-  ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()),
-           [this](const std::string& path) { save_to(path, false, nullptr); });
+bool Editor::take_results() {
+  // Not in the middle of a gesture or a dialog.
+  const bool taken = tasks_.take(!ImGui::IsAnyMouseDown() && !dialogs_.any());
+  if (taken) editing_.take_computed();
+  return dialogs_.run_next() || taken;
 }
 
-void Editor::save_all() { save_each(session_.unsaved(), nullptr); }
+void Editor::cancel(const base::ShownTask& task) {
+  files_.cancel(task.kind);
+  editing_.cancel(task.kind);
+  messages_.say(fill(tr("Cancelled: {task}"), arg("task", task.name)));
+}
 
-void Editor::save_each(std::vector<uint64_t> ids, const std::function<void()>& then) {
-  // Closed or saved while others were written.
-  std::erase_if(ids, [this](uint64_t id) {
-    const OpenDocument* open = session_.find(id);
-    return open == nullptr || open->document.is_saved();
-  });
-  if (ids.empty()) {
-    if (then) then();
+bool Editor::update_background() {
+  const bool dialog_changed = exports_.update() | dialogs_.update();
+  const bool changed = cloth_.update() | dialog_changed | reports_.update() | loom_.update() |
+                       editing_.commit(type_after_wait(editing_.view(), editing_.document().now(), Window::seconds()));
+  // The content may change the layout, and the --ui-map is written only once that is stable.
+  if (dialog_changed || (changed && !cloth_.refining())) schedule_.draw(2);
+  return changed;
+}
+
+void Editor::frame() {
+  if (take_results() | tasks_.update_shown()) schedule_.draw(2);
+  follow_shown();
+  const double now = Window::seconds();
+  const bool changed = update_background();
+  if (!schedule_.is_due() && !changed && !schedule_.is_tip_due(now) && !ImGui::GetIO().WantTextInput) return;
+  schedule_.drawn(now);
+  if (restyle_ || now == 0) window_.use_style(style_);
+  restyle_ = false;
+  apply_waiting_input();
+  cloth_.ask_picture(window_.pixel_ratio());
+  window_.begin_frame();
+  apply_input();
+  draw_window();
+  window_.end_frame(style_.color.window);
+  if (!files_.starting()) map_file_.frame(map_);
+  update_title();
+}
+
+/// Handles waiting input first, however long a picture takes, so that edits reach the journal: one frame of input after
+/// the other, without drawing.
+void Editor::apply_waiting_input() {
+  const double until = Window::seconds() + kInputS;
+  while (window_.has_input() && Window::seconds() < until && !tabs_.leaving()) {
+    window_.begin_frame();
+    apply_input();
+    draw_window();
+    Window::drop_frame();
+    window_.wait(0);
+  }
+}
+
+void Editor::apply_input() {
+  actions_.follow(editing_.document());
+  bool pressed = false;
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
+  editing_.strokes().frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
+  for (const std::string& key : window_.take_keys()) apply_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
+  if (dialogs_.any() && !dialogs_.shows<GalleryPrompt>()) return;
+  for (const std::string& path : window_.take_dropped_files()) {
+    if (dialogs_.any()) close_popups();
+    dialogs_.close();
+    files_.open_path(path);
+  }
+}
+
+/// Handles a key that types no text: closes a popup or runs an action.
+void Editor::apply_key(const std::string& key) {
+  if (tools_.take_key(key)) return;
+  if (dialogs_.any()) return;  // dialogs handle their own keys
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    const bool command = runs_while_typing(key);
+    if (key == "Escape" || command) close_popups();
+    if (!command) return;
+  }
+  if (tools_.shows_commands() || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
+  DocumentView& view = editing_.view();
+  if (const std::string id = view.at_loom.open ? key_at_loom(key) : ""; !id.empty()) return actions_.run(id);
+  if (view.select.tool == Tool::kType &&
+      editing_.commit(type_key(view, editing_.document().now(), settings_, key, Window::seconds())))
     return;
+  actions_.run_key(key);
+}
+
+void Editor::draw_window() {
+  follow_shown();
+  editing_.find_closest_weave();
+  actions_.follow(editing_.document());
+  reports_.start();
+  map_.clear();
+  tip_.begin(schedule_.rest_s(Window::seconds()));
+  notes_ = {};
+  Intents wanted;
+  const Document& document = editing_.document();
+  PanelContext c{
+      {style_, map_, tip_, focus_}, document.now(), document.cells(), session_.revision(), settings_, notes_, wanted};
+  push_font(style_.font.text);
+  const std::vector<ActionItem> items = actions_.items();
+  wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
+  const float tabs_height = tabs_.height(style_);
+  const TabRequest requested = tabs_.draw(c, tabs_height);
+  panels_.draw(c, tabs_height, items, {trouble_, tabs_.awaits()});
+  wanted.add_action(draw_context_menu(c, items, &ActionItem::on_selection, "context", c.frame.selection_menu));
+  wanted.add_action(tabs_.draw_menu(c, items));
+  wanted.add_action(tools_.draw_commands(c, items));
+  messages_.draw_remarks(c);
+  tools_.draw_history_and_keys(c, document, items);
+  if (!dialogs_.any()) draw_tour(c, items);
+  dialogs_.draw(c);
+  ImGui::PopFont();
+  carry_out(wanted);
+  // Last, since it may activate another draft.
+  tabs_.carry_out(requested);
+  if (const auto task = tasks_.take_cancelled()) cancel(*task);
+  SelectState& select = editing_.view().select;
+  if (select.drag == SelectDrag::kBand) messages_.clear();  // it was about the earlier selection
+  if (!select.notice.empty()) messages_.say(std::exchange(select.notice, {}));
+  window_.use_crosshair(notes_.crosshair);
+  if (notes_.again) schedule_.draw(1);
+  // ImGui lays out a new tooltip in one frame and shows it in the next; the --ui-map is written once it is stable.
+  if (tip_.drawn && !tip_.shown) schedule_.draw(3);
+}
+
+void Editor::carry_out(Intents& wanted) {
+  const uint64_t about = shown_;
+  for (const Intent& one : wanted.take()) {
+    // An action may activate another draft; later requests for the first one are dropped.
+    const bool of_window = std::holds_alternative<RunAction>(one) || std::holds_alternative<SettingsChange>(one);
+    if (!of_window && session_.active().id != about) continue;
+    if (const auto* edit = std::get_if<Edit>(&one)) editing_.commit(*edit);
+    else if (const auto* action = std::get_if<RunAction>(&one)) actions_.run(action->id);
+    else if (const auto* change = std::get_if<SettingsChange>(&one)) change->run(settings_);
+    else if (const auto* to = std::get_if<GoToStep>(&one)) editing_.go_to_step(to->step);
+    else if (const MaybeEdit made = std::get<Gesture>(one).run(editing_.view(), editing_.document().now()))
+      editing_.commit(*made);
   }
-  session_.show(ids.front());
-  ids.erase(ids.begin());
-  save_shown([this, ids, then] { save_each(ids, then); });
-}
-
-void Editor::save_for_others() {
-  std::filesystem::path start = document().path().empty() ? "untitled.wif" : document().path();
-  start.replace_filename(start.stem().string() + "-plain.wif");
-  ask_path(FileAsk::kSave, tr("Save for other programs and looms"), start.string(), [this](const std::string& path) {
-    write(path, [design = document().snapshot()] { return write_plain_wif(*design); });
-  });
-}
-
-void Editor::save_to(const std::string& path, bool over_changes, const std::function<void()>& then) {
-  const uint64_t id = session_.active().id;
-  const OpenDocument* there = session_.on_file(path);
-  if ((there != nullptr && there->id != id) || saver_.takes(path, id))
-    return tell_not_saved(id, fill(tr("{path} is open in another tab."), arg("path", path)));
-  // By its own name, so that changes of its file are noticed.
-  const std::string& to = there != nullptr ? document().path() : path;
-  saver_.save(id, to, over_changes, [this, id, to, then](const SaveResult& result) { saved(id, to, result, then); });
-}
-
-void Editor::saved(uint64_t id, const std::string& path, const SaveResult& result, const std::function<void()>& then) {
-  if (!result.problem.empty()) return tell_not_saved(id, result.problem);
-  if (result.changed)
-    return when_no_dialog([this, id, then] {
-      if (session_.find(id) == nullptr) return;
-      session_.show(id);
-      ask_about_change(true, then);
-    });
-  keep_live_export();
-  remember(settings_, path);
-  remake_actions();
-  say(fill(tr("Saved {file}"), arg("file", std::filesystem::path(path).filename().string())));
-  if (then) when_no_dialog(then);  // it may ask something
-}
-
-void Editor::tell_not_saved(uint64_t id, const std::string& problem) {
-  when_no_dialog([this, id, problem] {
-    session_.show(id);
-    ask(Question{tr("The draft was not saved"),
-                 fill(tr("{problem}\n\nYour work is still here. Choose another place."), arg("problem", problem)),
-                 {mark("Save as\xE2\x80\xA6"), mark("Cancel")}},
-        [this](int button) {
-          if (button == 0) save_as();
-        });
-  });
-}
-
-void Editor::quit() {
-  if (saver_.saving(0)) return saver_.after(0, [this] { when_no_dialog([this] { quit(); }); });
-  const std::vector<uint64_t> unsaved = session_.unsaved();
-  if (unsaved.empty()) {
-    leaving_ = true;
-    return;
-  }
-  if (unsaved.size() == 1) session_.show(unsaved.front());
-  std::string names;
-  for (const uint64_t id : unsaved) names += (names.empty() ? "" : ", ") + session_.find(id)->document.shown_name();
-  const bool one = unsaved.size() == 1;
-  const std::string question =
-      one ? fill(tr("Save the changes to {draft}?"), arg("draft", names))
-          : fill(tr_n("Save the changes to {count} draft?", "Save the changes to {count} drafts?",
-                      static_cast<long long>(unsaved.size())),
-                 arg("count", unsaved.size()));
-  ask(Question{question,
-               (one ? "" : names + "\n\n") + tr("Your changes since the last save would be lost."),
-               {one ? mark("Save") : mark("Save all"), mark("Do not save"), mark("Cancel")}},
-      [this, unsaved](int button) {
-        if (button == 1) leaving_ = true;
-        // Again, since there may be edits meanwhile.
-        if (button == 0) save_each(unsaved, [this] { quit(); });
-      });
-}
-
-void Editor::show_tab(int by) {
-  session_.step(by);
-  look_at_file();
-}
-
-void Editor::undo() {
-  if (session_.undo()) edited();
-}
-
-void Editor::redo() {
-  if (session_.redo()) edited();
-}
-
-void Editor::go_to_step(size_t step) {
-  if (session_.go_to(step)) edited();
-}
-
-void Editor::commit(const Edit& edit) {
-  if (session_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited();
-  if (!edit.why) return;
-  if (std::string why = edit.why(document().now()); !why.empty()) say(std::move(why));
-}
-
-void Editor::ask_size() {
-  const Draft& d = document().now().draft;
-  const Loom& loom = document().now().loom;
-  ask(SizePrompt{tr("Size of the draft"), mark("Change"), d.ends(), d.picks(), d.shafts, d.treadles, loom.shafts,
-                 loom.treadles},
-      [this](int) {
-        const SizePrompt p = std::get<SizePrompt>(dialog_);
-        commit({tr("Change size"), [p](Design d2) {
-                  d2.loom.shafts = p.loom_shafts;
-                  d2.loom.treadles = p.loom_treadles;
-                  return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles);
-                }});
-        view().pitch = 0;
-      });
-}
-
-void Editor::ask_notes() {
-  const Design& d = document().now();
-  ask(NotesPrompt{d.title, d.author, joined(d.notes)}, [this](int) {
-    const NotesPrompt p = std::get<NotesPrompt>(dialog_);
-    commit({tr("Title and notes"), [p](Design d2) {
-              d2.title = p.title;
-              d2.author = p.author;
-              d2.notes = split_lines(p.notes);
-              return d2;
-            }});
-  });
-}
-
-void Editor::ask_thread() {
-  const Draft& d = document().now().draft;
-  ask(ThreadPrompt{view().chosen.system, 1, d.ends(), d.picks()}, [this](int) {
-    const ThreadPrompt p = std::get<ThreadPrompt>(dialog_);
-    const Draft& draft = document().now().draft;
-    const int thread = std::clamp(p.number, 1, draft.threads(p.system).size()) - 1;
-    scroll_to(view(), p.system, thread);
-    view().chosen = {p.system, {thread}, thread, {}, false, false};
-  });
-}
-
-void Editor::show_commands() {
-  commands_ = {};
-  commands_.open = commands_.appearing = true;
-}
-
-void Editor::toggle_theme() {
-  style_.dark = settings_.dark = !style_.dark;
-  restyle_ = true;
-}
-
-void Editor::remake_actions() {
-  views_in_menu_.clear();
-  for (const NamedView& v : document().now().views) views_in_menu_.push_back(v.name);
-  actions_ = make_actions(settings_.recent, settings_.keys, views_in_menu_);
-}
-
-void Editor::open_beside(Document document, Origin origin) {
-  session_.add(std::move(document), origin, settings_.per_inch);
 }
 
 void Editor::follow_shown() {
   if (shown_ == session_.active().id) return;
   shown_ = session_.active().id;
-  remarks_ = session_.active().remarks;
-  remarks_open_ = remarks_open_ && !remarks_.empty();
-  analysis_ = {};
-  typed_threads_.clear();
+  messages_.follow(session_.active().remarks);
+  reports_.forget();
+  panels_.forget();
   edited();
 }
 
-/// Called after every change of the shown design.
 void Editor::edited() {
-  if (!std::ranges::equal(views_in_menu_, document().now().views, {}, {}, &NamedView::name)) remake_actions();
-  preview_.submit(hung());
-  draper_.follow(document().snapshot());
-  keep_live_export();
-  export_again();
-  frames_due_ = std::max(frames_due_, 3);
-}
-
-void Editor::say(std::string text) {
-  message_ = std::move(text);
-  said_at_s_ = Window::seconds();
-}
-
-std::string Editor::clipboard() const {
-  const char* text = ImGui::GetClipboardText();
-  return text != nullptr ? text : "";
-}
-
-void Editor::set_clipboard(const std::string& text) { ImGui::SetClipboardText(text.c_str()); }
-
-void Editor::report(std::vector<Diagnostic> remarks, const std::string& path) {
-  remarks_ = std::move(remarks);
-  remarks_open_ = true;
-  say(fill(tr("{file} could not be opened"), arg("file", std::filesystem::path(path).filename().string())));
-}
-
-void Editor::ask(Dialog dialog, std::function<void(int)> then) {
-  dialog_ = std::move(dialog);
-  answer_ = std::move(then);
-}
-
-void Editor::ask_path(FileAsk what, const std::string& title, const std::string& start,
-                      std::function<void(const std::string&)> chosen, const std::string& ending) {
-  // The system dialog is not modal: the answer belongs to the draft that was active when it opened.
-  if (what != FileAsk::kOpen)
-    chosen = [this, about = session_.active().id, then = std::move(chosen)](const std::string& path) {
-      if (session_.find(about) == nullptr) return say(tr("Not written: the draft has been closed"));
-      session_.show(about);
-      then(path);
-    };
-  if (platform::FileDialog::is_there()) {
-    if (what == FileAsk::kSave)
-      chosen = [this, ending, then = std::move(chosen)](const std::string& path) { with_ending(path, ending, then); };
-    return file_dialog_.ask({what, title, start, file_filters(what, ending)}, std::move(chosen));
-  }
-  constexpr const char* kButtons[] = {mark("Open"), mark("Save"), mark("Export")};
-  ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]},
-      [this, what, ending, chosen = std::move(chosen)](int) {
-        const std::string typed = std::get<PathPrompt>(dialog_).path;
-        const std::string path = what == FileAsk::kSave ? with_file_ending(typed, ending) : typed;
-        dialog_ = {};
-        if (path.empty()) return;
-        std::error_code ignored;
-        if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
-        ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
-                     fill(tr("{path} already exists. Its contents would be lost."), arg("path", path)),
-                     {mark("Replace"), mark("Cancel")}},
-            [chosen, path](int button) {
-              if (button == 0) chosen(path);
-            });
-      });
-}
-
-/// Appends the file ending, such as .wif or .pdf. If that makes another name, which exists, it asks again: the file
-/// dialog confirmed only the typed name.
-void Editor::with_ending(const std::string& typed, const std::string& ending,
-                         const std::function<void(const std::string&)>& then) {
-  const std::string path = with_file_ending(typed, ending);
-  std::error_code error;
-  if (path == typed || !std::filesystem::exists(path, error)) return then(path);
-  ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
-               tr("A file of that name already exists. Saving would replace it."),
-               {mark("Replace"), mark("Cancel")}},
-      [then, path](int button) {
-        if (button == 0) then(path);
-      });
+  cloth_.follow();
+  files_.keep_live_export();
+  exports_.follow();
+  schedule_.draw(3);
 }
 
 void Editor::update_title() {
-  const std::string title = std::string(document().is_saved() ? "" : "\xE2\x97\x8F ") + document().shown_name();
+  const Document& document = editing_.document();
+  const std::string title = std::string(document.is_saved() ? "" : "\xE2\x97\x8F ") + document.shown_name();
   if (title != title_) window_.set_title(title + " \xE2\x80\x93 Weftlight");
   title_ = title;
-}
-
-void Editor::run_action(const std::string& id) {
-  for (const Action& a : actions_) {
-    if (a.item.id != id || (a.enabled && !a.enabled(*this))) continue;
-    const auto run = a.run;  // running may make the table again
-    return run(*this);
-  }
 }
 
 }  // namespace weftlight::app

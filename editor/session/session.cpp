@@ -93,7 +93,7 @@ void Session::close(uint64_t id, Document (*instead)()) {
   if (place == all_.size()) return;
   journal_.forget(id);
   if (all_.size() == 1) {
-    all_.front() = made(instead(), Origin::kFirst, all_.front()->view.per_inch);
+    all_.front() = made(instead(), Origin::kFirst, all_.front()->view.units.per_inch);
     return;
   }
   all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(place));
@@ -114,7 +114,7 @@ bool Session::commit(OpenDocument& open, const Edit& edit, uint64_t stroke) {
   const bool changed = open.document.commit(edit, stroke);
   std::optional<RejectedEdit> rejected_edit =
       refusal_after(std::move(open.view.rejected_edit), *before, edit, stroke, changed);
-  if (changed) follow_given(open.view.given, before->draft, open.document.now().draft, edit.by_painting);
+  if (changed) follow_given(open.view.drawing.given, before->draft, open.document.now().draft, edit.by_painting);
   followed(open, changed);
   open.view.rejected_edit = std::move(rejected_edit);
   return changed;
@@ -125,7 +125,7 @@ bool Session::gone(Go go) {
   OpenDocument& open = active();
   const std::shared_ptr<const Design> before = open.document.snapshot();
   if (!followed(open, go(open.document))) return false;
-  follow_given(open.view.given, before->draft, open.document.now().draft, true);
+  follow_given(open.view.drawing.given, before->draft, open.document.now().draft, true);
   return true;
 }
 

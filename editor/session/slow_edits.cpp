@@ -47,12 +47,12 @@ void SlowEdits::find_closest_weave() {
     runner_.stop(kClosest);
     searched_ = {};
   }
-  if (!rejected || rejected->nearest) return;
+  if (!rejected || rejected->closest) return;
   const State of{open.id, open.document.snapshot(), rejected->requested};
   if (searched_ == of) return;
   searched_ = of;
   base::Task task = base::task_with_result(
-      [of](const base::RunningTask& running) { return nearest_to(*of.design, *of.requested, running); },
+      [of](const base::RunningTask& running) { return closest_weave_to(*of.design, *of.requested, running); },
       [this, of](std::shared_ptr<const ClosestWeave> found) { take(of, std::move(found)); },
       [this, of](const std::string& why) {
         take(of, nullptr);
@@ -69,8 +69,8 @@ void SlowEdits::take(const State& of, std::shared_ptr<const ClosestWeave> found)
   if (open == nullptr || open->document.snapshot() != of.design) return;
   std::optional<RejectedEdit>& rejected = open->view.rejected_edit;
   if (!rejected || rejected->requested != of.requested) return;
-  rejected->nearest = std::move(found);
-  if (!rejected->nearest) rejected.reset();
+  rejected->closest = std::move(found);
+  if (!rejected->closest) rejected.reset();
 }
 
 void SlowEdits::cancel(const std::string& kind) {

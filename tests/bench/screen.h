@@ -75,14 +75,8 @@ class Screen {
     tip_.begin(0);
     FrameNotes notes;
     Intents wanted;
-    PanelContext c{{style_, map_, tip_, focus_},
-                   document.now(),
-                   document.cells(),
-                   document.revision(),
-                   view,
-                   settings_,
-                   notes,
-                   wanted};
+    PanelContext c{
+        {style_, map_, tip_, focus_}, document.now(), document.cells(), document.revision(), settings_, notes, wanted};
     ImGui::NewFrame();
     draw(c);
     ImGui::Render();

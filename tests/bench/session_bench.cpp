@@ -67,11 +67,11 @@ void save(benchmark::State& state, Size size, ShedControl shed_control) {
   for (auto _ : state) benchmark::DoNotOptimize(document.writer()().size());
 }
 
-void draw_grids(PanelContext& c, DraftPictures& pictures) {
+void draw_grids(PanelContext& c, const DocumentView& view, DraftPictures& pictures) {
   ImGui::SetNextWindowPos({0, 60});
   ImGui::SetNextWindowSize({800, 900});
   ImGui::Begin("Draft", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-  draw_draft(c, pictures);
+  draw_draft(c, view, nullptr, pictures);
   ImGui::End();
 }
 
@@ -82,12 +82,12 @@ void pan(benchmark::State& state, Size size, float pitch) {
   const Document document(design_of(size, ShedControl::kTreadling));
   DocumentView view = view_of(document, false);
   DraftPictures pictures;
-  screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, pictures); });
-  view.pitch = pitch;
+  screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, view, pictures); });
+  view.draft.pitch = pitch;
   for (auto _ : state) {
-    view.scroll_end = static_cast<float>(static_cast<int>(view.scroll_end + 3) % (size.ends / 4));
-    view.scroll_pick = static_cast<float>(static_cast<int>(view.scroll_pick + 3) % (size.picks / 4));
-    screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, pictures); });
+    view.draft.scroll_end = static_cast<float>(static_cast<int>(view.draft.scroll_end + 3) % (size.ends / 4));
+    view.draft.scroll_pick = static_cast<float>(static_cast<int>(view.draft.scroll_pick + 3) % (size.picks / 4));
+    screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, view, pictures); });
   }
 }
 

@@ -49,7 +49,8 @@ void line_of_10000_ends(benchmark::State& state) {
   const Design design = large_twill();
   for (auto _ : state) {
     DocumentView view;
-    view.shape = ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {kLarge - 1, design.draft.shafts - 1}, true};
+    view.drawing.shape =
+        ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {kLarge - 1, design.draft.shafts - 1}, true};
     const MaybeEdit edit = finish_shape(view, design);
     benchmark::DoNotOptimize(edit->apply(design).draft.threading.row(0).data());
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../unit/actions/bare_desk.h"
+#include "../unit/actions/bare_editor.h"
 #include "screen.h"
 #include "session/report.h"
 #include "ui/damage.h"
@@ -34,20 +34,20 @@ using namespace weftlight::bench;
 
 enum Tab { kThreads, kYarns, kCloth, kAnalysis };
 
-/// Draws like the editor (app/editor_frame.cpp), with its own panel state.
+/// Draws like the editor (app/panels.cpp), with its own panel state.
 class WholeWindow {
  public:
-  explicit WholeWindow(Design design) : desk_(std::move(design)) {
-    desk_.view() = view_of(desk_.document(), false);
-    report_ = report_on(desk_.document().now(), desk_.document().cells(), 5);
-    report_.revision = desk_.document().revision();
+  explicit WholeWindow(Design design) : editor_(std::move(design)) {
+    editor_.view() = view_of(editor_.document(), false);
+    report_ = report_on(editor_.document().now(), editor_.document().cells(), 5);
+    report_.revision = editor_.document().revision();
   }
 
-  DocumentView& view() { return desk_.view(); }
-  const Document& document() const { return desk_.document(); }
+  DocumentView& view() { return editor_.view(); }
+  const Document& document() const { return editor_.document(); }
   /// Counts what has to be redrawn.
   size_t frame(Screen& screen, Tab tab) {
-    screen.frame(desk_.document(), desk_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
+    screen.frame(editor_.document(), editor_.view(), [&](PanelContext& c) { draw(c, screen, tab); });
     return damage_.changed_areas(screen.drawn()).size();
   }
 
@@ -59,40 +59,41 @@ class WholeWindow {
   }
 
   void draw(PanelContext& c, Screen& screen, Tab tab) {
-    c.report = &report_;
-    const std::vector<ActionItem> items = actions::show(table_, desk_);
+    const DocumentView& v = editor_.view();
+    const std::vector<ActionItem> items = actions::show(table_);
     draw_menu_bar(c, items, "draft.wif");
     const ImGuiViewport* view = ImGui::GetMainViewport();
     const WindowLayout l = lay_out_window(screen.style(), view->WorkPos, view->WorkSize, 0.5f, true);
     begin("Draft", l.draft);
-    draw_draft_header(c, "draft.wif", items);
-    draw_draft(c, pictures_);
+    draw_draft_header(c, "draft.wif", v.select.tool, items);
+    draw_draft(c, v, &report_, pictures_);
     ImGui::End();
     begin("Cloth", l.cloth);
-    draw_preview(c, {}, pane_);
+    draw_preview(c, v.cloth, {}, pane_);
     ImGui::End();
     begin("Inspector", l.inspector);
     draw_tab(c, tab);
     ImGui::End();
     begin("Status", l.status);
-    draw_status_bar(c, {}, {}, {});
+    draw_status_bar(c, v.select, v.drawing, {}, {}, {});
     ImGui::End();
     draw_context_menu(c, items, &ActionItem::on_selection, "context", false);
   }
 
   void draw_tab(PanelContext& c, Tab tab) {
-    if (tab == kThreads) draw_palette(c), draw_threads(c, typed_);
-    if (tab == kYarns) draw_yarns(c, strip_);
-    if (tab == kCloth) draw_scene(c), draw_accuracy(c);
+    const DocumentView& v = editor_.view();
+    if (tab == kThreads) draw_palette(c, v.drawing), draw_threads(c, v.chosen, v.units, typed_);
+    if (tab == kYarns) draw_yarns(c, v.drawing, strip_);
+    if (tab == kCloth) draw_scene(c, {}), draw_accuracy(c);
     if (tab != kAnalysis) return;
-    draw_report(c, c.report);
+    draw_report(c, v.analysis, &report_);
     draw_analysis(c, analysis_);
     ImGui::GetStateStorage()->SetBool(ImGui::GetID("section.need"), true);
-    draw_yarn_need(c);
+    draw_yarn_need(c, v.analysis);
   }
 
-  actions::BareDesk desk_;
-  std::vector<actions::Action> table_ = actions::make_actions({});
+  actions::BareEditor editor_;
+  std::vector<actions::Action> table_ = actions::make_actions(editor_.subjects(), {});
   Report report_;
   DraftPictures pictures_;
   YarnStrip strip_;
@@ -112,12 +113,12 @@ void whole_frame(benchmark::State& state, Design (*design)(), float pitch, Tab t
   if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());
   WholeWindow window(design());
   for (int i = 0; i < 3; ++i) window.frame(screen, tab);
-  window.view().pitch = pitch;
+  window.view().draft.pitch = pitch;
   const int ends = window.document().now().draft.ends(), picks = window.document().now().draft.picks();
   for (auto _ : state) {
     DocumentView& v = window.view();
-    v.scroll_end = static_cast<float>(static_cast<int>(v.scroll_end + 3) % std::max(1, ends / 4));
-    v.scroll_pick = static_cast<float>(static_cast<int>(v.scroll_pick + 3) % std::max(1, picks / 4));
+    v.draft.scroll_end = static_cast<float>(static_cast<int>(v.draft.scroll_end + 3) % std::max(1, ends / 4));
+    v.draft.scroll_pick = static_cast<float>(static_cast<int>(v.draft.scroll_pick + 3) % std::max(1, picks / 4));
     benchmark::DoNotOptimize(window.frame(screen, tab));
   }
 }

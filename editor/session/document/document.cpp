@@ -32,13 +32,12 @@ Document::Document(WifFile file, std::vector<Diagnostic> remarks, std::string pa
 
 std::string Document::name() const {
   if (!path_.empty()) return std::filesystem::path(path_).filename().string();
-  return old_name_.empty() ? kUntitled : old_name_;
+  return old_name_.empty() ? tr(kUntitled) : old_name_;
 }
 
 std::string Document::shown_name() const {
   if (path_.empty() && old_name_.empty() && !now().title.empty()) return now().title;
-  std::string shown = name();
-  return shown == kUntitled ? tr(kUntitled) : shown;
+  return name();
 }
 
 WifUnit Document::unit(System system) const {
@@ -86,12 +85,12 @@ void Document::mark_saved(std::string path, const FileIdentity& file, uint64_t m
 void Document::without_file(std::string name) {
   path_.clear();
   file_ = {};
-  old_name_ = std::move(name);
+  old_name_ = name == kUntitled ? std::string() : std::move(name);
   history_.mark_unsaved();
 }
 
 DocumentNote Document::note() const {
-  if (path_.empty()) return {{}, name(), {}};
+  if (path_.empty()) return {{}, old_name_.empty() ? kUntitled : old_name_, {}};
   // The next session may start in another folder.
   std::error_code error;
   const std::filesystem::path full = std::filesystem::absolute(path_, error);
@@ -101,6 +100,8 @@ DocumentNote Document::note() const {
 std::function<std::string()> Document::writer() const {
   return [file = opened_, design = snapshot()] { return file ? write_wif(*file, *design) : write_new_wif(*design); };
 }
+
+std::string name_of(const DocumentNote& note) { return note.name == kUntitled ? tr(kUntitled) : note.name; }
 
 OpenResult open_document(const std::string& path) {
   // Read before the bytes, so that a write in between is noticed.

@@ -30,8 +30,10 @@ class Document {
   const History& history() const { return history_; }
   const std::vector<Diagnostic>& remarks() const { return remarks_; }
   const std::string& path() const { return path_; }
-  /// File name. Without a file the former name, or "Untitled", which is not translated: journals keep it.
+  /// File name, for people. Without a file the former name, or "Untitled", translated.
   std::string name() const;
+  /// True if it has or had a file.
+  bool is_named() const { return !path_.empty() || !old_name_.empty(); }
   /// The name to show: without a file the title of the draft, if it has one.
   std::string shown_name() const;
   /// The unit of length of the threads in the opened file.
@@ -75,6 +77,9 @@ class Document {
   BitMatrix cells_;
   uint64_t revision_ = 1;
 };
+
+/// The name in the header of a journal, for people: that of a document without one is kept in English.
+std::string name_of(const DocumentNote& note);
 
 struct OpenResult {
   std::optional<Document> document;

@@ -32,8 +32,8 @@ std::optional<RejectedEdit> refusal_after(std::optional<RejectedEdit> last, cons
   return RejectedEdit{stroke, std::make_shared<const Design>(std::move(requested))};
 }
 
-std::shared_ptr<const ClosestWeave> nearest_to(const Design& now, const Design& requested,
-                                               const base::TaskProgress& progress) {
+std::shared_ptr<const ClosestWeave> closest_weave_to(const Design& now, const Design& requested,
+                                                     const base::TaskProgress& progress) {
   const BitMatrix wanted = drawdown(requested.draft), shown = drawdown(now.draft);
   if (wanted == shown || !same_size(now.draft, requested.draft)) return nullptr;
   Factored factored = closest_drawdown(now.draft, wanted, loom_size(now), progress);

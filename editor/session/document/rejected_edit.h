@@ -27,7 +27,7 @@ struct ClosestWeave {
 struct RejectedEdit {
   uint64_t stroke = 0;                      // the gesture that was rejected, in whole or part; 0: a single edit
   std::shared_ptr<const Design> requested;  // everything it painted, as on a loom of any size
-  std::shared_ptr<const ClosestWeave> nearest = nullptr;  // null until computed
+  std::shared_ptr<const ClosestWeave> closest = nullptr;  // null until computed
 };
 
 /// The rejected edit after `edit` of `before`, which `changed` it or did nothing. Earlier edits of the same gesture are
@@ -36,8 +36,8 @@ std::optional<RejectedEdit> refusal_after(std::optional<RejectedEdit> last, cons
                                           uint64_t stroke, bool changed);
 
 /// Null if the request shows the same cloth as `now`. Takes up to seconds; of no use if it was asked to stop.
-std::shared_ptr<const ClosestWeave> nearest_to(const Design& now, const Design& requested,
-                                               const base::TaskProgress& progress = {});
+std::shared_ptr<const ClosestWeave> closest_weave_to(const Design& now, const Design& requested,
+                                                     const base::TaskProgress& progress = {});
 
 /// The requested design on a loom that is large enough.
 Edit larger_loom_edit(const RejectedEdit& rejected_edit);

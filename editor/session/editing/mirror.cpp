@@ -4,17 +4,7 @@
 
 namespace weftlight::session {
 
-bool has_ends(GridId grid) {
-  return grid == GridId::kThreading || grid == GridId::kDrawdown || grid == GridId::kWarpColors;
-}
-
-bool has_picks(GridId grid) {
-  return grid == GridId::kTreadling || grid == GridId::kLiftplan || grid == GridId::kDrawdown ||
-         grid == GridId::kWeftColors;
-}
-
-Mirror mirror_of(const DocumentView& v, const Draft& d) {
-  const Selection& s = v.select.selected;
+Mirror mirror_of(const DrawingState& v, const Selection& s, const Draft& d) {
   const GridId grid = grid_id_of(s.grid);
   Mirror m;
   if (v.mirror_ends) m.ends = !s.empty() && has_ends(grid) ? s.a0 + s.a1 - 1 : d.ends() - 1;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "session/editing/document_view.h"
+#include "session/editing/drawing_state.h"
 #include "session/files/names.h"
 
 namespace weftlight::session {
@@ -14,11 +14,7 @@ namespace weftlight::session {
 struct Mirror {
   std::optional<int> ends, picks;
 };
-Mirror mirror_of(const DocumentView& view, const Draft& draft);
-
-/// True if the columns of the grid are ends, and if its rows are picks.
-bool has_ends(GridId grid);
-bool has_picks(GridId grid);
+Mirror mirror_of(const DrawingState& drawing, const Selection& selected, const Draft& draft);
 
 /// The cell and its images, in a fixed order. Images may lie outside of the grid.
 std::vector<Cell> images_of(const Mirror& mirror, GridId grid, Cell at);

@@ -118,12 +118,6 @@ Edit crossings_edit(Stroke& s, const Design& design, LoomSize given, const std::
 
 }  // namespace
 
-const char* grid_name(GridId grid) {
-  constexpr const char* kNames[] = {"",         "threading", "tieup",       "treadling",
-                                    "liftplan", "drawdown",  "warp_colors", "weft_colors"};
-  return kNames[static_cast<int>(grid)];
-}
-
 std::vector<Cell> line_of_cells(Cell from, Cell to) {
   const int da = to.a - from.a, db = to.b - from.b;
   const int steps = std::max(std::abs(da), std::abs(db));
@@ -201,24 +195,25 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirro
 }
 
 MaybeEdit begin_stroke(DocumentView& v, const Design& design, GridId grid, Cell at, bool on, bool only) {
-  v.stroke = {grid, on, {}, {}, {}, {}};
+  v.drawing.stroke = {grid, on, {}, {}, {}, {}};
   return go_on_with_stroke(v, design, at, only);
 }
 
 MaybeEdit go_on_with_stroke(DocumentView& v, const Design& design, Cell to, bool only) {
-  Stroke& s = v.stroke;
+  Stroke& s = v.drawing.stroke;
   if (s.grid == GridId::kNone || !to.valid() || to == s.last) return {};
   const Cell from = s.last.valid() ? s.last : to;
   s.last = to;
-  const Mirror mirror = mirror_of(v, design.draft);
+  const Mirror mirror = mirror_of(v.drawing, v.select.selected, design.draft);
   if (s.grid == GridId::kWarpColors || s.grid == GridId::kWeftColors)
-    return bar_edit(s.grid, from, to, v.bar_paint, v.bar_paint == BarPaint::kColor ? v.color : v.yarn, mirror);
-  Edit step = paint_edit(s.grid, from, to, s.on, only, mirror, v.given);
+    return bar_edit(s.grid, from, to, v.drawing.bar_paint,
+                    v.drawing.bar_paint == BarPaint::kColor ? v.drawing.color : v.drawing.yarn, mirror);
+  Edit step = paint_edit(s.grid, from, to, s.on, only, mirror, v.drawing.given);
   if (s.grid != GridId::kDrawdown) return step;
   // The start cell was already painted, rejected or undone.
   std::vector<Cell> line = line_of_cells(from, to);
   if (line.size() > 1) line.erase(line.begin());
-  return crossings_edit(s, design, v.given, with_images(line, s.grid, mirror), std::move(step));
+  return crossings_edit(s, design, v.drawing.given, with_images(line, s.grid, mirror), std::move(step));
 }
 
 Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror) {

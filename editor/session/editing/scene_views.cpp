@@ -30,7 +30,7 @@ std::string numbered_name(const std::vector<NamedView>& views, const std::string
 
 }  // namespace
 
-Scene seen_scene(const DocumentView& view, const Design& design) {
+Scene seen_scene(const ClothView& view, const Design& design) {
   Scene scene = with_orbit(design.scene, view.camera);
   if (!view.flat) return scene;
   scene.mesh = scene::kFlatMesh;
@@ -41,7 +41,7 @@ std::string free_view_name(const Design& design) {
   return numbered_name(design.views, tr("View"), static_cast<int>(design.views.size()) + 1);
 }
 
-Edit keep_view_edit(const DocumentView& view, std::string name) {
+Edit keep_view_edit(const ClothView& view, std::string name) {
   name = cleaned(name);
   return {fill(tr("Save view {name}"), arg("name", name)),
           [name, camera = view.camera, flat = view.flat, grazing = view.grazing](Design d) {
@@ -55,7 +55,7 @@ Edit keep_view_edit(const DocumentView& view, std::string name) {
           }};
 }
 
-MaybeEdit go_to_view(DocumentView& view, const Design& design, const NamedView& to) {
+MaybeEdit go_to_view(ClothView& view, const Design& design, const NamedView& to) {
   if (to.flat && !view.flat) view.draped = view.camera;
   view.flat = to.flat;
   view.grazing = false;  // the saved scene includes its light

@@ -7,18 +7,10 @@
 #include <string>
 
 #include "draft/selection.h"
+#include "session/editing/grid.h"
 #include "session/files/names.h"
 
 namespace weftlight::session {
-
-/// A cell: a is along the screen's x, b along its y. threading (end, shaft), tieup (treadle, shaft),
-/// treadling (treadle, pick), liftplan (shaft, pick), drawdown (end, pick), warp_colors (end, 0),
-/// weft_colors (0, pick). -1: none.
-struct Cell {
-  int a = -1, b = -1;
-  bool valid() const { return a >= 0 && b >= 0; }
-  bool operator==(const Cell&) const = default;
-};
 
 enum class Tool { kPaint, kSelect, kLine, kRectangle, kFilledRectangle, kFill, kType };
 enum class SelectDrag { kNone, kBand, kMove };

@@ -218,7 +218,8 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   const Selection place{held.grid, held.at.a, held.at.a + cells.cols(), held.at.b, held.at.b + cells.rows()};
   Design next = with_block(design, held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
   s.notice = fill(tr("Pasted {size}"), arg("size", size_text(held.grid, cells.cols(), cells.rows())));
-  if (!held.add) s.notice += missed_text(next.draft, held.grid, held.at.a, held.at.b, cells);
+  const int64_t missed = held.add ? 0 : missed_crossings(next.draft, held.grid, held.at.a, held.at.b, cells);
+  if (missed > 0) s.notice = missed_text(s.notice, missed);
   select_cells(s, clipped(place, next.draft));
   s.anchor = held.at;
   Edit edit{tr("Paste"), [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
@@ -228,15 +229,14 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   return edit;
 }
 
-std::string missed_text(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
-  return missed_text(grid == BitGrid::kDrawdown ? missed_cells(d, grid, a, b, cells) : 0);
+int64_t missed_crossings(const Draft& d, BitGrid grid, int a, int b, const BitMatrix& cells) {
+  return grid == BitGrid::kDrawdown ? missed_cells(d, grid, a, b, cells) : 0;
 }
 
-std::string missed_text(int64_t missed) {
-  if (missed == 0) return {};
-  return fill(tr_n("; {count} crossing could not follow: ends on the same shafts rise together",
-                   "; {count} crossings could not follow: ends on the same shafts rise together", missed),
-              arg("count", missed));
+std::string missed_text(const std::string& done, int64_t missed) {
+  return fill(tr_n("{done}; {count} crossing could not follow: ends on the same shafts rise together",
+                   "{done}; {count} crossings could not follow: ends on the same shafts rise together", missed),
+              arg("done", done), arg("count", missed));
 }
 
 std::string size_text(BitGrid grid, int columns, int rows) {

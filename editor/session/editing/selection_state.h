@@ -50,10 +50,11 @@ void turn_held_block(SelectState& state, BitMatrix (*turn)(const BitMatrix&));
 /// `keep`: the block stays active.
 MaybeEdit drop_block(SelectState& state, const Design& design, bool keep);
 
-/// "; 3 crossings could not follow: ..." if the threading cannot weave a block in the drawdown; else empty.
-std::string missed_text(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
-/// The same for a number of crossings.
-std::string missed_text(int64_t crossings);
+/// The crossings of a block in the drawdown, its first cell at (a, b), that the threading cannot weave; 0 in other
+/// grids.
+int64_t missed_crossings(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
+/// What was done, with the number of crossings that could not follow: "Paste; 3 crossings could not follow: ...".
+std::string missed_text(const std::string& done, int64_t crossings);
 /// "8 ends x 4 shafts".
 std::string size_text(BitGrid grid, int columns, int rows);
 /// Describes the selection or the active block and its keys; empty if there is neither.

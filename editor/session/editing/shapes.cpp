@@ -145,7 +145,7 @@ struct Drawing {
 MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, const std::vector<CellMask>& masks) {
   const auto bits = bit_grid_of(what.grid);
   if (!bits) return {};
-  const auto drawn_on = [bits = *bits, write = what.write, masks, given = view.given](const Design& before) {
+  const auto drawn_on = [bits = *bits, write = what.write, masks, given = view.drawing.given](const Design& before) {
     Design d = before;
     for (const CellMask& m : masks) d = with_block(std::move(d), bits, m.at.a, m.at.b, m.cells, write);
     if (bits == BitGrid::kDrawdown) d.draft = without_spare(std::move(d.draft), before.draft, given);
@@ -157,7 +157,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
     for (const CellMask& m : masks) missed += missed_by(next.draft, m, what.on);
   // With the drawdown leading only the loom limits it: then nothing is drawn rather than a part.
   if (missed > 0 && design.loom.leading == Leading::kDrawdown) next = design;
-  else if (missed > 0) view.select.notice = what.name + missed_text(missed);
+  else if (missed > 0) view.select.notice = missed_text(what.name, missed);
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.by_painting = *bits == BitGrid::kDrawdown;
   edit.anew = drawn_on;
@@ -215,11 +215,11 @@ std::pair<int, int> threads_about(const Threads& t, BarPaint what, int thread) {
 }
 
 MaybeEdit finish_shape(DocumentView& view, const Design& design) {
-  if (!view.shape) return {};
-  const ActiveShape s = *std::exchange(view.shape, {});
+  if (!view.drawing.shape) return {};
+  const ActiveShape s = *std::exchange(view.drawing.shape, {});
   const Write write = !s.on ? Write::kErase : leaves_others(s) ? Write::kThreads : Write::kAdd;
   return drawn(view, design, {shape_name(s.tool), s.grid, s.on, write},
-               cells_of_shapes(s, mirror_of(view, design.draft)));
+               cells_of_shapes(s, mirror_of(view.drawing, view.select.selected, design.draft)));
 }
 
 MaybeEdit fill_region(DocumentView& view, const Design& design, GridId grid, const CellMask& region, bool on) {

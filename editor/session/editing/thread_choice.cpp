@@ -111,6 +111,28 @@ void add(SharedLength& shared, float mm, bool own, bool first) {
   shared.own += own ? 1 : 0;
 }
 
+/// Whole sentences, since a language may need another word for each.
+const char* label_text(ThreadProperty property, bool warp, long long n) {
+  switch (property) {
+    case ThreadProperty::kYarn:
+      return warp ? tr_n("Yarn of {count} end", "Yarn of {count} ends", n)
+                  : tr_n("Yarn of {count} pick", "Yarn of {count} picks", n);
+    case ThreadProperty::kColor:
+      return warp ? tr_n("Colour of {count} end", "Colour of {count} ends", n)
+                  : tr_n("Colour of {count} pick", "Colour of {count} picks", n);
+    case ThreadProperty::kThickness:
+      return warp ? tr_n("Thickness of {count} end", "Thickness of {count} ends", n)
+                  : tr_n("Thickness of {count} pick", "Thickness of {count} picks", n);
+    case ThreadProperty::kSpacing:
+      return warp ? tr_n("Spacing of {count} end", "Spacing of {count} ends", n)
+                  : tr_n("Spacing of {count} pick", "Spacing of {count} picks", n);
+    case ThreadProperty::kThicknessAndSpacing:
+      return warp ? tr_n("Thickness and spacing of {count} end", "Thickness and spacing of {count} ends", n)
+                  : tr_n("Thickness and spacing of {count} pick", "Thickness and spacing of {count} picks", n);
+  }
+  return "";
+}
+
 }  // namespace
 
 void begin_choice(ThreadChoice& choice, System system, int thread, Choose how) {
@@ -197,14 +219,8 @@ SharedThreads shared_by(const Design& design, System system, const std::vector<i
   return shared;
 }
 
-const char* thread_word(System system, size_t count) {
-  const auto n = static_cast<long long>(count);
-  return system == System::kWarp ? tr_n("end", "ends", n) : tr_n("pick", "picks", n);
-}
-
-std::string thread_label(const std::string& what, System system, size_t count) {
-  return fill(tr("{what} of {count} {threads}"), arg("what", what), arg("count", count),
-              arg("threads", thread_word(system, count)));
+std::string thread_label(ThreadProperty property, System system, size_t count) {
+  return fill(label_text(property, system == System::kWarp, static_cast<long long>(count)), arg("count", count));
 }
 
 }  // namespace weftlight::session

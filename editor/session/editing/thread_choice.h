@@ -59,9 +59,9 @@ struct SharedThreads {
 };
 SharedThreads shared_by(const Design& design, System system, const std::vector<int>& threads);
 
-/// "end", "ends", "pick" or "picks".
-const char* thread_word(System system, size_t count);
+/// What an edit changes of its threads.
+enum class ThreadProperty { kYarn, kColor, kThickness, kSpacing, kThicknessAndSpacing };
 /// Undo label of an edit of threads: "Thickness of 3 ends".
-std::string thread_label(const std::string& what, System system, size_t count);
+std::string thread_label(ThreadProperty property, System system, size_t count);
 
 }  // namespace weftlight::session

@@ -43,15 +43,15 @@ Cell numbered(const TypeCursor& c, int number) {
 }
 
 void go(DocumentView& v, const Draft& d, int da, int db) {
-  TypeCursor& c = v.cursor;
+  TypeCursor& c = v.drawing.cursor;
   const Size size = size_of(d, c.grid);
   c.at = {std::clamp(c.at.a + da, 0, std::max(0, size.columns - 1)),
           std::clamp(c.at.b + db, 0, std::max(0, size.rows - 1))};
-  bring_into_sight(v, c.grid, c.at);
+  bring_into_sight(v.draft, c.grid, c.at);
 }
 
 void go_on(DocumentView& v, const Draft& d) {
-  const bool columns = along_ends(v.cursor.grid);
+  const bool columns = along_ends(v.drawing.cursor.grid);
   go(v, d, columns ? 1 : 0, columns ? 0 : 1);
 }
 
@@ -83,21 +83,21 @@ Edit clear_edit(const TypeCursor& c, const Draft& d) {
 }
 
 MaybeEdit take_number(DocumentView& v, const Design& design) {
-  const int number = std::exchange(v.cursor.typed, 0);
+  const int number = std::exchange(v.drawing.cursor.typed, 0);
   if (number == 0) return {};
-  if (std::string why = why_locked(design, *bit_grid_of(v.cursor.grid)); !why.empty()) {
+  if (std::string why = why_locked(design, *bit_grid_of(v.drawing.cursor.grid)); !why.empty()) {
     v.select.notice = std::move(why);
     return {};
   }
-  if (holds_one(v.cursor.grid)) v.cursor.at = numbered(v.cursor, number);
-  return number_edit(v.cursor, design, number);
+  if (holds_one(v.drawing.cursor.grid)) v.drawing.cursor.at = numbered(v.drawing.cursor, number);
+  return number_edit(v.drawing.cursor, design, number);
 }
 
 /// The number is complete.
 MaybeEdit finish_number(DocumentView& v, const Design& design) {
   MaybeEdit edit = take_number(v, design);
-  if (edit && holds_one(v.cursor.grid)) go_on(v, design.draft);
-  v.cursor.fresh = edit && holds_one(v.cursor.grid);
+  if (edit && holds_one(v.drawing.cursor.grid)) go_on(v, design.draft);
+  v.drawing.cursor.fresh = edit && holds_one(v.drawing.cursor.grid);
   return edit;
 }
 
@@ -113,7 +113,7 @@ std::string why_no_number(GridId grid, int number, int limit) {
 }
 
 std::vector<Edit> type_digit(DocumentView& v, const Design& design, int digit, double now_s) {
-  TypeCursor& c = v.cursor;
+  TypeCursor& c = v.drawing.cursor;
   const int limit = most(design.draft, c.grid);
   std::vector<Edit> edits;
   if (c.typed > 0 && c.typed * 10 + digit > limit) add_to(edits, finish_number(v, design));
@@ -132,20 +132,20 @@ std::vector<Edit> type_digit(DocumentView& v, const Design& design, int digit, d
 }
 
 MaybeEdit turn_cell(DocumentView& v, const Design& design) {
-  const TypeCursor& c = v.cursor;
+  const TypeCursor& c = v.drawing.cursor;
   const BitMatrix cells = c.grid == GridId::kDrawdown ? drawdown(design.draft) : BitMatrix();
-  return paint_edit(c.grid, c.at, c.at, !is_on(design.draft, cells, c.grid, c.at), true, {}, v.given);
+  return paint_edit(c.grid, c.at, c.at, !is_on(design.draft, cells, c.grid, c.at), true, {}, v.drawing.given);
 }
 
 /// Moves to the next shown grid, on the same thread if both have it.
 void next_grid(DocumentView& v, const Draft& d) {
   constexpr GridId kRound[] = {GridId::kThreading, GridId::kTieup, GridId::kTreadling, GridId::kLiftplan,
                                GridId::kDrawdown};
-  const auto* at = std::find(std::begin(kRound), std::end(kRound), v.cursor.grid);
+  const auto* at = std::find(std::begin(kRound), std::end(kRound), v.drawing.cursor.grid);
   do at = at + 1 >= std::end(kRound) ? std::begin(kRound) : at + 1;
   while (!is_shown(d, *bit_grid_of(*at)));
-  put_cursor(v, *at, v.cursor.at);
-  follow_draft(v.cursor, d);
+  put_cursor(v.drawing.cursor, *at, v.drawing.cursor.at);
+  follow_draft(v.drawing.cursor, d);
   go(v, d, 0, 0);
 }
 
@@ -157,7 +157,7 @@ constexpr Way kWays[] = {{"Left", -1, 0}, {"Right", 1, 0}, {"Up", 0, -1}, {"Down
 
 /// Moves the cursor if the key is a cursor key; true if it is.
 bool move_by(DocumentView& v, const Draft& d, const Settings& settings, const std::string& key) {
-  const TypeCursor& c = v.cursor;
+  const TypeCursor& c = v.drawing.cursor;
   for (const Way& way : kWays)
     if (key == way.key) {
       const Cell by = screen_step(*bit_grid_of(c.grid), settings, way.dx, way.dy);
@@ -175,22 +175,22 @@ bool move_by(DocumentView& v, const Draft& d, const Settings& settings, const st
 TypedKey type_key(DocumentView& v, const Design& design, const Settings& settings, const std::string& key,
                   double now_s) {
   const Draft& d = design.draft;
-  const bool waiting = v.cursor.typed > 0, fresh = std::exchange(v.cursor.fresh, false);
+  const bool waiting = v.drawing.cursor.typed > 0, fresh = std::exchange(v.drawing.cursor.fresh, false);
   const bool parts = key == "Enter" || key == "," || key == "Space";
   TypedKey typed{true};
   if (key.size() == 1 && key[0] >= '0' && key[0] <= '9') {
     typed.edits = type_digit(v, design, key[0] - '0', now_s);
   } else if (key == "Escape") {
     if (!waiting) v.select.tool = Tool::kPaint;
-    v.cursor.typed = 0;
+    v.drawing.cursor.typed = 0;
   } else if (parts && waiting) {
     add_to(typed.edits, finish_number(v, design));
-    v.cursor.fresh = false;
+    v.drawing.cursor.fresh = false;
   } else if (parts && !fresh) {
     if (key == "Space") add_to(typed.edits, turn_cell(v, design));
     else go_on(v, d);
   } else if (key == "Delete") {
-    if (std::exchange(v.cursor.typed, 0) == 0) typed.edits.push_back(clear_edit(v.cursor, d));
+    if (std::exchange(v.drawing.cursor.typed, 0) == 0) typed.edits.push_back(clear_edit(v.drawing.cursor, d));
   } else if (!parts) {
     add_to(typed.edits, take_number(v, design));
     if (key == "Tab") next_grid(v, d);
@@ -200,25 +200,25 @@ TypedKey type_key(DocumentView& v, const Design& design, const Settings& setting
 }
 
 TypedKey type_after_wait(DocumentView& v, const Design& design, double now_s) {
-  if (!waits_until(v) || now_s < v.cursor.until_s) return {};
+  if (!waits_until(v) || now_s < v.drawing.cursor.until_s) return {};
   TypedKey typed{true};
   add_to(typed.edits, finish_number(v, design));
   return typed;
 }
 
 std::optional<double> waits_until(const DocumentView& v) {
-  if (v.select.tool != Tool::kType || v.cursor.typed == 0) return {};
-  return v.cursor.until_s;
+  if (v.select.tool != Tool::kType || v.drawing.cursor.typed == 0) return {};
+  return v.drawing.cursor.until_s;
 }
 
-void put_cursor(DocumentView& v, GridId grid, Cell at) { v.cursor = {grid, at, 0, 0, false}; }
+void put_cursor(TypeCursor& cursor, GridId grid, Cell at) { cursor = {grid, at, 0, 0, false}; }
 
 void begin_typing(DocumentView& v, const Draft& d, Hover hover) {
   const Selection& s = v.select.selected;
-  if (!s.empty()) put_cursor(v, grid_id_of(s.grid), {s.a0, s.b0});
-  else if (bit_grid_of(hover.grid) && hover.cell.valid()) put_cursor(v, hover.grid, hover.cell);
+  if (!s.empty()) put_cursor(v.drawing.cursor, grid_id_of(s.grid), {s.a0, s.b0});
+  else if (bit_grid_of(hover.grid) && hover.cell.valid()) put_cursor(v.drawing.cursor, hover.grid, hover.cell);
   v.select.tool = Tool::kType;
-  follow_draft(v.cursor, d);
+  follow_draft(v.drawing.cursor, d);
   go(v, d, 0, 0);
 }
 
@@ -231,8 +231,7 @@ void follow_draft(TypeCursor& c, const Draft& d) {
   c.at = {std::clamp(c.at.a, 0, std::max(0, size.columns - 1)), std::clamp(c.at.b, 0, std::max(0, size.rows - 1))};
 }
 
-std::string typing_text(const DocumentView& v, const Design& design, const BitMatrix& cells) {
-  const TypeCursor& c = v.cursor;
+std::string typing_text(const TypeCursor& c, const Design& design, const BitMatrix& cells) {
   if (c.typed > 0)
     return fill(c.grid == GridId::kTreadling
                     ? tr("treadle {number}\xE2\x80\xA6    type another digit; Enter or a comma accepts, Esc cancels")

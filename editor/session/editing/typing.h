@@ -34,11 +34,11 @@ std::optional<double> waits_until(const DocumentView& view);
 
 /// Starts the tool at the selection, else at the cell under the pointer, else at the old cursor.
 void begin_typing(DocumentView& view, const Draft& draft, Hover hover);
-void put_cursor(DocumentView& view, GridId grid, Cell at);
+void put_cursor(TypeCursor& cursor, GridId grid, Cell at);
 /// Keeps the cursor inside the shown grids.
 void follow_draft(TypeCursor& cursor, const Draft& draft);
 
 /// Describes the cell at the cursor and the keys.
-std::string typing_text(const DocumentView& view, const Design& design, const BitMatrix& cells);
+std::string typing_text(const TypeCursor& cursor, const Design& design, const BitMatrix& cells);
 
 }  // namespace weftlight::session

@@ -18,9 +18,9 @@ constexpr float kStep = 0.01f;  // progress that is worth redrawing the window
 
 }  // namespace
 
-Edit simulated_drape_edit(bool own) {
-  return {own ? tr("Simulate this fabric") : tr("Use the generic drape"), [own](Design d) {
-            d.scene.simulated_drape = own;
+Edit simulated_drape_edit(bool on) {
+  return {on ? tr("Simulate this fabric") : tr("Use the generic drape"), [on](Design d) {
+            d.scene.simulated_drape = on;
             return d;
           }};
 }
@@ -33,8 +33,8 @@ void Draper::follow(const std::shared_ptr<const Design>& design) {
     const std::lock_guard lock(mutex_);
     if (wanted == wanted_) return;
     wanted_ = wanted;
-    state_ = {wanted.empty() ? DrapeStage::kShipped : DrapeStage::kFalling, 0, {}};
-    news_.any = true;
+    state_ = {wanted.empty() ? DrapeStage::kGeneric : DrapeStage::kSimulating, 0, {}};
+    update_.any = true;
   }
   runner_.stop();
   if (wanted.empty()) return;
@@ -49,10 +49,10 @@ void Draper::follow(const std::shared_ptr<const Design>& design) {
 void Draper::stop() {
   runner_.stop();
   const std::lock_guard lock(mutex_);
-  if (state_.stage != DrapeStage::kFalling) return;
+  if (state_.stage != DrapeStage::kSimulating) return;
   state_ = {DrapeStage::kStopped, 0, {}};
-  news_.any = true;
-  news_.said = tr("Simulation stopped: the generic drape is shown");
+  update_.any = true;
+  update_.message = tr("Simulation stopped: the generic drape is shown");
 }
 
 void Draper::again(const std::shared_ptr<const Design>& design) {
@@ -68,15 +68,15 @@ DrapeState Draper::state() const {
   return state_;
 }
 
-Draper::News Draper::take_news() {
+Draper::Update Draper::take_update() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(news_, {});
+  return std::exchange(update_, {});
 }
 
 void Draper::run(const Design& design, const std::string& wanted, const std::stop_token& stop) {
-  if (files::is_draped(design)) return tell(wanted, {DrapeStage::kOwn, 1, {}});
+  if (files::is_draped(design)) return tell(wanted, {DrapeStage::kSimulated, 1, {}});
   const base::Result<void> done = files::drape_cloth(design, [&](double share) {
-    tell(wanted, {DrapeStage::kFalling, static_cast<float>(share), {}});
+    tell(wanted, {DrapeStage::kSimulating, static_cast<float>(share), {}});
     return !stop.stop_requested();
   });
   if (stop.stop_requested()) return;
@@ -85,7 +85,7 @@ void Draper::run(const Design& design, const std::string& wanted, const std::sto
     std::string said = fill(tr("Not simulated: {problem}"), arg("problem", problem));
     return tell(wanted, {DrapeStage::kFailed, 0, std::move(problem)}, std::move(said));
   }
-  tell(wanted, {DrapeStage::kOwn, 1, {}}, tr("Simulated: the drape is this fabric's own"));
+  tell(wanted, {DrapeStage::kSimulated, 1, {}}, tr("Simulated: the drape is this fabric's own"));
 }
 
 void Draper::fail(const std::string& why) {
@@ -96,16 +96,16 @@ void Draper::fail(const std::string& why) {
   tell(wanted, {DrapeStage::kFailed, 0, why}, fill(tr("Not simulated: {problem}"), arg("problem", why)));
 }
 
-void Draper::tell(const std::string& wanted, DrapeState state, std::string said) {
+void Draper::tell(const std::string& wanted, DrapeState state, std::string message) {
   {
     const std::lock_guard lock(mutex_);
-    if (wanted != wanted_ || state_.stage != DrapeStage::kFalling) return;  // no longer wanted, or stopped
-    const bool falls_on = state.stage == DrapeStage::kFalling;
-    if (falls_on && std::abs(state.share - state_.share) < kStep) return;
+    if (wanted != wanted_ || state_.stage != DrapeStage::kSimulating) return;  // no longer wanted, or stopped
+    const bool goes_on = state.stage == DrapeStage::kSimulating;
+    if (goes_on && std::abs(state.share - state_.share) < kStep) return;
     state_ = std::move(state);
-    news_.any = true;
-    news_.draped |= state_.stage == DrapeStage::kOwn;
-    if (!said.empty()) news_.said = std::move(said);
+    update_.any = true;
+    update_.new_mesh |= state_.stage == DrapeStage::kSimulated;
+    if (!message.empty()) update_.message = std::move(message);
   }
   wake_();
 }

@@ -15,27 +15,27 @@
 namespace weftlight::session {
 
 enum class DrapeStage {
-  kShipped,  // the generic drape that is shipped
-  kFalling,  // the simulation runs; the generic drape is shown
-  kOwn,      // the simulated drape of this fabric
+  kGeneric,     // the drape that is shipped
+  kSimulating,  // the generic drape is shown meanwhile
+  kSimulated,   // the drape of this fabric
   kStopped,
   kFailed,
 };
 struct DrapeState {
-  DrapeStage stage = DrapeStage::kShipped;
-  float share = 0;      // progress of kFalling, 0..1
+  DrapeStage stage = DrapeStage::kGeneric;
+  float share = 0;      // progress of kSimulating, 0..1
   std::string problem;  // of kFailed
 };
 
 /// The edit that switches the simulated drape on or off.
-Edit simulated_drape_edit(bool own);
+Edit simulated_drape_edit(bool on);
 
 class Draper {
  public:
-  struct News {
-    bool any = false;     // state() changed since the last call
-    bool draped = false;  // there is a new mesh to show
-    std::string said;
+  struct Update {
+    bool any = false;       // state() changed since the last call
+    bool new_mesh = false;  // there is one to show
+    std::string message;    // for the user; empty if there is none
   };
 
   /// `wake` is called on its thread when there is an update.
@@ -46,19 +46,19 @@ class Draper {
   void stop();
   void again(const std::shared_ptr<const Design>& design);
   DrapeState state() const;
-  bool busy() const { return state().stage == DrapeStage::kFalling; }
-  News take_news();
+  bool busy() const { return state().stage == DrapeStage::kSimulating; }
+  Update take_update();
 
  private:
   void run(const Design& design, const std::string& wanted, const std::stop_token& stop);
   void fail(const std::string& why);
   /// Reports from its thread, if the drape is still wanted.
-  void tell(const std::string& wanted, DrapeState state, std::string said = {});
+  void tell(const std::string& wanted, DrapeState state, std::string message = {});
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;  // guards the next three
   DrapeState state_;
-  News news_;
+  Update update_;
   std::string wanted_;       // cache path of the drape; empty for the generic one
   base::TaskRunner runner_;  // destroyed first: its tasks write to the members above
 };

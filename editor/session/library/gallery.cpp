@@ -10,7 +10,7 @@
 
 namespace weftlight::session {
 
-using base::mark;
+using base::tr;
 
 namespace {
 
@@ -40,7 +40,7 @@ std::vector<GalleryCard> recent_cards(const std::vector<std::string>& paths, std
 std::vector<GalleryCard> library_cards() {
   std::vector<GalleryCard> cards;
   for (LibraryFile& file : library_files())
-    cards.push_back({std::move(file.path), std::move(file.name), file.cloth ? mark("Cloths") : mark("Drafts"), true});
+    cards.push_back({std::move(file.path), std::move(file.name), file.cloth ? tr("Cloths") : tr("Drafts"), true});
   return cards;
 }
 

@@ -12,7 +12,7 @@ namespace weftlight::session {
 
 struct GalleryCard {
   std::string path, name;
-  std::string where;  // its folder, with ~ for the home folder; in the library "Cloths" or "Drafts"
+  std::string where;  // its folder, with ~ for the home folder; in the library "Cloths" or "Drafts", translated
   bool copy = false;  // opened as a new, unnamed draft
 };
 

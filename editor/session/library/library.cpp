@@ -5,9 +5,52 @@
 #include <filesystem>
 
 #include "base/resources.h"
+#include "base/text.h"
 
 namespace weftlight::session {
+
+using base::mark;
+using base::tr;
+
 namespace {
+
+// The names that are shipped, for the catalogue of texts: they are made of the names of the files.
+[[maybe_unused]] constexpr const char* kShipped[] = {mark("Chambray"),
+                                                     mark("Chintz"),
+                                                     mark("Cotton denim"),
+                                                     mark("Cotton twill"),
+                                                     mark("Damask"),
+                                                     mark("Denim"),
+                                                     mark("Double weave"),
+                                                     mark("Flannel"),
+                                                     mark("Gabardine"),
+                                                     mark("Gauze"),
+                                                     mark("Glen check"),
+                                                     mark("Herringbone"),
+                                                     mark("Houndstooth"),
+                                                     mark("Huck lace"),
+                                                     mark("Linen"),
+                                                     mark("Linen plain"),
+                                                     mark("Log cabin"),
+                                                     mark("Organza"),
+                                                     mark("Ottoman"),
+                                                     mark("Overshot"),
+                                                     mark("Oxford"),
+                                                     mark("Plain"),
+                                                     mark("Polyester satin charmeuse"),
+                                                     mark("Satin 8"),
+                                                     mark("Shadow weave"),
+                                                     mark("Shot taffeta"),
+                                                     mark("Silk charmeuse"),
+                                                     mark("Silk crepe de chine"),
+                                                     mark("Silk satin"),
+                                                     mark("Starter"),
+                                                     mark("Summer and winter"),
+                                                     mark("Tweed"),
+                                                     mark("Twill 2 2"),
+                                                     mark("Twill damask"),
+                                                     mark("Undulating twill"),
+                                                     mark("Waffle")};
 
 /// "twill_2_2" -> "Twill 2 2".
 std::string spoken(std::string name) {
@@ -27,7 +70,7 @@ std::vector<LibraryFile> library_files() {
          std::filesystem::directory_iterator(presets_dir() + (cloth ? "/cloths" : "/drafts"), missing)) {
       if (entry.path().extension() != ".wif") continue;
       const std::string name = entry.path().stem().string();
-      all.push_back({entry.path().string(), (cloth ? "cloth." : "") + name, spoken(name), cloth});
+      all.push_back({entry.path().string(), (cloth ? "cloth." : "") + name, tr(spoken(name).c_str()), cloth});
     }
     std::sort(all.begin() + first, all.end(),
               [](const LibraryFile& a, const LibraryFile& b) { return a.path < b.path; });

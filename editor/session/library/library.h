@@ -9,8 +9,9 @@
 namespace weftlight::session {
 
 struct LibraryFile {
-  std::string path, id, name;  // "/.../denim.wif", "cloth.denim", "Denim"
-  bool cloth = false;          // a cloth with its yarns; else a draft only
+  std::string path, id;  // "/.../denim.wif", "cloth.denim"
+  std::string name;      // "Denim", translated
+  bool cloth = false;    // a cloth with its yarns; else a draft only
 };
 /// Cloths before drafts, each sorted by name; empty if the presets are missing.
 std::vector<LibraryFile> library_files();

@@ -26,6 +26,8 @@ std::string difference_text(const Difference& d) {
 
 namespace {
 
+using Panel = ViewContext<DifferenceView>;
+
 constexpr int kShownPlaces = 5;
 
 /// The threads that a difference lists; null if it lists no threads.
@@ -40,7 +42,7 @@ const System* system_of(const Difference& d) {
 void show_threads(PanelContext& c, System system, const std::vector<int>& threads) {
   c.wanted.change_view([=](DocumentView& v) {
     v.chosen = {system, threads, threads.front(), {}, false, false};
-    scroll_to(v, system, threads.front());
+    scroll_to(v.draft, system, threads.front());
   });
 }
 
@@ -62,7 +64,7 @@ void draw_difference(PanelContext& c, const Difference& d) {
 }
 
 /// The list of differing areas of the drawdown. False if there are none.
-bool draw_places(PanelContext& c, const Report& r) {
+bool draw_places(Panel& c, const Report& r) {
   row_label(c, tr("Crossings"),
             tr("Crossings that differ, in the part of the drawdown that both drafts have. They are tinted there"));
   if (r.comparison.crossings == 0) {
@@ -91,7 +93,8 @@ bool draw_places(PanelContext& c, const Report& r) {
 
 }  // namespace
 
-void draw_comparison(PanelContext& c, const Report* r) {
+void draw_comparison(const PanelContext& panel, const DifferenceView& differences, const Report* r) {
+  Panel c{panel, differences};
   if (!c.view.other || !section(c, "section.comparison", tr("Comparison"))) return;
   row_label(c, tr("Compared to"), nullptr);
   ImGui::TextUnformatted(fitted(c.view.other->name, ImGui::GetContentRegionAvail().x).c_str());

@@ -19,6 +19,8 @@ using base::tr_n;
 
 namespace {
 
+using Panel = ViewContext<AnalysisView>;
+
 constexpr float kListHeight = 168;  // pixels at 96 dpi
 constexpr size_t kShownHeddles = 64;
 
@@ -38,8 +40,8 @@ void show_float(PanelContext& c, const analysis::Float& f) {
   const Cell to = warp ? Cell{f.thread, last} : Cell{last, f.thread};
   c.wanted.gesture(
       [=, system = f.system, thread = f.thread, middle = (f.first + last) / 2](DocumentView& v, const Design& now) {
-        scroll_to(v, system, thread);
-        scroll_to(v, warp ? System::kWeft : System::kWarp, middle);
+        scroll_to(v.draft, system, thread);
+        scroll_to(v.draft, warp ? System::kWeft : System::kWarp, middle);
         select_cells(v.select, clipped(selection_between(BitGrid::kDrawdown, from, to), now.draft));
         return MaybeEdit();
       });
@@ -63,14 +65,16 @@ void draw_float_list(PanelContext& c, const Report& r) {
   ImGui::EndChild();
 }
 
-void draw_floats(PanelContext& c, const Report* r) {
+void draw_floats(Panel& c, const Report* r) {
   float limit = static_cast<float>(c.view.float_limit);
   if (slider(c, {"floats.limit", tr("Maximum"), 1, 30, "%.0f", tr("Longest float allowed, in threads crossed")}, limit))
-    c.wanted.change_view(
-        [max = std::clamp(static_cast<int>(std::lround(limit)), 1, 30)](DocumentView& v) { v.float_limit = max; });
+    c.wanted.change_view([max = std::clamp(static_cast<int>(std::lround(limit)), 1, 30)](DocumentView& v) {
+      v.analysis.float_limit = max;
+    });
   row_label(c, tr("Highlight"), tr("Tint floats over the maximum in the drawdown"));
   bool show = c.view.show_floats;
-  if (ImGui::Checkbox("##show", &show)) c.wanted.change_view([show](DocumentView& v) { v.show_floats = show; });
+  if (ImGui::Checkbox("##show", &show))
+    c.wanted.change_view([show](DocumentView& v) { v.analysis.show_floats = show; });
   c.map.add_item("floats.show");
   if (r == nullptr) return muted_text(c, tr("Counting\xE2\x80\xA6"));
   const auto& l = r->longest;
@@ -124,7 +128,8 @@ std::string float_text(const analysis::Float& f, int threads) {
               arg("length", f.length));
 }
 
-void draw_report(PanelContext& c, const Report* r) {
+void draw_report(const PanelContext& panel, const AnalysisView& view, const Report* r) {
+  Panel c{panel, view};
   if (section(c, "section.floats", tr("Floats"))) draw_floats(c, r);
   if (r == nullptr) return;
   if (section(c, "section.weave", tr("Weave"))) {

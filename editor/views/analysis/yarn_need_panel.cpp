@@ -18,6 +18,8 @@ using base::tr_n;
 
 namespace {
 
+using Panel = ViewContext<AnalysisView>;
+
 using namespace analysis;
 
 constexpr float kMaxPrice = 1000;  // per kilogram
@@ -30,14 +32,14 @@ std::string weight_text(double g) {
   return g < 1000 ? fill(tr("{weight:.0f} g"), arg("weight", g)) : fill(tr("{weight:.2f} kg"), arg("weight", g / 1000));
 }
 
-void draw_plan(PanelContext& c) {
+void draw_plan(Panel& c) {
   float length = c.view.cloth_length_cm, width = c.view.cloth_width_cm;
   const char* size_tip = tr("Of the finished cloth; 0 takes the size of the draft");
   const auto size_format = [](float cm) { return cm > 0 ? tr("%.0f cm") : tr("as draft"); };
   if (slider(c, {"plan.length", tr("Length"), 0, 500, size_format(length), size_tip, false, 0, 100000}, length))
-    c.wanted.change_view([length](DocumentView& v) { v.cloth_length_cm = length; });
+    c.wanted.change_view([length](DocumentView& v) { v.analysis.cloth_length_cm = length; });
   if (slider(c, {"plan.width", tr("Width"), 0, 200, size_format(width), size_tip, false, 0, 1000}, width))
-    c.wanted.change_view([width](DocumentView& v) { v.cloth_width_cm = width; });
+    c.wanted.change_view([width](DocumentView& v) { v.analysis.cloth_width_cm = width; });
   float waste = c.settings.loom_waste_cm, shrinkage = 100 * c.settings.shrinkage, spare = 100 * c.settings.spare_yarn;
   if (slider(c,
              {"plan.waste", tr("Loom waste"), 0, 200, tr("%.0f cm"), tr("Length of warp that cannot be woven"), false,
@@ -128,7 +130,7 @@ void draw_totals(PanelContext& c, const YarnReport& r) {
 
 }  // namespace
 
-ClothPlan plan_of(const Design& design, const DocumentView& view, const Settings& settings) {
+ClothPlan plan_of(const Design& design, const AnalysisView& view, const Settings& settings) {
   ClothPlan plan;
   plan.length_mm = 10.0 * static_cast<double>(view.cloth_length_cm);
   plan.width_mm = 10.0 * static_cast<double>(view.cloth_width_cm);
@@ -142,7 +144,8 @@ ClothPlan plan_of(const Design& design, const DocumentView& view, const Settings
   return plan;
 }
 
-void draw_yarn_need(PanelContext& c) {
+void draw_yarn_need(const PanelContext& panel, const AnalysisView& view) {
+  Panel c{panel, view};
   if (!section(c, "section.need", tr("Yarn requirements"), false)) return;
   draw_plan(c);
   const YarnReport r = yarn_report(c.design, plan_of(c.design, c.view, c.settings));

@@ -22,6 +22,8 @@ using base::tr_n;
 
 namespace {
 
+using Panel = ViewContext<ClothView>;
+
 constexpr const char* kHint =
     mark("Drag: turn the cloth; Shift+drag: move it; wheel: zoom; right drag (or L): move the light");
 constexpr float kDegreesAPixel = 0.35f;
@@ -35,14 +37,14 @@ Edit move_light(ImVec2 by, float degrees_a_px) {
 }
 
 /// Leaves grazing light, so that the light that moves is the one shown.
-void move_the_light(PanelContext& c, ImVec2 by, float degrees_a_px) {
-  if (c.view.flat && c.view.grazing) c.wanted.change_view([](DocumentView& v) { v.grazing = false; });
+void move_the_light(Panel& c, ImVec2 by, float degrees_a_px) {
+  if (c.view.flat && c.view.grazing) c.wanted.change_view([](DocumentView& v) { v.cloth.grazing = false; });
   c.wanted.add(move_light(by, degrees_a_px));
 }
 
 bool light_key_down() { return letter_down('L') && !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl; }
 
-void drag(PanelContext& c, ImVec2 size) {
+void drag(Panel& c, ImVec2 size) {
   const ImVec2 by = ImGui::GetIO().MouseDelta;
   if (by.x == 0 && by.y == 0) return;
   const float per_px = kDegreesAPixel / c.style.scale;
@@ -50,10 +52,11 @@ void drag(PanelContext& c, ImVec2 size) {
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && light_key_down())) return move_the_light(c, by, per_px);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && ImGui::GetIO().KeyShift))
     c.wanted.change_view([by, size](DocumentView& v) {
-      v.camera.pan_x += by.x / size.x;
-      v.camera.pan_y -= by.y / size.x;
+      v.cloth.camera.pan_x += by.x / size.x;
+      v.cloth.camera.pan_y -= by.y / size.x;
     });
-  else if (left) c.wanted.change_view([=](DocumentView& v) { v.camera = orbited(v.camera, by.x, by.y, per_px); });
+  else if (left)
+    c.wanted.change_view([=](DocumentView& v) { v.cloth.camera = orbited(v.cloth.camera, by.x, by.y, per_px); });
 }
 
 void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
@@ -224,7 +227,7 @@ void draw_views_button(PanelContext& c, ImVec2 at) {
 }
 
 /// Left of the Views button, while the swatch is flat.
-void draw_grazing_button(PanelContext& c, ImVec2 at, float width) {
+void draw_grazing_button(Panel& c, ImVec2 at, float width) {
   const Colors& k = c.style.color;
   const bool on = c.view.grazing;
   ImGui::SetCursorScreenPos(at);
@@ -237,7 +240,7 @@ void draw_grazing_button(PanelContext& c, ImVec2 at, float width) {
 }
 
 /// Draped or flat, over the corner of the picture. Called before the view below it, so that it gets the pointer first.
-void draw_view_buttons(PanelContext& c, ImVec2 a, ImVec2 pane) {
+void draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
   constexpr const char* kWays[] = {mark("Drape"), mark("Flat")};
   constexpr float kWidth = 120, kMinPane = 330;  // pixels at 96 dpi
   if (pane.x < c.style.px(kMinPane)) return;
@@ -256,7 +259,7 @@ void draw_view_buttons(PanelContext& c, ImVec2 a, ImVec2 pane) {
   ImGui::SetCursorScreenPos(a);
 }
 
-void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
+void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
   const ImVec2 a = ImGui::GetCursorScreenPos();
   pane = ImGui::GetContentRegionAvail();
   const ImVec2 b{a.x + pane.x, a.y + pane.y};
@@ -273,7 +276,7 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
     c.wanted.change_view([steps = io.MouseWheel, x = (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
                           y = ((a.y + b.y) / 2 - io.MousePos.y) / pane.x](DocumentView& v) {
-      v.camera = zoomed(v.camera, steps, x, y);
+      v.cloth.camera = zoomed(v.cloth.camera, steps, x, y);
     });
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) c.wanted.add_action("reset_view");
 
@@ -297,7 +300,8 @@ void draw_view(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
 
 }  // namespace
 
-void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane) {
+void draw_preview(const PanelContext& panel, const ClothView& view, const PreviewPicture& picture, ImVec2& pane) {
+  Panel c{panel, view};
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSplit(2);
   draw_view(c, picture, pane);

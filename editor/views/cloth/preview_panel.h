@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gl/renderer.h"
+#include "session/editing/cloth_view.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
@@ -31,6 +32,6 @@ struct PreviewPicture {
 };
 
 /// Fills the rest of the current window. `pane` receives the size of the picture in window pixels.
-void draw_preview(PanelContext& c, const PreviewPicture& picture, ImVec2& pane);
+void draw_preview(const PanelContext& c, const ClothView& view, const PreviewPicture& picture, ImVec2& pane);
 
 }  // namespace weftlight::views

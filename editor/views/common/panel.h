@@ -1,16 +1,15 @@
 #pragma once
 // The input and output of a panel. A panel draws one view of the design and returns an edit, or adds requests to
-// `wanted`. It never touches files, and changes neither the design nor its view itself.
+// `wanted`. It takes the part of the document's view that it draws, never touches files, and changes neither the design
+// nor its view itself.
 
 #include <cstdint>
 
 #include "design/design.h"
 #include "draft/drawdown.h"
 #include "session/document/edit.h"
-#include "session/editing/document_view.h"
+#include "session/editing/grid.h"
 #include "session/editing/intent.h"
-#include "session/jobs/draper.h"
-#include "session/report.h"
 #include "ui/context.h"
 #include "views/common/names.h"
 
@@ -29,12 +28,15 @@ struct PanelContext : Context {
   const Design& design;
   const BitMatrix& cells;  // drawdown of the front face
   uint64_t revision;       // increases with every change of the design
-  const DocumentView& view;
   const Settings& settings;
   FrameNotes& frame;
   Intents& wanted;
-  const Report* report = nullptr;  // the latest report, perhaps of an earlier design; null if there is none
-  DrapeState drape{};              // of the drape simulation
+};
+
+/// The same with the part of the document's view that the panel draws.
+template <class View>
+struct ViewContext : PanelContext {
+  const View& view;
 };
 
 /// A colour of the design as ImGui packs it.

@@ -24,7 +24,8 @@ namespace {
 constexpr float kWidth = 300;  // pixels at 96 dpi
 constexpr int kShownPlaces = 9;
 
-void draw_places(PanelContext& c, const ClosestWeave& n) {
+void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
+  const ClosestWeave& n = *p.closest;
   const int places = static_cast<int>(n.places.size());
   const float line = ImGui::GetTextLineHeightWithSpacing();
   ImGui::BeginChild("places",
@@ -32,8 +33,10 @@ void draw_places(PanelContext& c, const ClosestWeave& n) {
   for (int i = 0; i < places; ++i) {
     const CellRect& at = n.places[static_cast<size_t>(i)];
     ImGui::PushID(i);
-    if (ImGui::Selectable(analysis::region_text(at).c_str(), i == c.view.place))
+    if (ImGui::Selectable(analysis::region_text(at).c_str(), i == p.place)) {
+      p.place = i;
       c.wanted.change_view([i, at](DocumentView& v) { show_place(v, i, at); });
+    }
     ImGui::PopID();
     c.map.add_item("nearest.place:" + std::to_string(i + 1));
   }
@@ -43,7 +46,7 @@ void draw_places(PanelContext& c, const ClosestWeave& n) {
 }  // namespace
 
 DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
-  const ClosestWeave& n = *p.nearest;
+  const ClosestWeave& n = *p.closest;
   heading(c, tr("Closest weave"));
   ImGui::PushTextWrapPos(c.style.px(kWidth));
   muted_text(c, fill(tr("Your edit is beyond the loom: {reason}."), arg("reason", n.why)));
@@ -53,7 +56,7 @@ DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   ImGui::TextUnformatted(fill(text, arg("count", n.wrong), arg("all", all)).c_str());
   c.map.add_item("nearest.wrong:" + std::to_string(n.wrong));
   ImGui::PopTextWrapPos();
-  draw_places(c, n);
+  draw_places(c, p);
   return dialog_result(draw_buttons(c, {mark("Use closest weave"), mark("Cancel")}, true));
 }
 

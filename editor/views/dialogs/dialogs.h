@@ -65,9 +65,10 @@ struct SectionsPrompt {
 };
 /// The closest weave that the loom can make to an edit beyond its limits. The draft shows it while the dialog is open.
 struct ClosestWeavePrompt {
-  std::shared_ptr<const ClosestWeave> nearest;
+  std::shared_ptr<const ClosestWeave> closest;
   std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
+  int place = -1;  // the chosen difference, an index; -1: none yet
 };
 /// Asks for a name.
 struct NamePrompt {

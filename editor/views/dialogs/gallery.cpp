@@ -172,7 +172,7 @@ ClickedCard draw_cards(PanelContext& c, GalleryPrompt& p, const std::vector<Gall
       column = 0;
       group = &card.where;
       ImGui::SetCursorScreenPos({at.x + c.style.px(kPadding), at.y + c.style.px(4)});
-      muted_text(c, tr(card.where.c_str()));
+      muted_text(c, card.where);
       at.y += head;
     } else if (column == columns) {
       column = 0;

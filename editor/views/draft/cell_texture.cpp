@@ -4,7 +4,7 @@
 
 namespace weftlight::views {
 
-ImTextureID CellTexture::of(const PanelContext& c, const GridPane& p, bool tiled) {
+ImTextureID CellTexture::of(const DraftContext& c, const GridPane& p, bool tiled) {
   const Key key{c.revision,   c.view.face,  c.settings.drawdown_style,
                 c.style.dark, p.x.reversed, p.y.reversed,
                 tiled,        p.x.pitch,    p.x.scroll,

@@ -3,6 +3,7 @@
 
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
+#include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
@@ -10,7 +11,7 @@ namespace weftlight::views {
 class CellTexture {
  public:
   /// `tiled`: the drawdown repeats beyond its edges.
-  ImTextureID of(const PanelContext& c, const GridPane& drawdown, bool tiled = false);
+  ImTextureID of(const DraftContext& c, const GridPane& drawdown, bool tiled = false);
 
  private:
   struct Key {

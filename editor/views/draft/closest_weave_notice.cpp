@@ -30,15 +30,15 @@ std::string offer(const ClosestWeave& n) {
 }
 
 /// "Use 9 shafts". Empty if one larger number is not enough.
-std::string larger(const PanelContext& c) {
-  const Draft &requested = c.view.rejected_edit->requested->draft, &d = c.design.draft;
+std::string larger(const Draft& d, const Draft& requested) {
   const int shafts = requested.shafts, treadles = requested.treadles;
   if (shafts > d.shafts) return fill(tr_n("Use {count} shaft", "Use {count} shafts", shafts), arg("count", shafts));
   if (treadles <= d.treadles) return {};
   return fill(tr_n("Use {count} treadle", "Use {count} treadles", treadles), arg("count", treadles));
 }
 
-void draw_card(PanelContext& c, const ClosestWeave& n) {
+void draw_card(PanelContext& c, const RejectedEdit& rejected) {
+  const ClosestWeave& n = *rejected.closest;
   push_font(c.style.font.bold);
   ImGui::TextUnformatted(sentence(n.why).c_str());
   ImGui::PopFont();
@@ -50,7 +50,7 @@ void draw_card(PanelContext& c, const ClosestWeave& n) {
       c.wanted.add_action("nearest");
     ImGui::SameLine();
   }
-  if (const std::string words = larger(c); !words.empty()) {
+  if (const std::string words = larger(c.design.draft, rejected.requested->draft); !words.empty()) {
     if (text_button(c, "nearest.larger", words.c_str(), tr("Your edit, on a larger loom")))
       c.wanted.add_action("larger_loom");
     ImGui::SameLine();
@@ -63,8 +63,8 @@ void draw_card(PanelContext& c, const ClosestWeave& n) {
 
 }  // namespace
 
-void draw_closest_weave_notice(PanelContext& c, ImVec2 min, ImVec2 max) {
-  if (!c.view.rejected_edit || !c.view.rejected_edit->nearest) return;
+void draw_closest_weave_notice(PanelContext& c, const std::optional<RejectedEdit>& rejected, ImVec2 min, ImVec2 max) {
+  if (!rejected || !rejected->closest) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(16), c.style.px(12)});
@@ -74,7 +74,7 @@ void draw_closest_weave_notice(PanelContext& c, ImVec2 min, ImVec2 max) {
   ImGui::Begin("Closest weave", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  draw_card(c, *c.view.rejected_edit->nearest);
+  draw_card(c, *rejected);
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(3);

@@ -82,9 +82,9 @@ void draw_tool_buttons(PanelContext& c, std::span<const ActionItem> items) {
 }
 
 /// The same as a drop-down list.
-void draw_tool_list(PanelContext& c, std::span<const ActionItem> items) {
+void draw_tool_list(PanelContext& c, Tool active, std::span<const ActionItem> items) {
   ImGui::SetNextItemWidth(c.style.px(kToolList));
-  if (!begin_combo(c, "tool", tr(kTools[static_cast<size_t>(c.view.select.tool)].name))) return;
+  if (!begin_combo(c, "tool", tr(kTools[static_cast<size_t>(active)].name))) return;
   const auto draw = [&](const char* id, const ToolButton& button) {
     const ActionItem* item = item_of(items, button.action);
     if (item != nullptr && ImGui::Selectable(item->label.c_str(), item->checked)) c.wanted.add_action(item->id);
@@ -127,7 +127,7 @@ void draw_title(PanelContext& c, const std::string& title, float room) {
 
 }  // namespace
 
-void draw_draft_header(PanelContext& c, const std::string& name, std::span<const ActionItem> items) {
+void draw_draft_header(PanelContext& c, const std::string& name, Tool tool, std::span<const ActionItem> items) {
   const Style& s = c.style;
   const ImVec2 at = ImGui::GetCursorPos();
   const float gap = s.px(kGap), margin = s.px(kMargin), room = ImGui::GetWindowWidth() - 2 * margin;
@@ -140,7 +140,7 @@ void draw_draft_header(PanelContext& c, const std::string& name, std::span<const
   ImGui::SetCursorPos({at.x + margin, at.y + gap});
   if (title_room >= s.px(kMinTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
   ImGui::SetCursorPos({at.x + tools_x, at.y + gap});
-  if (list_tools) draw_tool_list(c, items);
+  if (list_tools) draw_tool_list(c, tool, items);
   else draw_tool_buttons(c, items);
   ImGui::SetCursorPos({at.x + tools_x + tools + gap, at.y + gap});
   draw_styles(c, list_styles);

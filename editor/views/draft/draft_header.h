@@ -11,7 +11,8 @@
 
 namespace weftlight::views {
 
-/// `name`: of the file, shown if the draft has no title. `items`: the actions, for tips and shortcuts.
-void draw_draft_header(PanelContext& c, const std::string& name, std::span<const ActionItem> items);
+/// `tool`: the active one. `name`: of the file, shown if the draft has no title. `items`: the actions, for tips and
+/// shortcuts.
+void draw_draft_header(PanelContext& c, const std::string& name, Tool tool, std::span<const ActionItem> items);
 
 }  // namespace weftlight::views

@@ -97,7 +97,7 @@ Axis extended(Axis a, float start, float length) {
 
 }  // namespace
 
-DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings& settings, const Style& s, ImVec2 min,
+DraftLayout lay_out_draft(const Draft& d, const DraftView& v, const Settings& settings, const Style& s, ImVec2 min,
                           ImVec2 max) {
   const Room room = room_of(s, min, max);
   const bool below = settings.threading_below;
@@ -141,7 +141,7 @@ DraftLayout lay_out_draft(const Draft& d, const DocumentView& v, const Settings&
   return l;
 }
 
-void settle(DocumentView& v, const DraftLayout& l) {
+void settle(DraftView& v, const DraftLayout& l) {
   const Axis &ends = l.drawdown.x, &picks = l.drawdown.y;
   v.pitch = l.pitch;
   v.scroll_end = ends.scroll, v.scroll_pick = picks.scroll;
@@ -150,7 +150,7 @@ void settle(DocumentView& v, const DraftLayout& l) {
   v.seen_shafts = l.threading.y.length / l.threading.y.pitch, v.seen_treadles = l.lift.x.length / l.lift.x.pitch;
 }
 
-bool is_settled(const DocumentView& v, const DraftLayout& l) {
+bool is_settled(const DraftView& v, const DraftLayout& l) {
   const Axis &ends = l.drawdown.x, &picks = l.drawdown.y;
   return v.pitch == l.pitch && v.scroll_end == ends.scroll && v.scroll_pick == picks.scroll &&
          v.scroll_shaft == l.threading.y.scroll && v.scroll_treadle == l.lift.x.scroll &&

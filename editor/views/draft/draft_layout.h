@@ -38,12 +38,12 @@ struct DraftLayout {
 float fitting_width(const Draft& draft, const Style& style, float min_width, float max_width, float height);
 
 /// Chooses a fitting pitch if the view has none, and clamps its scroll.
-DraftLayout lay_out_draft(const Draft& draft, const DocumentView& view, const Settings& settings, const Style& style,
+DraftLayout lay_out_draft(const Draft& draft, const DraftView& view, const Settings& settings, const Style& style,
                           ImVec2 min, ImVec2 max);
 /// Stores pitch, scroll and visible ranges of the layout in the view.
-void settle(DocumentView& view, const DraftLayout& layout);
+void settle(DraftView& view, const DraftLayout& layout);
 /// True if the view has those values already.
-bool is_settled(const DocumentView& view, const DraftLayout& layout);
+bool is_settled(const DraftView& view, const DraftLayout& layout);
 
 /// The grid for the --ui-map.
 UiGrid map_of(const GridPane& pane);

@@ -25,19 +25,19 @@ namespace {
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
 
 /// Makes colour and yarn of a thread the active ones.
-void pick_up(PanelContext& c, GridId id, Cell at) {
+void pick_up(DraftContext& c, GridId id, Cell at) {
   const Threads& t = c.design.draft.threads(id == GridId::kWarpColors ? System::kWarp : System::kWeft);
   const auto thread = static_cast<size_t>(id == GridId::kWarpColors ? at.a : at.b);
   c.wanted.change_view([color = t.color[thread], yarn = t.yarn[thread]](DocumentView& v) {
-    v.color = color;
-    v.yarn = yarn;
+    v.drawing.color = color;
+    v.drawing.yarn = yarn;
   });
 }
 
 /// Shift keeps the thread's other shafts or treadles.
 bool takes_off_others() { return !ImGui::GetIO().KeyShift; }
 
-void press(PanelContext& c, GridId id, Cell at) {
+void press(DraftContext& c, GridId id, Cell at) {
   if (!at.valid()) return;
   if (is_bar(id) && ImGui::GetIO().KeyAlt) return pick_up(c, id, at);
   const bool erase = ImGui::IsMouseDown(ImGuiMouseButton_Right);
@@ -45,8 +45,8 @@ void press(PanelContext& c, GridId id, Cell at) {
   c.wanted.gesture([=](DocumentView& v, const Design& design) { return begin_stroke(v, design, id, at, on, only); });
 }
 
-void paint_on(PanelContext& c, Cell to) {
-  if (to.valid() && to != c.view.stroke.last)
+void paint_on(DraftContext& c, Cell to) {
+  if (to.valid() && to != c.drawing.stroke.last)
     c.wanted.gesture([to, only = takes_off_others()](DocumentView& v, const Design& design) {
       return go_on_with_stroke(v, design, to, only);
     });
@@ -68,24 +68,24 @@ const char* paint_hint(GridId id) {
 }
 
 /// A click with the tool that types numbers.
-void place_cursor(PanelContext& c, const GridPane& pane, Cell at) {
+void place_cursor(DraftContext& c, const GridPane& pane, Cell at) {
   if (ImGui::IsItemActivated() && at.valid())
-    c.wanted.change_view([grid = pane.id, at](DocumentView& v) { put_cursor(v, grid, at); });
+    c.wanted.change_view([grid = pane.id, at](DocumentView& v) { put_cursor(v.drawing.cursor, grid, at); });
 }
 
-void use_tool(PanelContext& c, const GridPane& pane, ImVec2 hand) {
+void use_tool(DraftContext& c, const GridPane& pane, ImVec2 hand) {
   const bool active = ImGui::IsItemActive();
   if (selects(c, pane)) return select_input(c, pane);
   if (chooses_on_bar(c, pane.id)) return choose_on_bar(c, pane);
   if (draws_shapes(c, pane)) return draw_with_tool(c, pane);
-  if (c.view.select.tool == Tool::kType && !is_bar(pane.id)) return place_cursor(c, pane, pane.at(hand));
+  if (c.select.tool == Tool::kType && !is_bar(pane.id)) return place_cursor(c, pane, pane.at(hand));
   if (ImGui::IsItemActivated()) return press(c, pane.id, pane.at(hand));
-  if (active && c.view.stroke.grid == pane.id) return paint_on(c, pane.nearest(hand));
-  if (!active && c.view.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.stroke = {}; });
+  if (active && c.drawing.stroke.grid == pane.id) return paint_on(c, pane.nearest(hand));
+  if (!active && c.drawing.stroke.grid == pane.id) c.wanted.change_view([](DocumentView& v) { v.drawing.stroke = {}; });
 }
 
 /// True while a button that went down on the grid is down.
-bool grid_input(PanelContext& c, const GridPane& pane) {
+bool grid_input(DraftContext& c, const GridPane& pane) {
   const ImVec2 a = pane.min(), b = pane.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return false;
   ImGui::SetCursorScreenPos(a);
@@ -95,51 +95,52 @@ bool grid_input(PanelContext& c, const GridPane& pane) {
   const ImVec2 hand = hand_at(c.style);
   if (ImGui::IsItemHovered() || active) {
     c.frame.hover = {pane.id, active ? pane.nearest(hand) : pane.at(hand)};
-    c.frame.hint = c.view.select.tool == Tool::kPaint ? paint_hint(pane.id) : tool_hint(c.view.select.tool);
+    c.frame.hint = c.select.tool == Tool::kPaint ? paint_hint(pane.id) : tool_hint(c.select.tool);
   }
   use_tool(c, pane, hand);
   return active;
 }
 
-void zoom(PanelContext& c, const DraftLayout& l, float steps) {
+void zoom(DraftContext& c, const DraftLayout& l, float steps) {
   const float pitch = zoomed_pitch(l.pitch, steps);
   const ImVec2 at = ImGui::GetIO().MousePos;
   const float end = scroll_about(l.drawdown.x, std::clamp(at.x, l.drawdown.min().x, l.drawdown.max().x), pitch);
   const float pick = scroll_about(l.drawdown.y, std::clamp(at.y, l.drawdown.min().y, l.drawdown.max().y), pitch);
   c.wanted.change_view([=](DocumentView& v) {
-    v.pitch = pitch;
-    v.scroll_end = end;
-    v.scroll_pick = pick;
+    v.draft.pitch = pitch;
+    v.draft.scroll_end = end;
+    v.draft.scroll_pick = pick;
   });
 }
 
-using Scroll = float DocumentView::*;
+using Scroll = float DraftView::*;
 
-void scroll_by(PanelContext& c, Scroll scroll, const Axis& axis, float threads) {
-  if (threads != 0) c.wanted.change_view([=](DocumentView& v) { v.*scroll = clamp_scroll(axis, v.*scroll + threads); });
+void scroll_by(DraftContext& c, Scroll scroll, const Axis& axis, float threads) {
+  if (threads != 0)
+    c.wanted.change_view([=](DocumentView& v) { v.draft.*scroll = clamp_scroll(axis, v.draft.*scroll + threads); });
 }
 
 /// Scrolls the pane's content by pixels to the right and down.
-void pan(PanelContext& c, const DraftLayout& l, float dx, float dy) {
+void pan(DraftContext& c, const DraftLayout& l, float dx, float dy) {
   const bool over_shafts = c.frame.hover.grid == GridId::kThreading || c.frame.hover.grid == GridId::kTieup;
   const bool over_lift = c.frame.hover.grid == GridId::kTieup || c.frame.hover.grid == l.lift.id;
   const auto move = [&c](Scroll scroll, const Axis& axis, float pixels) {
     scroll_by(c, scroll, axis, (axis.reversed ? pixels : -pixels) / axis.pitch);
   };
   if (over_shafts && l.threading.y.extent() > l.threading.y.length + 1)
-    move(&DocumentView::scroll_shaft, l.threading.y, dy);
-  else move(&DocumentView::scroll_pick, l.drawdown.y, dy);
-  if (over_lift && l.lift.x.extent() > l.lift.x.length + 1) move(&DocumentView::scroll_treadle, l.lift.x, dx);
-  else move(&DocumentView::scroll_end, l.drawdown.x, dx);
+    move(&DraftView::scroll_shaft, l.threading.y, dy);
+  else move(&DraftView::scroll_pick, l.drawdown.y, dy);
+  if (over_lift && l.lift.x.extent() > l.lift.x.length + 1) move(&DraftView::scroll_treadle, l.lift.x, dx);
+  else move(&DraftView::scroll_end, l.drawdown.x, dx);
 }
 
-void navigate(PanelContext& c, const DraftLayout& l, HeldLayout& held) {
+void navigate(DraftContext& c, const DraftLayout& l, HeldLayout& held) {
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) return;
   const ImGuiIO& io = ImGui::GetIO();
   constexpr float kWheelPixels = 48;
   // What is drawn, selected or chosen may go on where the wheel leads; a stroke would paint all on the way.
   const bool holds = held.is_held(), pans = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-  if (holds && c.view.stroke.grid != GridId::kNone) return;
+  if (holds && c.drawing.stroke.grid != GridId::kNone) return;
   if (pans || io.MouseWheel != 0 || io.MouseWheelH != 0) held.let_scroll();
   if (io.KeyCtrl && io.MouseWheel != 0) {
     if (!holds) zoom(c, l, io.MouseWheel);
@@ -152,7 +153,7 @@ void navigate(PanelContext& c, const DraftLayout& l, HeldLayout& held) {
 }
 
 /// A thin scroll bar.
-void scrollbar(PanelContext& c, const char* id, const Axis& axis, Scroll scroll, ImVec2 min, ImVec2 max, bool across) {
+void scrollbar(DraftContext& c, const char* id, const Axis& axis, Scroll scroll, ImVec2 min, ImVec2 max, bool across) {
   ImGui::SetCursorScreenPos(min);
   hit_area(id, {max.x - min.x, max.y - min.y});
   c.map.add_item(id);
@@ -172,32 +173,32 @@ void scrollbar(PanelContext& c, const char* id, const Axis& axis, Scroll scroll,
   else ImGui::GetWindowDrawList()->AddRectFilled({min.x + r, at}, {max.x - r, at + grip}, color, r);
 }
 
-void scrollbars(PanelContext& c, const DraftLayout& l) {
+void scrollbars(DraftContext& c, const DraftLayout& l) {
   const ImVec2 a = l.drawdown.min(), b = l.drawdown.max(), lift = l.lift.max(), shafts = l.threading.min();
   // On the side away from the threading.
   const float thick = c.style.px(9), below = l.threading_below ? a.y - 3 - thick : b.y + 3;
   if (l.scroll_ends)
-    scrollbar(c, "scroll.ends", l.drawdown.x, &DocumentView::scroll_end, {a.x, below}, {b.x, below + thick}, true);
+    scrollbar(c, "scroll.ends", l.drawdown.x, &DraftView::scroll_end, {a.x, below}, {b.x, below + thick}, true);
   if (l.scroll_treadles)
-    scrollbar(c, "scroll.treadles", l.lift.x, &DocumentView::scroll_treadle, {l.lift.min().x, below},
+    scrollbar(c, "scroll.treadles", l.lift.x, &DraftView::scroll_treadle, {l.lift.min().x, below},
               {lift.x, below + thick}, true);
   if (l.scroll_picks)
-    scrollbar(c, "scroll.picks", l.drawdown.y, &DocumentView::scroll_pick, {l.max.x - thick - 2, a.y},
-              {l.max.x - 2, b.y}, false);
+    scrollbar(c, "scroll.picks", l.drawdown.y, &DraftView::scroll_pick, {l.max.x - thick - 2, a.y}, {l.max.x - 2, b.y},
+              false);
   if (l.scroll_shafts)
-    scrollbar(c, "scroll.shafts", l.threading.y, &DocumentView::scroll_shaft, {l.max.x - thick - 2, shafts.y},
+    scrollbar(c, "scroll.shafts", l.threading.y, &DraftView::scroll_shaft, {l.max.x - thick - 2, shafts.y},
               {l.max.x - 2, l.threading.max().y}, false);
 }
 
 /// A dot at end 1 and pick 1, where reading starts.
-void draw_origin(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+void draw_origin(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
   if (l.drawdown.x.first_visible() > 0 || l.drawdown.y.first_visible() > 0) return;
   const float x = l.drawdown.x.reversed ? l.drawdown.max().x + c.style.px(5) : l.drawdown.min().x - c.style.px(5);
   const float y = l.drawdown.y.reversed ? l.drawdown.max().y + c.style.px(4) : l.drawdown.min().y - c.style.px(4);
   dl->AddCircleFilled({x, y}, c.style.px(3), c.style.color.accent);
 }
 
-void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+void draw_rulers(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
   const GridId g = c.frame.hover.grid;
   const bool on_end = g == GridId::kThreading || g == GridId::kDrawdown || g == GridId::kWarpColors;
   const bool on_pick = g == GridId::kDrawdown || g == GridId::kWeftColors || g == l.lift.id;
@@ -212,7 +213,7 @@ void draw_rulers(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   draw_ruler_above(dl, c, l.lift.x, treadles_y, c.style.px(16), on_lift ? h.a : -1);
 }
 
-void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, DraftPictures& pictures) {
+void draw_grids(ImDrawList* dl, DraftContext& c, const DraftLayout& l, DraftPictures& pictures) {
   if (c.settings.tiled) draw_tiled(dl, c, l, pictures.tiled);
   draw_color_bar(dl, c, l.warp_bar, System::kWarp);
   draw_color_bar(dl, c, l.weft_bar, System::kWeft);
@@ -228,12 +229,13 @@ void draw_grids(ImDrawList* dl, PanelContext& c, const DraftLayout& l, DraftPict
 
 }  // namespace
 
-void draw_draft(PanelContext& c, DraftPictures& pictures) {
+void draw_draft(const PanelContext& panel, const DocumentView& view, const Report* report, DraftPictures& pictures) {
+  DraftContext c = draft_context(panel, view, report);
   const ImVec2 min = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const DraftLayout l = pictures.held.of(
       lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y}), c.view,
       ImGui::IsAnyMouseDown());
-  if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v, l); });
+  if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
   pictures.minimap.apply_input(c, l);
   bool pressed = false;
   for (const GridPane* pane : l.panes()) {
@@ -257,7 +259,7 @@ void draw_draft(PanelContext& c, DraftPictures& pictures) {
   draw_active_block(dl, c, l);
   draw_hover(dl, c, l);
   pictures.minimap.draw(dl, c, l);
-  if (!ImGui::IsAnyMouseDown() && c.view.select.drag != SelectDrag::kNone)
+  if (!ImGui::IsAnyMouseDown() && c.select.drag != SelectDrag::kNone)
     c.wanted.change_view([](DocumentView& v) { v.select.drag = SelectDrag::kNone; });
 }
 

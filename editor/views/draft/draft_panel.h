@@ -2,8 +2,8 @@
 // The draft panel: threading, tie-up, drawdown, treadling or liftplan, and the colour bars.
 
 #include "views/common/names.h"
-#include "views/common/panel.h"
 #include "views/draft/cell_texture.h"
+#include "views/draft/draft_context.h"
 #include "views/draft/held_layout.h"
 #include "views/draft/minimap.h"
 
@@ -16,7 +16,8 @@ struct DraftPictures {
   HeldLayout held;
 };
 
-/// Fills the rest of the current ImGui window.
-void draw_draft(PanelContext& c, DraftPictures& pictures);
+/// Fills the rest of the current ImGui window. `report`: the latest one, perhaps of an earlier design; null if there is
+/// none.
+void draw_draft(const PanelContext& c, const DocumentView& view, const Report* report, DraftPictures& pictures);
 
 }  // namespace weftlight::views

@@ -15,19 +15,19 @@ constexpr float kSlowest = 160, kFaster = 14, kFastest = 4000;
 constexpr float kLongestFrameS = 0.05f;
 
 /// The grid of the active drag.
-GridId dragged_grid(const DocumentView& v) {
-  if (v.stroke.grid != GridId::kNone) return v.stroke.grid;
-  if (v.shape) return v.shape->grid;
-  if (v.select.drag != SelectDrag::kNone) return grid_id_of(v.select.selected.grid);
-  if (!v.chosen.dragging) return GridId::kNone;
-  return v.chosen.system == System::kWarp ? GridId::kWarpColors : GridId::kWeftColors;
+GridId dragged_grid(const DraftContext& c) {
+  if (c.drawing.stroke.grid != GridId::kNone) return c.drawing.stroke.grid;
+  if (c.drawing.shape) return c.drawing.shape->grid;
+  if (c.select.drag != SelectDrag::kNone) return grid_id_of(c.select.selected.grid);
+  if (!c.chosen.dragging) return GridId::kNone;
+  return c.chosen.system == System::kWarp ? GridId::kWarpColors : GridId::kWeftColors;
 }
 
-bool follow(PanelContext& c, float DocumentView::*scroll, const Axis& axis, float pixel) {
+bool follow(DraftContext& c, float DraftView::*scroll, const Axis& axis, float pixel) {
   if (axis.count < 2) return false;  // across a colour bar
   const float to = dragged_scroll(axis, pixel, std::min(ImGui::GetIO().DeltaTime, kLongestFrameS));
   if (to == axis.scroll) return false;
-  c.wanted.change_view([scroll, to](DocumentView& v) { v.*scroll = to; });
+  c.wanted.change_view([scroll, to](DocumentView& v) { v.draft.*scroll = to; });
   c.frame.again = true;
   return true;
 }
@@ -43,15 +43,15 @@ float dragged_scroll(const Axis& axis, float pixel, float seconds) {
   return clamp_scroll(axis, axis.scroll + direction * speed * seconds / axis.pitch);
 }
 
-bool scroll_with_drag(PanelContext& c, const DraftLayout& l) {
-  const GridId grid = ImGui::IsAnyMouseDown() ? dragged_grid(c.view) : GridId::kNone;
+bool scroll_with_drag(DraftContext& c, const DraftLayout& l) {
+  const GridId grid = ImGui::IsAnyMouseDown() ? dragged_grid(c) : GridId::kNone;
   if (grid == GridId::kNone) return false;
   const ImVec2 hand = hand_at(c.style);
   bool scrolled = false;
   for (const GridPane* pane : l.panes()) {
     if (pane->id != grid) continue;
-    scrolled |= follow(c, has_ends(grid) ? &DocumentView::scroll_end : &DocumentView::scroll_treadle, pane->x, hand.x);
-    scrolled |= follow(c, has_picks(grid) ? &DocumentView::scroll_pick : &DocumentView::scroll_shaft, pane->y, hand.y);
+    scrolled |= follow(c, has_ends(grid) ? &DraftView::scroll_end : &DraftView::scroll_treadle, pane->x, hand.x);
+    scrolled |= follow(c, has_picks(grid) ? &DraftView::scroll_pick : &DraftView::scroll_shaft, pane->y, hand.y);
   }
   return scrolled;
 }

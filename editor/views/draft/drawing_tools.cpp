@@ -22,26 +22,26 @@ constexpr float kCellsFrom = 2, kFilledFrom = 4;
 
 bool is_bar(GridId id) { return id == GridId::kWarpColors || id == GridId::kWeftColors; }
 
-void begin_shape(PanelContext& c, GridId grid, Cell at) {
+void begin_shape(DraftContext& c, GridId grid, Cell at) {
   if (!at.valid()) return;
   const bool on = !ImGui::IsMouseDown(ImGuiMouseButton_Right) && !is_on(c.design.draft, c.cells, grid, at);
-  c.wanted.change_view([s = ActiveShape{c.view.select.tool, grid, at, at, on}](DocumentView& v) { v.shape = s; });
+  c.wanted.change_view([s = ActiveShape{c.select.tool, grid, at, at, on}](DocumentView& v) { v.drawing.shape = s; });
 }
 
-void continue_shape(PanelContext& c, const GridPane& pane) {
-  const ActiveShape& s = *c.view.shape;
+void continue_shape(DraftContext& c, const GridPane& pane) {
+  const ActiveShape& s = *c.drawing.shape;
   Cell to = pane.nearest(hand_at(c.style));
   if (!to.valid()) return;
   if (ImGui::GetIO().KeyShift) to = constrained(s.tool, s.from, to, pane.x.count, pane.y.count);
   if (to == s.to) return;
   c.wanted.change_view([to](DocumentView& v) {
-    if (v.shape) v.shape->to = to;
+    if (v.drawing.shape) v.drawing.shape->to = to;
   });
 }
 
-void flood_fill(PanelContext& c, GridId grid, Cell at) {
+void flood_fill(DraftContext& c, GridId grid, Cell at) {
   if (!at.valid()) return;
-  const DocumentView& v = c.view;
+  const DrawingState& v = c.drawing;
   if (is_bar(grid))
     return c.wanted.add(
         fill_bar_edit(c.design.draft, grid, at, v.bar_paint, v.bar_paint == BarPaint::kColor ? v.color : v.yarn));
@@ -74,7 +74,7 @@ struct Preview {
   ImU32 cell, edge, cleared;  // cells and their border; what a line clears on its threads
 };
 
-Preview preview_of(const PanelContext& c, const ActiveShape& s) {
+Preview preview_of(const DraftContext& c, const ActiveShape& s) {
   const Colors& k = c.style.color;
   const bool inverted = s.grid == GridId::kDrawdown && c.view.face == Face::kBack;  // the back shows the other system
   const bool filled = s.on != inverted;
@@ -124,7 +124,7 @@ float axis_pixel(const Axis& axis, int sum) {
 }
 
 /// Dashes on a line in the paper colour are visible on threads of any colour.
-void draw_axis(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
+void draw_axis(ImDrawList* dl, const DraftContext& c, ImVec2 a, ImVec2 b) {
   const bool upright = a.x == b.x;
   const float dash = c.style.px(6), gap = c.style.px(4), length = upright ? b.y - a.y : b.x - a.x;
   const auto stroke = [&](float from, float to, float halo, ImU32 color) {
@@ -139,7 +139,7 @@ void draw_axis(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
   }
 }
 
-void draw_axes(ImDrawList* dl, const PanelContext& c, const GridPane& p, const Mirror& m) {
+void draw_axes(ImDrawList* dl, const DraftContext& c, const GridPane& p, const Mirror& m) {
   const ImVec2 a = p.min(), b = p.max();
   if (m.ends && has_ends(p.id)) {
     const float x = axis_pixel(p.x, *m.ends);
@@ -152,23 +152,23 @@ void draw_axes(ImDrawList* dl, const PanelContext& c, const GridPane& p, const M
 }
 
 /// True while the active tool is mirrored.
-bool pen_is_mirrored(const PanelContext& c) {
-  const Tool tool = c.view.select.tool;
-  return (c.view.mirror_ends || c.view.mirror_picks) && (tool == Tool::kPaint || is_shape(tool));
+bool pen_is_mirrored(const DraftContext& c) {
+  const Tool tool = c.select.tool;
+  return (c.drawing.mirror_ends || c.drawing.mirror_picks) && (tool == Tool::kPaint || is_shape(tool));
 }
 
 }  // namespace
 
-bool draws_shapes(const PanelContext& c, const GridPane& pane) {
-  const Tool tool = c.view.select.tool;
+bool draws_shapes(const DraftContext& c, const GridPane& pane) {
+  const Tool tool = c.select.tool;
   return tool == Tool::kFill || (is_shape(tool) && !is_bar(pane.id));
 }
 
-void draw_with_tool(PanelContext& c, const GridPane& pane) {
-  const bool active = ImGui::IsItemActive(), mine = c.view.shape && c.view.shape->grid == pane.id;
+void draw_with_tool(DraftContext& c, const GridPane& pane) {
+  const bool active = ImGui::IsItemActive(), mine = c.drawing.shape && c.drawing.shape->grid == pane.id;
   if (ImGui::IsItemHovered() || active) c.frame.crosshair = true;
   const Cell at = pane.at(hand_at(c.style));
-  if (c.view.select.tool == Tool::kFill) {
+  if (c.select.tool == Tool::kFill) {
     if (ImGui::IsItemActivated()) flood_fill(c, pane.id, at);
   } else if (ImGui::IsItemActivated()) {
     begin_shape(c, pane.id, at);
@@ -195,11 +195,11 @@ const char* tool_hint(Tool tool) {
   }
 }
 
-void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const GridPane* pane = c.view.shape ? pane_of(l, c.view.shape->grid) : nullptr;
+void draw_shape(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
+  const GridPane* pane = c.drawing.shape ? pane_of(l, c.drawing.shape->grid) : nullptr;
   if (pane == nullptr) return;
-  const ActiveShape& s = *c.view.shape;
-  const Mirror mirror = mirror_of(c.view, c.design.draft);
+  const ActiveShape& s = *c.drawing.shape;
+  const Mirror mirror = mirror_of(c.drawing, c.select.selected, c.design.draft);
   const Preview preview = preview_of(c, s);
   const float from_pitch = s.tool == Tool::kFilledRectangle ? kFilledFrom : kCellsFrom;
   const std::vector<Cell> from = images_of(mirror, s.grid, s.from), to = images_of(mirror, s.grid, s.to);
@@ -212,9 +212,9 @@ void draw_shape(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   dl->PopClipRect();
 }
 
-void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+void draw_mirrors(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
   if (!pen_is_mirrored(c)) return;
-  const Mirror mirror = mirror_of(c.view, c.design.draft);
+  const Mirror mirror = mirror_of(c.drawing, c.select.selected, c.design.draft);
   for (const GridPane* pane : l.panes()) draw_axes(dl, c, *pane, mirror);
   const GridPane* over = c.frame.hover.cell.valid() ? pane_of(l, c.frame.hover.grid) : nullptr;
   if (over == nullptr) return;
@@ -227,9 +227,9 @@ void draw_mirrors(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   dl->PopClipRect();
 }
 
-void draw_type_cursor(ImDrawList* dl, PanelContext& c, const DraftLayout& l) {
-  const TypeCursor& cursor = c.view.cursor;
-  const GridPane* pane = c.view.select.tool == Tool::kType ? pane_of(l, cursor.grid) : nullptr;
+void draw_type_cursor(ImDrawList* dl, DraftContext& c, const DraftLayout& l) {
+  const TypeCursor& cursor = c.drawing.cursor;
+  const GridPane* pane = c.select.tool == Tool::kType ? pane_of(l, cursor.grid) : nullptr;
   if (pane == nullptr) return;
   const Style& s = c.style;
   const PixelRect cell = rect_between(*pane, cursor.at, cursor.at);

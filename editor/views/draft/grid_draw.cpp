@@ -17,7 +17,7 @@ constexpr float kLinesFrom = 5;     // from which grid lines do not hide the cel
 constexpr float kNumbersFrom = 15;  // from which a number fits
 constexpr float kGapsFrom = 8;      // from which gaps between threads do not darken the drawdown
 
-void draw_lines(ImDrawList* dl, const PanelContext& c, const GridPane& pane) {
+void draw_lines(ImDrawList* dl, const DraftContext& c, const GridPane& pane) {
   const Colors& k = c.style.color;
   const ImVec2 a = pane.min(), b = pane.max();
   const int every = c.settings.heavy_lines;
@@ -61,7 +61,7 @@ PixelRect rect_of(const GridPane& p, int a, int b) {
   return box;
 }
 
-void draw_tie(ImDrawList* dl, const PanelContext& c, const PixelRect& box) {
+void draw_tie(ImDrawList* dl, const DraftContext& c, const PixelRect& box) {
   const ImVec2 m = box.middle();
   const float r = (box.max.x - box.min.x) * 0.30f, thick = std::max(1.5f, r * 0.42f);
   if (c.design.draft.rising) {
@@ -72,7 +72,7 @@ void draw_tie(ImDrawList* dl, const PanelContext& c, const PixelRect& box) {
   }
 }
 
-void draw_bit(ImDrawList* dl, const PanelContext& c, const GridPane& p, int a, int b) {
+void draw_bit(ImDrawList* dl, const DraftContext& c, const GridPane& p, int a, int b) {
   const PixelRect box = rect_of(p, a, b);
   if (p.id == GridId::kTieup) return draw_tie(dl, c, box);
   dl->AddRectFilled(box.min, box.max, c.style.color.ink);
@@ -132,7 +132,7 @@ std::vector<float> insets(const Design& d, System system, float pitch) {
   return out;
 }
 
-ThreadStyle thread_style(const PanelContext& c, const GridPane& p) {
+ThreadStyle thread_style(const DraftContext& c, const GridPane& p) {
   const Draft& d = c.design.draft;
   if (c.settings.drawdown_style == DrawdownStyle::kStructure)
     return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
@@ -147,7 +147,7 @@ ThreadStyle thread_style(const PanelContext& c, const GridPane& p) {
 }
 
 /// The warp floats of an end, each drawn as one rectangle.
-void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ThreadStyle& style, int end) {
+void draw_warp_floats(ImDrawList* dl, const DraftContext& c, const GridPane& p, const ThreadStyle& style, int end) {
   const int last = p.y.end_visible();
   const float inset = style.inset(System::kWarp, end);
   for (int pick = p.y.first_visible(); pick < last;) {
@@ -166,7 +166,7 @@ void draw_warp_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p, 
 constexpr int kSampledThreads = 8;  // per pixel
 
 /// For threads narrower than a pixel: each pixel is as dark as the fraction of its threads on that shaft or treadle.
-void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, bool along_x) {
+void draw_coverage(ImDrawList* dl, const DraftContext& c, const GridPane& p, bool along_x) {
   const Axis& threads = along_x ? p.x : p.y;
   const Axis& loom = along_x ? p.y : p.x;
   const int pixels = static_cast<int>(threads.length);
@@ -206,7 +206,7 @@ void draw_coverage(ImDrawList* dl, const PanelContext& c, const GridPane& p, boo
 
 }  // namespace
 
-void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+void draw_bits(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   const ImVec2 a = p.min(), b = p.max();
   dl->PushClipRect(a, {b.x + 1, b.y + 1}, true);
   dl->AddRectFilled(a, b, c.style.color.paper);
@@ -221,7 +221,7 @@ void draw_bits(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
   dl->PopClipRect();
 }
 
-void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, System system) {
+void draw_color_bar(ImDrawList* dl, const DraftContext& c, const GridPane& p, System system) {
   const bool warp = system == System::kWarp;
   const Axis& axis = warp ? p.x : p.y;
   const Threads& threads = c.design.draft.threads(system);
@@ -234,7 +234,7 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
     const ImU32 color = to_u32(c.design.draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(i)])]);
     const PixelRect box = warp ? rect_of(p, i, 0) : rect_of(p, 0, i);
     dl->AddRectFilled(box.min, box.max, color);
-    if (c.view.bar_paint == BarPaint::kYarn && axis.pitch >= c.style.px(10))
+    if (c.drawing.bar_paint == BarPaint::kYarn && axis.pitch >= c.style.px(10))
       draw_centered(dl, c.style.font.mono_small, box.middle(), reading_color(color),
                     std::to_string(threads.yarn[static_cast<size_t>(i)] + 1));
   }
@@ -242,8 +242,8 @@ void draw_color_bar(ImDrawList* dl, const PanelContext& c, const GridPane& p, Sy
   dl->PopClipRect();
 }
 
-void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
-  if (!c.view.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
+void draw_long_floats(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
+  if (!c.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
   const BitMatrix& marks = c.view.face == Face::kFront ? c.report->front : c.report->back;
   constexpr float kMinPitch = 1;  // pixels per cell; below, the tint would cover everything
   if (p.x.pitch < kMinPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
@@ -262,7 +262,7 @@ void draw_long_floats(ImDrawList* dl, const PanelContext& c, const GridPane& p) 
 namespace {
 
 /// Tints the crossings; if cells are small, outlines their areas instead. The area shown last is always outlined.
-void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const BitMatrix& differing,
+void draw_marks(ImDrawList* dl, const DraftContext& c, const GridPane& p, const BitMatrix& differing,
                 std::span<const CellRect> places) {
   if (differing.cols() != p.x.count || differing.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.warn, 0.6f);
@@ -275,7 +275,7 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
     }
   for (size_t i = 0; i < places.size(); ++i) {
     const CellRect& at = places[i];
-    const bool shown = static_cast<int>(i) == c.view.place;
+    const bool shown = static_cast<int>(i) == c.differences.place;
     if (!shown && p.x.pitch >= kMinPitch) continue;
     const ImVec2 a{low_of(p.x, at.end0, at.end1), low_of(p.y, at.pick0, at.pick1)};
     const ImVec2 b{high_of(p.x, at.end0, at.end1) + 1, high_of(p.y, at.pick0, at.pick1) + 1};
@@ -286,16 +286,16 @@ void draw_marks(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
 
 }  // namespace
 
-void draw_differences(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
-  if (const ClosestWeave* n = c.view.nearest.get()) return draw_marks(dl, c, p, n->differing, n->places);
+void draw_differences(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
+  if (const ClosestWeave* n = c.differences.closest.get()) return draw_marks(dl, c, p, n->differing, n->places);
   const Report* r = c.report;
-  if (!c.view.other || r == nullptr || r->other != c.view.other || r->revision != c.revision) return;
+  if (!c.differences.other || r == nullptr || r->other != c.differences.other || r->revision != c.revision) return;
   draw_marks(dl, c, p, r->differing, r->places);
 }
 
-bool draws_cells(const PanelContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
+bool draws_cells(const DraftContext& c, const GridPane& p) { return p.x.pitch >= c.style.px(kLinesFrom); }
 
-void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+void draw_drawdown_cells(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   const ImVec2 a = p.min(), b = p.max();
   const ThreadStyle style = thread_style(c, p);
   dl->PushClipRect(a, b, true);
@@ -312,7 +312,7 @@ void draw_drawdown_cells(ImDrawList* dl, const PanelContext& c, const GridPane& 
   dl->AddRect({a.x - 1, a.y - 1}, {b.x + 1, b.y + 1}, c.style.color.line_strong);
 }
 
-void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, float top, float height, int lit) {
+void draw_ruler_above(ImDrawList* dl, const DraftContext& c, const Axis& axis, float top, float height, int lit) {
   const int step = label_step(axis.pitch, c.style.px(30));
   for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
     if (!has_label(i, step) && i != lit) continue;
@@ -324,7 +324,7 @@ void draw_ruler_above(ImDrawList* dl, const PanelContext& c, const Axis& axis, f
   }
 }
 
-void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, float left, int lit) {
+void draw_ruler_beside(ImDrawList* dl, const DraftContext& c, const Axis& axis, float left, int lit) {
   const int step = label_step(axis.pitch, c.style.px(16));
   ImFont* font = c.style.font.mono_small;
   for (int i = axis.first_visible(); i < axis.end_visible(); ++i) {
@@ -337,7 +337,7 @@ void draw_ruler_beside(ImDrawList* dl, const PanelContext& c, const Axis& axis, 
   }
 }
 
-void draw_hover(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+void draw_hover(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
   if (!c.frame.hover.cell.valid()) return;
   const auto shares = [](const Axis& a, const Axis& b) { return a.start == b.start && a.count == b.count; };
   const ImU32 band = with_alpha(c.style.color.accent, 0.16f);

@@ -25,7 +25,7 @@ constexpr GridPane DraftLayout::*kPanes[] = {
     &DraftLayout::warp_labels, &DraftLayout::weft_labels, &DraftLayout::tiled_drawdown};
 
 /// Scrolled to where the view is, as far as there are cells.
-void scroll(DraftLayout& l, const DocumentView& v) {
+void scroll(DraftLayout& l, const DraftView& v) {
   const Axis ends = l.drawdown.x, picks = l.drawdown.y, shafts = l.threading.y, treadles = l.lift.x;
   const auto scrolled = [&l](const Axis& axis, float to, Axis GridPane::*along, auto... panes) {
     const float by = clamp_scroll(axis, to) - axis.scroll;
@@ -50,7 +50,7 @@ ImVec2 hand_at(const Style& style) {
   return io.MousePos;
 }
 
-DraftLayout HeldLayout::of(const DraftLayout& now, const DocumentView& view, bool down) {
+DraftLayout HeldLayout::of(const DraftLayout& now, const DraftView& view, bool down) {
   const bool scrolls = std::exchange(scrolls_, false);
   if (!down || view_ != &view) held_.reset();
   if (!held_) return now;
@@ -63,7 +63,7 @@ DraftLayout HeldLayout::of(const DraftLayout& now, const DocumentView& view, boo
   return l;
 }
 
-void HeldLayout::hold(const DraftLayout& layout, const DocumentView& view) {
+void HeldLayout::hold(const DraftLayout& layout, const DraftView& view) {
   held_ = layout;
   view_ = &view;
 }

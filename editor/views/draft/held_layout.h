@@ -15,16 +15,16 @@ ImVec2 hand_at(const Style& style);
 class HeldLayout {
  public:
   /// The layout of this frame: `now`, or the held layout while one is held. `down`: a mouse button is down.
-  DraftLayout of(const DraftLayout& now, const DocumentView& view, bool down);
+  DraftLayout of(const DraftLayout& now, const DraftView& view, bool down);
   /// A button went down over a grid: holds the layout until all buttons are released.
-  void hold(const DraftLayout& layout, const DocumentView& view);
+  void hold(const DraftLayout& layout, const DraftView& view);
   /// The user scrolls during the press: the next frame uses the view's scroll.
   void let_scroll() { scrolls_ = true; }
   bool is_held() const { return held_.has_value(); }
 
  private:
   std::optional<DraftLayout> held_;
-  const DocumentView* view_ = nullptr;  // of the held layout
+  const DraftView* view_ = nullptr;  // of the held layout
   bool scrolls_ = false;
 };
 

@@ -25,7 +25,7 @@ struct PixelRect {
 
 /// The rectangle of the minimap's image, in the corner opposite to end 1 and pick 1. None if the whole draft is visible
 /// or the pane is too small.
-std::optional<PixelRect> image_rect(const PanelContext& c, const DraftLayout& l) {
+std::optional<PixelRect> image_rect(const DraftContext& c, const DraftLayout& l) {
   const GridPane& pane = l.drawdown;
   const float min_pane = c.style.px(kMinPane);
   if (!c.settings.minimap || !(l.scroll_ends || l.scroll_picks)) return {};
@@ -58,7 +58,7 @@ float scroll_at(const Axis& axis, float t) {
 
 }  // namespace
 
-void Minimap::apply_input(PanelContext& c, const DraftLayout& l) {
+void Minimap::apply_input(DraftContext& c, const DraftLayout& l) {
   const std::optional<PixelRect> at = image_rect(c, l);
   if (!at) return;
   const float pad = c.style.px(kPad);
@@ -72,12 +72,12 @@ void Minimap::apply_input(PanelContext& c, const DraftLayout& l) {
   const float pick = scroll_at(l.drawdown.y, (mouse.y - at->min.y) / at->height());
   if (end == c.view.scroll_end && pick == c.view.scroll_pick) return;
   c.wanted.change_view([=](DocumentView& v) {
-    v.scroll_end = end;
-    v.scroll_pick = pick;
+    v.draft.scroll_end = end;
+    v.draft.scroll_pick = pick;
   });
 }
 
-void Minimap::update(const PanelContext& c, int width, int height) {
+void Minimap::update(const DraftContext& c, int width, int height) {
   const bool structure = c.settings.drawdown_style == DrawdownStyle::kStructure;
   const Key key{c.revision, c.view.face, structure, c.style.dark, width, height};
   if (key == key_) return;
@@ -92,7 +92,7 @@ void Minimap::update(const PanelContext& c, int width, int height) {
   texture_.set(image.width, image.height, image.pixels);
 }
 
-void Minimap::draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
+void Minimap::draw(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
   const std::optional<PixelRect> at = image_rect(c, l);
   if (!at) return;
   update(c, static_cast<int>(at->width()), static_cast<int>(at->height()));

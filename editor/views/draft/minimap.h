@@ -5,7 +5,7 @@
 #include "ui/pixel_texture.h"
 #include "views/common/names.h"
 #include "views/common/overview_image.h"
-#include "views/common/panel.h"
+#include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
@@ -13,12 +13,12 @@ namespace weftlight::views {
 class Minimap {
  public:
   /// Call before the grids handle the mouse, because it lies above them.
-  void apply_input(PanelContext& c, const DraftLayout& layout);
+  void apply_input(DraftContext& c, const DraftLayout& layout);
   /// Call after the grids are drawn.
-  void draw(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
+  void draw(ImDrawList* dl, const DraftContext& c, const DraftLayout& layout);
 
  private:
-  void update(const PanelContext& c, int width, int height);
+  void update(const DraftContext& c, int width, int height);
 
   OverviewImage overview_;
   PixelTexture texture_;

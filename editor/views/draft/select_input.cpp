@@ -55,31 +55,31 @@ MaybeEdit continue_drag(SelectState& s, const Design& design, BitGrid grid, Cell
   return {};
 }
 
-void show_cursor(PanelContext& c, BitGrid grid, Cell at) {
-  const SelectState& s = c.view.select;
+void show_cursor(DraftContext& c, BitGrid grid, Cell at) {
+  const SelectState& s = c.select;
   const bool grips = s.drag == SelectDrag::kMove ||
                      (s.drag == SelectDrag::kNone && s.tool == Tool::kSelect && holds(s.selected, grid, at));
   if (grips && !s.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   else c.frame.crosshair = true;
 }
 
-void handle_press(PanelContext& c, BitGrid grid, Cell at) {
+void handle_press(DraftContext& c, BitGrid grid, Cell at) {
   const ImGuiIO& io = ImGui::GetIO();
   const Press p{grid, at, io.KeyShift, io.KeyCtrl, ImGui::IsMouseDown(ImGuiMouseButton_Right)};
-  c.frame.selection_menu = p.right && at.valid() && !c.view.select.held;
+  c.frame.selection_menu = p.right && at.valid() && !c.select.held;
   c.wanted.gesture([p](DocumentView& v, const Design& design) { return press(v.select, design, p); });
 }
 
 }  // namespace
 
-bool selects(const PanelContext& c, const GridPane& pane) {
-  const SelectState& s = c.view.select;
-  if (!bit_grid_of(pane.id) || c.view.stroke.grid != GridId::kNone || c.view.shape) return false;
+bool selects(const DraftContext& c, const GridPane& pane) {
+  const SelectState& s = c.select;
+  if (!bit_grid_of(pane.id) || c.drawing.stroke.grid != GridId::kNone || c.drawing.shape) return false;
   return s.held || s.tool == Tool::kSelect || s.drag != SelectDrag::kNone || ImGui::GetIO().KeyCtrl;
 }
 
-void select_input(PanelContext& c, const GridPane& pane) {
-  const SelectState& s = c.view.select;
+void select_input(DraftContext& c, const GridPane& pane) {
+  const SelectState& s = c.select;
   const BitGrid grid = *bit_grid_of(pane.id);
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 hand = hand_at(c.style);

@@ -2,15 +2,15 @@
 // Mouse input of the select tool over one grid: select a rectangle, move it, drop a block, open the menu.
 
 #include "views/common/names.h"
-#include "views/common/panel.h"
+#include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
 
 /// True if the mouse over this grid selects rather than paints: with the tool, with Ctrl held, or while a block is
 /// active.
-bool selects(const PanelContext& c, const GridPane& pane);
+bool selects(const DraftContext& c, const GridPane& pane);
 /// Call right after the grid's ImGui item.
-void select_input(PanelContext& c, const GridPane& pane);
+void select_input(DraftContext& c, const GridPane& pane);
 
 }  // namespace weftlight::views

@@ -43,7 +43,7 @@ void draw_dashes(ImDrawList* dl, ImVec2 a, ImVec2 b, float dash, float thick) {
 }
 
 /// White dashes on a dark line: one of the two is visible on any background.
-void draw_outline(ImDrawList* dl, const PanelContext& c, PixelRect box) {
+void draw_outline(ImDrawList* dl, const DraftContext& c, PixelRect box) {
   if (box.min.x >= box.max.x || box.min.y >= box.max.y) return;
   const float t = c.style.px(2), dash = c.style.px(kDash);
   const ImU32 dark = IM_COL32(18, 24, 40, 255);
@@ -58,13 +58,13 @@ void draw_outline(ImDrawList* dl, const PanelContext& c, PixelRect box) {
   draw_dashes(dl, {b.x - t, a.y}, {b.x - t, b.y}, dash, t);
 }
 
-void push_clip(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+void push_clip(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   const float room = c.style.px(2);
   const ImVec2 a = p.min(), b = p.max();
   dl->PushClipRect({a.x - room, a.y - room}, {b.x + 1 + room, b.y + 1 + room}, true);
 }
 
-void draw_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p, const ActiveBlock& held,
+void draw_cells(ImDrawList* dl, const DraftContext& c, const GridPane& p, const ActiveBlock& held,
                 const BitMatrix& cells) {
   const bool crossings = held.grid == BitGrid::kDrawdown;
   const bool inverted = crossings && c.view.face == Face::kBack;  // the back shows the other system
@@ -83,8 +83,8 @@ void draw_cells(ImDrawList* dl, const PanelContext& c, const GridPane& p, const 
 
 }  // namespace
 
-void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const Selection& s = c.view.select.selected;
+void draw_selection(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
+  const Selection& s = c.select.selected;
   const GridPane* pane = s.empty() ? nullptr : pane_of(l, s.grid);
   if (pane == nullptr) return;
   const PixelRect box = rect_of(*pane, s.a0, s.a1, s.b0, s.b1);
@@ -94,9 +94,9 @@ void draw_selection(ImDrawList* dl, const PanelContext& c, const DraftLayout& l)
   dl->PopClipRect();
 }
 
-void draw_active_block(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  if (!c.view.select.held) return;
-  const ActiveBlock& held = *c.view.select.held;
+void draw_active_block(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
+  if (!c.select.held) return;
+  const ActiveBlock& held = *c.select.held;
   const GridPane* pane = pane_of(l, held.grid);
   if (pane == nullptr) return;
   const BitMatrix cells = turned_for(held.block, held.grid);

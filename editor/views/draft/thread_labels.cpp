@@ -17,13 +17,13 @@ System system_of(const GridPane& pane) { return pane.id == GridId::kWarpColors ?
 
 const Axis& threads_along(const GridPane& pane) { return pane.id == GridId::kWarpColors ? pane.x : pane.y; }
 
-int thread_at(const PanelContext& c, const GridPane& pane) {
+int thread_at(const DraftContext& c, const GridPane& pane) {
   const ImVec2 hand = hand_at(c.style);
   return threads_along(pane).nearest(system_of(pane) == System::kWarp ? hand.x : hand.y);
 }
 
 /// The ImGui item drawn last lies over `pane`.
-void handle_gesture(PanelContext& c, const GridPane& pane) {
+void handle_gesture(DraftContext& c, const GridPane& pane) {
   const ImGuiIO& io = ImGui::GetIO();
   const int thread = thread_at(c, pane);
   if (thread < 0) return;
@@ -41,7 +41,7 @@ void handle_gesture(PanelContext& c, const GridPane& pane) {
 }
 
 /// True while a button that went down on the numbers is down.
-bool label_input(PanelContext& c, const GridPane& labels, const char* name) {
+bool label_input(DraftContext& c, const GridPane& labels, const char* name) {
   const ImVec2 a = labels.min(), b = labels.max();
   if (b.x - a.x < 1 || b.y - a.y < 1) return false;
   ImGui::SetCursorScreenPos(a);
@@ -53,7 +53,7 @@ bool label_input(PanelContext& c, const GridPane& labels, const char* name) {
     c.frame.hover = {labels.id, warp ? Cell{thread_at(c, labels), 0} : Cell{0, thread_at(c, labels)}};
   }
   // With a selection the tip would only cover the bars.
-  if (c.view.chosen.threads.empty())
+  if (c.chosen.threads.empty())
     tooltip(c, tr("Click or drag along the numbers to select threads for the Threads panel. Shift: extend. Ctrl: add. "
                   "Double-click: all with the same colour and yarn. Esc: none"));
   UiGrid grid = map_of(labels);
@@ -76,7 +76,7 @@ void each_run(const ThreadChoice& choice, const Axis& axis, Use use) {
 }
 
 /// A frame that is visible on any colour: accent outside, paper inside.
-void draw_frame(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
+void draw_frame(ImDrawList* dl, const DraftContext& c, ImVec2 a, ImVec2 b) {
   const float thick = c.style.px(2), half = thick / 2;
   dl->AddRect({a.x - half, a.y - half}, {b.x + 1 + half, b.y + 1 + half}, c.style.color.accent, 0, 0, thick);
   dl->AddRect({a.x + half, a.y + half}, {b.x + 1 - half, b.y + 1 - half}, c.style.color.paper);
@@ -84,17 +84,17 @@ void draw_frame(ImDrawList* dl, const PanelContext& c, ImVec2 a, ImVec2 b) {
 
 }  // namespace
 
-bool chooses_on_bar(const PanelContext& c, GridId bar) {
+bool chooses_on_bar(const DraftContext& c, GridId bar) {
   if (bar != GridId::kWarpColors && bar != GridId::kWeftColors) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  return c.view.chosen.dragging ||
-         (c.view.stroke.grid == GridId::kNone && (c.view.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
+  return c.chosen.dragging ||
+         (c.drawing.stroke.grid == GridId::kNone && (c.select.tool == Tool::kSelect || io.KeyShift || io.KeyCtrl));
 }
 
-void choose_on_bar(PanelContext& c, const GridPane& bar) { handle_gesture(c, bar); }
+void choose_on_bar(DraftContext& c, const GridPane& bar) { handle_gesture(c, bar); }
 
-bool choose_by_labels(PanelContext& c, const DraftLayout& l) {
-  const ThreadChoice& choice = c.view.chosen;
+bool choose_by_labels(DraftContext& c, const DraftLayout& l) {
+  const ThreadChoice& choice = c.chosen;
   bool pressed = label_input(c, l.warp_labels, "warp_numbers");
   pressed |= label_input(c, l.weft_labels, "weft_numbers");
   if (!ImGui::IsAnyMouseDown() && choice.dragging)
@@ -106,8 +106,8 @@ bool choose_by_labels(PanelContext& c, const DraftLayout& l) {
   return pressed;
 }
 
-void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
-  const bool warp = c.view.chosen.system == System::kWarp;
+void draw_chosen(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
+  const bool warp = c.chosen.system == System::kWarp;
   const GridPane& labels = warp ? l.warp_labels : l.weft_labels;
   const GridPane& bar = warp ? l.warp_bar : l.weft_bar;
   const GridPane& marks = warp ? l.threading : l.lift;
@@ -117,7 +117,7 @@ void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   const ImVec2 b{std::max(labels.max().x, bar.max().x), std::max(labels.max().y, bar.max().y)};
   const ImDrawFlags outer = l.threading_below ? ImDrawFlags_RoundCornersBottom : ImDrawFlags_RoundCornersTop;
   dl->PushClipRect({a.x - thick, a.y - thick}, {b.x + thick + 1, b.y + thick + 1}, true);
-  each_run(c.view.chosen, threads_along(bar), [&](float low, float high) {
+  each_run(c.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) {
       dl->AddRectFilled({low, labels.min().y}, {high + 1, labels.max().y}, soft, r, outer);
       draw_frame(dl, c, {low, bar.min().y}, {high, bar.max().y});
@@ -128,7 +128,7 @@ void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& l) {
   });
   dl->PopClipRect();
   dl->PushClipRect(marks.min(), marks.max(), true);
-  each_run(c.view.chosen, threads_along(bar), [&](float low, float high) {
+  each_run(c.chosen, threads_along(bar), [&](float low, float high) {
     if (warp) dl->AddRectFilled({low, marks.min().y}, {high + 1, marks.max().y}, band);
     else dl->AddRectFilled({marks.min().x, low}, {marks.max().x, high + 1}, band);
   });

@@ -3,18 +3,18 @@
 // themselves the Select tool does the same, and Shift and Ctrl with any tool.
 
 #include "views/common/names.h"
-#include "views/common/panel.h"
+#include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
 
 /// True while a press on a colour bar selects threads rather than paints.
-bool chooses_on_bar(const PanelContext& c, GridId bar);
+bool chooses_on_bar(const DraftContext& c, GridId bar);
 /// Selects threads on a bar, whose ImGui item was drawn last.
-void choose_on_bar(PanelContext& c, const GridPane& bar);
+void choose_on_bar(DraftContext& c, const GridPane& bar);
 /// Selects threads by their numbers; Escape clears the selection. True while a button pressed there is down.
-bool choose_by_labels(PanelContext& c, const DraftLayout& layout);
+bool choose_by_labels(DraftContext& c, const DraftLayout& layout);
 /// Highlights the selected threads on numbers and bars.
-void draw_chosen(ImDrawList* dl, const PanelContext& c, const DraftLayout& layout);
+void draw_chosen(ImDrawList* dl, const DraftContext& c, const DraftLayout& layout);
 
 }  // namespace weftlight::views

@@ -31,7 +31,7 @@ PixelRect rect_of(const GridPane& p, int ends, int picks) {
 }
 
 /// Lines where the second and later repeats begin.
-void draw_starts(ImDrawList* dl, const PanelContext& c, const GridPane& p, const Repeat& r) {
+void draw_starts(ImDrawList* dl, const DraftContext& c, const GridPane& p, const Repeat& r) {
   const ImVec2 a = p.min(), b = p.max();
   const ImU32 color = with_alpha(c.style.color.accent, 0.55f), halo = with_alpha(c.style.color.paper, 0.45f);
   const auto next = [](int from, int step) { return std::max(1, (from + step - 1) / step) * step; };
@@ -49,7 +49,7 @@ void draw_starts(ImDrawList* dl, const PanelContext& c, const GridPane& p, const
     }
 }
 
-void draw_size(ImDrawList* dl, const PanelContext& c, const GridPane& p, PixelRect box, const Repeat& r) {
+void draw_size(ImDrawList* dl, const DraftContext& c, const GridPane& p, PixelRect box, const Repeat& r) {
   const std::string text = std::to_string(r.ends) + " \xC3\x97 " + std::to_string(r.picks);
   ImFont* font = c.style.font.small;
   const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
@@ -65,7 +65,7 @@ void draw_size(ImDrawList* dl, const PanelContext& c, const GridPane& p, PixelRe
 
 }  // namespace
 
-void draw_tiled(ImDrawList* dl, const PanelContext& c, const DraftLayout& l, CellTexture& texture) {
+void draw_tiled(ImDrawList* dl, const DraftContext& c, const DraftLayout& l, CellTexture& texture) {
   const GridPane& all = l.tiled_drawdown;
   const ImVec2 a = all.min(), b = all.max(), p = l.drawdown.min(), q = l.drawdown.max();
   if (all.x.length < 1 || all.y.length < 1 || (p.x <= a.x && p.y <= a.y && q.x >= b.x && q.y >= b.y)) return;
@@ -76,7 +76,7 @@ void draw_tiled(ImDrawList* dl, const PanelContext& c, const DraftLayout& l, Cel
   draw_part(dl, picture, all, {q.x, p.y}, {b.x, q.y});
 }
 
-void draw_repeat(ImDrawList* dl, const PanelContext& c, const GridPane& p) {
+void draw_repeat(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   if (c.report == nullptr || c.report->revision != c.revision) return;
   const Repeat& r = c.report->repeat;
   if (r.ends < 1 || r.picks < 1 || r.ends > p.x.count || r.picks > p.y.count) return;

@@ -19,7 +19,7 @@ using base::tr;
 
 namespace {
 
-void draw_progress(PanelContext& c) {
+void draw_progress(PanelContext& c, const DrapeState& drape) {
   const char* tip = tr("The cloth is being simulated. Until then the picture shows the generic drape");
   row_label(c, "", tip);
   const float stop_width = ImGui::CalcTextSize(tr("Stop")).x + 4 * ImGui::GetStyle().FramePadding.x;
@@ -27,7 +27,7 @@ void draw_progress(PanelContext& c) {
   const float down = (ImGui::GetFrameHeight() - c.style.px(8)) / 2, y = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(y + down);
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, c.style.color.accent);
-  ImGui::ProgressBar(c.drape.share, {width, c.style.px(8)}, "");
+  ImGui::ProgressBar(drape.share, {width, c.style.px(8)}, "");
   ImGui::PopStyleColor();
   c.map.add_item("drape.progress");
   tooltip(c, tip);
@@ -37,11 +37,11 @@ void draw_progress(PanelContext& c) {
     c.wanted.add_action("drape.stop");
 }
 
-void draw_stage(PanelContext& c) {
-  if (c.drape.stage == DrapeStage::kFalling) return draw_progress(c);
-  const bool failed = c.drape.stage == DrapeStage::kFailed;
-  if (!failed && c.drape.stage != DrapeStage::kStopped) return;
-  if (failed) draw_words(c, c.drape.problem, c.style.color.error, tr("What went wrong"));
+void draw_stage(PanelContext& c, const DrapeState& drape) {
+  if (drape.stage == DrapeStage::kSimulating) return draw_progress(c, drape);
+  const bool failed = drape.stage == DrapeStage::kFailed;
+  if (!failed && drape.stage != DrapeStage::kStopped) return;
+  if (failed) draw_words(c, drape.problem, c.style.color.error, tr("What went wrong"));
   row_label(c, "", tr("The cloth shows the generic drape"));
   if (text_button(c, "drape.again", tr("Simulate again"), tr("Run the simulation again; takes seconds")))
     c.wanted.add_action("drape.again");
@@ -59,7 +59,7 @@ std::string stiffness_in_words(const Design& design) {
   return fill(text, arg("length", handle.bending_length_mm), arg("weight", 1000 * handle.kg_per_m2));
 }
 
-MaybeEdit draw_drape_stiffness(PanelContext& c) {
+MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape) {
   if (!files::can_drape(c.design)) return {};
   row_label(c, tr("Drape"),
             tr("Generic: like any limp, medium or stiff cloth, at once. Simulated: this fabric with its own stiffness, "
@@ -72,7 +72,7 @@ MaybeEdit draw_drape_stiffness(PanelContext& c) {
     draw_words(c, stiffness, c.style.color.muted,
                tr("Peirce's bending length: how far a strip overhangs before it bends under its own weight. 12 mm is "
                   "charmeuse, 19 shirting, 30 denim. Computed from yarns and sett, as is the weight"));
-  draw_stage(c);
+  draw_stage(c, drape);
   ImGui::Dummy({0, c.style.px(2)});
   return edit;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "session/jobs/draper.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
@@ -11,6 +12,6 @@ namespace weftlight::views {
 /// "Medium: bending length 19 mm, 135 g/m²". Empty for a draft without threads.
 std::string stiffness_in_words(const Design& design);
 /// Draws nothing if the cloth is flat or on the user's own mesh.
-MaybeEdit draw_drape_stiffness(PanelContext& c);
+MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape);
 
 }  // namespace weftlight::views

@@ -17,8 +17,10 @@ using base::tr;
 
 namespace {
 
+using Panel = ViewContext<DrawingState>;
+
 /// All swatches in rows. A click makes a colour active. Large palettes scroll.
-void draw_swatches(PanelContext& c) {
+void draw_swatches(Panel& c) {
   const auto& palette = c.design.draft.palette;
   const float side = c.style.px(24), gap = c.style.px(6);
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap - 4) / (side + gap)));
@@ -33,8 +35,8 @@ void draw_swatches(PanelContext& c) {
     ImGui::PushID(i);
     if (hit_area("swatch", {side, side}))
       c.wanted.change_view([i](DocumentView& v) {
-        v.color = i;
-        v.bar_paint = BarPaint::kColor;
+        v.drawing.color = i;
+        v.drawing.bar_paint = BarPaint::kColor;
       });
     ImGui::PopID();
     if (!ImGui::IsItemVisible()) continue;
@@ -46,7 +48,7 @@ void draw_swatches(PanelContext& c) {
   ImGui::EndChild();
 }
 
-MaybeEdit draw_active_color(PanelContext& c) {
+MaybeEdit draw_active_color(Panel& c) {
   const int index = c.view.color;
   Rgb color = c.design.draft.palette[static_cast<size_t>(index)];
   float rgb[3] = {color.r, color.g, color.b};
@@ -60,7 +62,8 @@ MaybeEdit draw_active_color(PanelContext& c) {
   c.map.add_item("palette.color");
   ImGui::SameLine();
   if (icon_button(c, "palette.add", icon::kPlus, "+", tr("Add a copy of this colour to the palette"))) {
-    c.wanted.change_view([next = static_cast<int>(c.design.draft.palette.size())](DocumentView& v) { v.color = next; });
+    c.wanted.change_view(
+        [next = static_cast<int>(c.design.draft.palette.size())](DocumentView& v) { v.drawing.color = next; });
     return Edit{tr("Add colour"), [color](Design d) { return with_new_palette_color(std::move(d), color); }};
   }
   if (!changed) return {};
@@ -68,7 +71,7 @@ MaybeEdit draw_active_color(PanelContext& c) {
   return Edit{tr("Edit colour"), [=](Design d) { return with_palette_color(std::move(d), index, next); }};
 }
 
-MaybeEdit paint_all(PanelContext& c) {
+MaybeEdit paint_all(Panel& c) {
   const bool color = c.view.bar_paint == BarPaint::kColor;
   const int index = color ? c.view.color : c.view.yarn;
   const Draft& d = c.design.draft;
@@ -82,7 +85,8 @@ MaybeEdit paint_all(PanelContext& c) {
 
 }  // namespace
 
-MaybeEdit draw_palette(PanelContext& c) {
+MaybeEdit draw_palette(const PanelContext& panel, const DrawingState& drawing) {
+  Panel c{panel, drawing};
   if (!section(c, "section.palette", tr("Colours"))) return {};
   draw_swatches(c);
   MaybeEdit edit = draw_active_color(c);
@@ -91,7 +95,7 @@ MaybeEdit draw_palette(PanelContext& c) {
   constexpr const char* kWhat[] = {mark("Colour"), mark("Yarn")};
   int what = static_cast<int>(c.view.bar_paint);
   if (segmented(c, "bars", kWhat, what))
-    c.wanted.change_view([what](DocumentView& v) { v.bar_paint = static_cast<BarPaint>(what); });
+    c.wanted.change_view([what](DocumentView& v) { v.drawing.bar_paint = static_cast<BarPaint>(what); });
   row_label(c, "", "");
   if (MaybeEdit all = paint_all(c)) edit = std::move(all);
   return edit;

@@ -1,11 +1,12 @@
 #pragma once
 // The colours of the draft: swatches, the active colour, and what the colour bars are painted with.
 
+#include "session/editing/drawing_state.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
 
-MaybeEdit draw_palette(PanelContext& c);
+MaybeEdit draw_palette(const PanelContext& c, const DrawingState& drawing);
 
 }  // namespace weftlight::views

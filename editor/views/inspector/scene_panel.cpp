@@ -164,10 +164,10 @@ MaybeEdit draw_method(PanelContext& c) {
 
 }  // namespace
 
-MaybeEdit draw_scene(PanelContext& c) {
+MaybeEdit draw_scene(PanelContext& c, const DrapeState& drape) {
   if (!section(c, "section.scene", tr("Cloth and light"))) return {};
   MaybeEdit edit = draw_mesh(c);
-  if (MaybeEdit drape = draw_drape_stiffness(c)) edit = std::move(drape);
+  if (MaybeEdit stiffness = draw_drape_stiffness(c, drape)) edit = std::move(stiffness);
   if (MaybeEdit lights = draw_light_presets(c)) edit = std::move(lights);
   if (MaybeEdit environment = draw_environment(c)) edit = std::move(environment);
   if (MaybeEdit method = draw_method(c)) edit = std::move(method);

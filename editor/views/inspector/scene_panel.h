@@ -1,11 +1,12 @@
 #pragma once
 // The scene: shape and drape of the cloth, light, shading method and exposure.
 
+#include "session/jobs/draper.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
 
-MaybeEdit draw_scene(PanelContext& c);
+MaybeEdit draw_scene(PanelContext& c, const DrapeState& drape);
 
 }  // namespace weftlight::views

@@ -25,6 +25,8 @@ using base::tr_n;
 
 namespace {
 
+using Panel = ViewContext<ThreadChoice>;
+
 constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link button
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
@@ -37,27 +39,27 @@ struct Subject {
 
 struct LengthSpec {
   SliderSpec slider;
-  const char* what;  // for the undo label
-  const char* link;  // control that resets it to the yarn's
+  ThreadProperty property;  // for the undo label
+  const char* link;         // control that resets it to the yarn's
   SharedLength SharedThreads::*shared;
   Design (*set)(Design, System, std::span<const int>, float);
 };
 const LengthSpec kThickness = {
     {"threads.thickness", mark("Thickness"), 0.02f, 10, "%.2f mm", mark("Diameter of the threads"), true},
-    mark("Thickness"),
+    ThreadProperty::kThickness,
     "threads.thickness:yarn",
     &SharedThreads::thickness,
     with_thread_thickness};
 const LengthSpec kSpacing = {{"threads.spacing", mark("Spacing"), 0.05f, 20, "%.2f mm",
                               mark("Distance between the centres of neighbouring threads"), true},
-                             mark("Spacing"),
+                             ThreadProperty::kSpacing,
                              "threads.spacing:yarn",
                              &SharedThreads::spacing,
                              with_thread_spacing};
 
 template <class Apply>
-Edit edit_of(const Subject& s, const char* what, Apply apply) {
-  return {thread_label(tr(what), s.system, s.threads.size()),
+Edit edit_of(const Subject& s, ThreadProperty property, Apply apply) {
+  return {thread_label(property, s.system, s.threads.size()),
           [apply, system = s.system, threads = s.threads](Design d) { return apply(std::move(d), system, threads); }};
 }
 
@@ -82,8 +84,8 @@ void choose(PanelContext& c, std::vector<int> threads) {
 }
 
 /// The field that names the threads, with their number at its end.
-void draw_which(PanelContext& c, const Draft& d, std::string& words) {
-  const ThreadChoice& choice = c.view.chosen;
+void draw_which(Panel& c, const Draft& d, std::string& words) {
+  const ThreadChoice& choice = c.view;
   const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(10);
   const std::string all = fill(choice.system == System::kWarp ? tr("all {count} ends") : tr("all {count} picks"),
                                arg("count", d.threads(choice.system).size()));
@@ -109,9 +111,9 @@ void draw_which(PanelContext& c, const Draft& d, std::string& words) {
   ImGui::PopStyleColor();
 }
 
-void draw_choice(PanelContext& c, std::string& typed) {
+void draw_choice(Panel& c, std::string& typed) {
   constexpr const char* kSystems[] = {mark("Warp"), mark("Weft")};
-  int system = c.view.chosen.system == System::kWarp ? 0 : 1;
+  int system = c.view.system == System::kWarp ? 0 : 1;
   const ImVec2 at = ImGui::GetCursorPos();
   if (segmented(c, "threads.system", kSystems, system, c.style.px(96)))
     c.wanted.change_view([system](DocumentView& v) {
@@ -141,16 +143,16 @@ std::string twist_mark(const Yarn& yarn) {
 }
 
 void activate_yarn(PanelContext& c, int yarn) {
-  c.wanted.change_view([yarn](DocumentView& v) { v.yarn = yarn; });
+  c.wanted.change_view([yarn](DocumentView& v) { v.drawing.yarn = yarn; });
 }
 
 void activate_color(PanelContext& c, int color) {
-  c.wanted.change_view([color](DocumentView& v) { v.color = color; });
+  c.wanted.change_view([color](DocumentView& v) { v.drawing.color = color; });
 }
 
 Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
   activate_yarn(c, yarn);
-  return edit_of(s, mark("Yarn"), [yarn](Design d, System system, const std::vector<int>& threads) {
+  return edit_of(s, ThreadProperty::kYarn, [yarn](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(std::move(d), system, threads, yarn);
   });
 }
@@ -159,7 +161,7 @@ Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
 Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
   const auto index = static_cast<int>(c.design.yarns.size());
   activate_yarn(c, index);
-  return edit_of(s, mark("Yarn"), [yarn, index](Design d, System system, const std::vector<int>& threads) {
+  return edit_of(s, ThreadProperty::kYarn, [yarn, index](Design d, System system, const std::vector<int>& threads) {
     return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
   });
 }
@@ -222,7 +224,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     const ImVec2 a = ImGui::GetCursorScreenPos();
     ImGui::PushID(i);
     if (hit_area("color", {side, side})) {
-      edit = edit_of(s, mark("Colour"), [i](Design d, System system, const std::vector<int>& threads) {
+      edit = edit_of(s, ThreadProperty::kColor, [i](Design d, System system, const std::vector<int>& threads) {
         return with_thread_color(std::move(d), system, threads, i);
       });
       activate_color(c, i);
@@ -239,7 +241,7 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
   if (ImGui::Selectable(tr("New colour"))) {
     const auto index = static_cast<int>(palette.size());
     const Rgb copy = palette[static_cast<size_t>(s.shared.color.value)];
-    edit = edit_of(s, mark("Colour"), [copy, index](Design d, System system, const std::vector<int>& threads) {
+    edit = edit_of(s, ThreadProperty::kColor, [copy, index](Design d, System system, const std::vector<int>& threads) {
       return with_thread_color(with_new_palette_color(std::move(d), copy), system, threads, index);
     });
     activate_color(c, index);
@@ -285,45 +287,46 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   float mm = length.mixed() ? (length.low + length.high) / 2 * 1.0001f : length.low;
   MaybeEdit edit;
   if (span_slider(c, spec.slider, {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)}, mm))
-    edit = edit_of(s, spec.what,
+    edit = edit_of(s, spec.property,
                    [set = spec.set, mm = rounded(mm)](Design d, System system, const std::vector<int>& threads) {
                      return set(std::move(d), system, threads, mm);
                    });
   if (draw_link(c, spec, length))
-    edit = edit_of(s, spec.what, [set = spec.set](Design d, System system, const std::vector<int>& threads) {
+    edit = edit_of(s, spec.property, [set = spec.set](Design d, System system, const std::vector<int>& threads) {
       return set(std::move(d), system, threads, kFromYarn);
     });
   return edit;
 }
 
 /// Also changes the default, unless the file has a unit of its own.
-void set_sett_unit(PanelContext& c, bool inches) {
-  if (c.view.warp_unit.mm == static_cast<double>(kMmPerCm))
+void set_sett_unit(PanelContext& c, const SettUnits& units, bool inches) {
+  if (units.warp.mm == static_cast<double>(kMmPerCm))
     c.wanted.change_settings([inches](Settings& s) { s.per_inch = inches; });
-  c.wanted.change_view([inches](DocumentView& v) { v.per_inch = inches; });
+  c.wanted.change_view([inches](DocumentView& v) { v.units.per_inch = inches; });
 }
 
 /// The spacing as sett: threads per centimetre or inch.
-MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
+MaybeEdit draw_sett(PanelContext& c, const SettUnits& units, const Subject& s) {
   const bool warp = s.system == System::kWarp;
   const char* tip = warp ? tr("Sett: ends per centimetre or inch") : tr("Sett: picks per centimetre or inch");
   row_label(c, warp ? tr("Ends") : tr("Picks"), tip);
-  const float unit = c.view.per_inch ? kMmPerInch : kMmPerCm;
+  const float unit = units.per_inch ? kMmPerInch : kMmPerCm;
   const SharedLength& spacing = s.shared.spacing;
   float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
-  const SliderSpec field{"threads.sett", "", 0.5f, c.view.per_inch ? 500.0f : 200.0f, "%.2f", tip};
+  const SliderSpec field{"threads.sett", "", 0.5f, units.per_inch ? 500.0f : 200.0f, "%.2f", tip};
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
-    edit = edit_of(s, mark("Spacing"), [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
-      return with_thread_spacing(std::move(d), system, threads, mm);
-    });
+    edit = edit_of(s, ThreadProperty::kSpacing,
+                   [mm = unit / sett](Design d, System system, const std::vector<int>& threads) {
+                     return with_thread_spacing(std::move(d), system, threads, mm);
+                   });
   ImGui::SameLine();
   muted_text(c, tr("per"));
   ImGui::SameLine();
   constexpr const char* kUnits[] = {mark("cm"), mark("inch")};
-  int chosen = c.view.per_inch ? 1 : 0;
-  if (segmented(c, "threads.per", kUnits, chosen)) set_sett_unit(c, chosen == 1);
+  int chosen = units.per_inch ? 1 : 0;
+  if (segmented(c, "threads.per", kUnits, chosen)) set_sett_unit(c, units, chosen == 1);
   return edit;
 }
 
@@ -334,8 +337,8 @@ std::string in_unit(const SharedLength& length, double unit_mm) {
 }
 
 /// Thickness and spacing in the unit of the file, if that is not the centimetre.
-void draw_file_words(const PanelContext& c, const Subject& s) {
-  const WifUnit& unit = s.system == System::kWarp ? c.view.warp_unit : c.view.weft_unit;
+void draw_file_words(const PanelContext& c, const SettUnits& units, const Subject& s) {
+  const WifUnit& unit = s.system == System::kWarp ? units.warp : units.weft;
   if (unit.mm == static_cast<double>(kMmPerCm)) return;
   const SharedLength &thickness = s.shared.thickness, &spacing = s.shared.spacing;
   if (thickness.own <= 0 && spacing.own <= 0) return;
@@ -352,11 +355,13 @@ void draw_file_words(const PanelContext& c, const Subject& s) {
 
 }  // namespace
 
-MaybeEdit draw_threads(PanelContext& c, std::string& typed) {
+MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const SettUnits& units,
+                       std::string& typed) {
+  Panel c{panel, chosen};
   if (c.focus.starts_with("threads.")) open_section("section.threads");
   if (!section(c, "section.threads", tr("Threads"))) return {};
   draw_choice(c, typed);
-  Subject s{c.view.chosen.system, concerned(c.view.chosen, c.design.draft), {}};
+  Subject s{c.view.system, concerned(c.view, c.design.draft), {}};
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);
   MaybeEdit edit;
@@ -367,8 +372,8 @@ MaybeEdit draw_threads(PanelContext& c, std::string& typed) {
   take(draw_color(c, s));
   take(draw_length(c, s, kThickness));
   take(draw_length(c, s, kSpacing));
-  take(draw_sett(c, s));
-  draw_file_words(c, s);
+  take(draw_sett(c, units, s));
+  draw_file_words(c, units, s);
   return edit;
 }
 

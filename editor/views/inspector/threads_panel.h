@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "session/editing/document_view.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
 
 /// `typed`: the text that names the threads while it is typed.
-MaybeEdit draw_threads(PanelContext& c, std::string& typed);
+MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const SettUnits& units, std::string& typed);
 
 }  // namespace weftlight::views

@@ -25,6 +25,8 @@ using base::tr;
 
 namespace {
 
+using Panel = ViewContext<DrawingState>;
+
 constexpr float kStripHeight = 84;  // pixels at 96 dpi
 
 /// The slider of a field. True while it changes `value`.
@@ -51,7 +53,7 @@ MaybeEdit changed(int index, const Yarn& yarn, const char* property) {
 }
 
 void activate(PanelContext& c, int yarn) {
-  c.wanted.change_view([yarn](DocumentView& v) { v.yarn = yarn; });
+  c.wanted.change_view([yarn](DocumentView& v) { v.drawing.yarn = yarn; });
 }
 
 MaybeEdit add_yarn(PanelContext& c, const Yarn& yarn) {
@@ -60,7 +62,7 @@ MaybeEdit add_yarn(PanelContext& c, const Yarn& yarn) {
 }
 
 /// The menu of the plus button.
-MaybeEdit draw_yarn_presets(PanelContext& c) {
+MaybeEdit draw_yarn_presets(Panel& c) {
   if (!ImGui::BeginPopup("yarn presets")) return {};
   MaybeEdit edit;
   if (ImGui::MenuItem(tr("Copy of this one"))) edit = add_yarn(c, c.design.yarns[static_cast<size_t>(c.view.yarn)]);
@@ -75,7 +77,7 @@ MaybeEdit draw_yarn_presets(PanelContext& c) {
 }
 
 /// The list of yarns as a drop-down, and a button for a new one.
-MaybeEdit draw_choice(PanelContext& c) {
+MaybeEdit draw_choice(Panel& c) {
   const auto& yarns = c.design.yarns;
   const float add = ImGui::GetFrameHeight() + c.style.px(12);
   row_label(c, tr("Active yarn"),
@@ -206,7 +208,7 @@ void draw_strip(PanelContext& c, const Yarn& yarn, Rgb colour, YarnStrip& strip)
 }
 
 /// The optical parameters, folded by default.
-MaybeEdit draw_optics(PanelContext& c, Yarn& yarn, Rgb colour) {
+MaybeEdit draw_optics(Panel& c, Yarn& yarn, Rgb colour) {
   if (!section(c, "section.lobes", tr("Optics"), false)) return {};
   const ImVec2 plot = ImGui::GetCursorPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -244,7 +246,8 @@ MaybeEdit draw_finish(PanelContext& c) {
 
 }  // namespace
 
-MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip) {
+MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, YarnStrip& strip) {
+  Panel c{panel, drawing};
   Yarn yarn = c.design.yarns[static_cast<size_t>(c.view.yarn)];
   const auto& palette = c.design.draft.palette;
   const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.view.color, 0)), palette.size() - 1)];

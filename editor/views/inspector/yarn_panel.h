@@ -1,12 +1,13 @@
 #pragma once
 // The yarns of the design: the list, and the properties and optics of the active one.
 
+#include "session/editing/drawing_state.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/inspector/yarn_strip.h"
 
 namespace weftlight::views {
 
-MaybeEdit draw_yarns(PanelContext& c, YarnStrip& strip);
+MaybeEdit draw_yarns(const PanelContext& c, const DrawingState& drawing, YarnStrip& strip);
 
 }  // namespace weftlight::views

@@ -33,6 +33,8 @@ std::string press_text(const Draft& draft, int pick) {
 
 namespace {
 
+using Panel = ViewContext<AtLoom>;
+
 // Pixels at 96 dpi.
 constexpr float kMargin = 28, kFoot = 150, kLargestShaft = 64, kMinForStrip = 900;
 constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // fraction of the strip before the current pick
@@ -131,7 +133,7 @@ void draw_colors(const PanelContext& c, int pick, int next, ImVec2 at, float roo
               to_u32(d.palette[static_cast<size_t>(color(next))]));
 }
 
-void draw_pick(PanelContext& c, const BitMatrix& up, const loom::WeavingState& place, PixelRect room) {
+void draw_pick(Panel& c, const BitMatrix& up, const loom::WeavingState& place, PixelRect room) {
   const Draft& d = c.design.draft;
   const int pick = place.next_pick;
   ImFont *big = c.style.font.big, *title = c.style.font.title;
@@ -151,7 +153,7 @@ void draw_pick(PanelContext& c, const BitMatrix& up, const loom::WeavingState& p
   y += line + c.style.px(14);
   draw_shafts(c, up, pick, {{room.min.x, y}, room.max});
   y += c.style.px(kLargestShaft) + c.style.px(18);
-  const loom::WeavingState after = loom::advanced(place, c.view.at_loom.section, d.picks());
+  const loom::WeavingState after = loom::advanced(place, c.view.section, d.picks());
   if (y + c.style.px(40) < room.max.y) draw_colors(c, pick, after.next_pick, {room.min.x, y}, room.width());
 }
 
@@ -170,9 +172,9 @@ std::string line_text(const LoomLine& line, loom::Protocol protocol) {
              : tr("Connected. The loom asks for each pick");
 }
 
-void draw_line(PanelContext& c, const LoomLine& line, std::string& address) {
+void draw_line(Panel& c, const LoomLine& line, std::string& address) {
   constexpr const char* kProtocols[] = {mark("Plain"), "S\xC3\xA9guin", "Toika ES"};
-  int protocol = static_cast<int>(c.view.at_loom.protocol);
+  int protocol = static_cast<int>(c.view.protocol);
   row_label(c, tr("Loom address"), tr("tcp:HOST:PORT or serial:/dev/ttyUSB0, followed by :BAUD if it is not 9600"));
   ImGui::SetNextItemWidth(c.style.px(220));
   const bool enter =
@@ -188,21 +190,20 @@ void draw_line(PanelContext& c, const LoomLine& line, std::string& address) {
   if (text_button(c, off ? "loom.connect" : "loom.disconnect", off ? tr("Connect") : tr("Disconnect"), nullptr) ||
       (enter && off))
     c.wanted.add_action(off ? "loom_connect" : "loom_disconnect");
-  const bool bad = !line.why.empty() || !c.view.at_loom.remark.empty();
+  const bool bad = !line.why.empty() || !c.view.remark.empty();
   ImGui::PushStyleColor(ImGuiCol_Text, bad ? c.style.color.warn : c.style.color.muted);
   row_label(c, "", nullptr);
   ImGui::TextUnformatted(
-      fitted(c.view.at_loom.remark.empty() ? line_text(line, c.view.at_loom.protocol) : c.view.at_loom.remark,
-             ImGui::GetContentRegionAvail().x)
+      fitted(c.view.remark.empty() ? line_text(line, c.view.protocol) : c.view.remark, ImGui::GetContentRegionAvail().x)
           .c_str());
   ImGui::PopStyleColor();
   c.map.add_item(line.state == LoomLink::State::kConnected ? "loom.connected" : "loom.line");
 }
 
 /// First and last pick of the section, counted from 1.
-void draw_section(PanelContext& c) {
+void draw_section(Panel& c) {
   const int picks = c.design.draft.picks();
-  const loom::PickRange now = c.view.at_loom.section;
+  const loom::PickRange now = c.view.section;
   int first = now.first < now.end ? now.first + 1 : 1, last = now.first < now.end ? now.end : picks;
   row_label(c, tr("Section"), tr("Picks to weave again and again"));
   push_font(c.style.font.mono);
@@ -227,7 +228,7 @@ void draw_section(PanelContext& c) {
     c.wanted.gesture([](DocumentView& v, const Design& d) { return keep_to_section(v.at_loom, d, {}).edit; });
   ImGui::SameLine(0, c.style.px(20));
   ImGui::AlignTextToFramePadding();
-  const auto woven = c.view.at_loom.place.woven;
+  const auto woven = c.view.place.woven;
   muted_text(c, fill(tr_n("Woven: {count} pick", "Woven: {count} picks", woven), arg("count", woven)));
 }
 
@@ -251,11 +252,12 @@ void draw_steps(PanelContext& c) {
 
 }  // namespace
 
-void draw_loom(PanelContext& c, const LoomLine& line, std::string& address) {
+void draw_loom(const PanelContext& panel, const AtLoom& at_loom, const LoomLine& line, std::string& address) {
+  Panel c{panel, at_loom};
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   const float margin = c.style.px(kMargin), foot = c.style.px(kFoot);
   PixelRect room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
-  const loom::WeavingState place = place_of(c.view.at_loom, c.design);
+  const loom::WeavingState place = place_of(c.view, c.design);
   const bool strip = size.x >= c.style.px(kMinForStrip);
   if (place.next_pick < c.design.draft.picks() && room.height() > 40) {
     const float right = room.max.x;

@@ -17,7 +17,7 @@ struct LoomLine {
 };
 
 /// Fills the rest of the current ImGui window. `address`: the text that is being typed.
-void draw_loom(PanelContext& c, const LoomLine& line, std::string& address);
+void draw_loom(const PanelContext& c, const AtLoom& at_loom, const LoomLine& line, std::string& address);
 
 /// What to press or lift for a pick: "Treadle 3 + 5", "Lift 1 + 2 + 4", "Lift nothing".
 std::string press_text(const Draft& draft, int pick);

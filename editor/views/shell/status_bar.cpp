@@ -60,12 +60,12 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
 
 /// By priority: the shape being drawn, the active block or drag; with the select tool the message, then the selection;
 /// then the cell under the pointer.
-std::string status_text(const PanelContext& c, const std::string& message) {
-  const SelectState& s = c.view.select;
+std::string status_text(const PanelContext& c, const SelectState& s, const DrawingState& drawing,
+                        const std::string& message) {
   const std::string selected = selection_text(s),
                     hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
-  if (c.view.shape) return shape_text(*c.view.shape);
-  if (s.tool == Tool::kType && message.empty()) return typing_text(c.view, c.design, c.cells);
+  if (drawing.shape) return shape_text(*drawing.shape);
+  if (s.tool == Tool::kType && message.empty()) return typing_text(drawing.cursor, c.design, c.cells);
   if (s.held || s.drag != SelectDrag::kNone) return selected;
   if (s.tool == Tool::kSelect && !message.empty()) return message;
   if (s.tool == Tool::kSelect && !selected.empty()) return selected;
@@ -96,14 +96,14 @@ std::string summary(const Draft& d) {
               arg("shed", d.rising ? tr("rising shed") : tr("sinking shed")));
 }
 
-bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
-                     std::span<const Diagnostic> remarks) {
+bool draw_status_bar(PanelContext& c, const SelectState& select, const DrawingState& drawing,
+                     const std::string& trouble, const std::string& message, std::span<const Diagnostic> remarks) {
   push_font(c.style.font.small);
   const float remark_room = remarks.empty() ? 0 : c.style.px(130), gap = c.style.px(16);
   const float right = content_right() - remark_room, room = std::max(0.0f, right - ImGui::GetCursorPosX());
   const std::string facts = summary(c.design.draft);
   // The message comes first; the size of the draft is shown if there is room left.
-  if (trouble.empty()) ImGui::TextUnformatted(fitted(status_text(c, message), room).c_str());
+  if (trouble.empty()) ImGui::TextUnformatted(fitted(status_text(c, select, drawing, message), room).c_str());
   else draw_trouble(c, trouble, room);
   const float facts_x = right - ImGui::CalcTextSize(facts.c_str()).x;
   if (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + gap <= facts_x) {

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "session/editing/drawing_state.h"
+#include "session/editing/select_state.h"
 #include "views/common/names.h"
 #include "views/common/panel.h"
 #include "wif/wif.h"
@@ -11,8 +13,8 @@ namespace weftlight::views {
 
 /// `trouble`: what could not be written, or empty; it replaces all else. `message`: what was just done ("Saved"). True
 /// if the button of the messages was clicked.
-bool draw_status_bar(PanelContext& c, const std::string& trouble, const std::string& message,
-                     std::span<const Diagnostic> remarks);
+bool draw_status_bar(PanelContext& c, const SelectState& select, const DrawingState& drawing,
+                     const std::string& trouble, const std::string& message, std::span<const Diagnostic> remarks);
 /// "48 ends x 60 picks 4 shafts 6 treadles rising shed".
 std::string summary(const Draft& draft);
 

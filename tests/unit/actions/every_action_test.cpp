@@ -1,5 +1,5 @@
-// Every row of the table, run without a window in every state that it can be run in: what changes the design is taken
-// back exactly and brought again exactly, and what is no edit changes nothing.
+// Every row of the table, run without a window in every state: what changes the design is undone and redone exactly,
+// and what is no edit changes nothing.
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "bare_desk.h"
+#include "bare_editor.h"
 #include "design/crossings.h"
 #include "design/edits.h"
 #include "design/loom.h"
@@ -55,14 +55,14 @@ Design two_footed() {
 struct Stage {
   std::string name;
   std::function<Design()> design;
-  std::function<void(BareDesk&)> prepare;
+  std::function<void(BareEditor&)> prepare;
 };
 
-using Prepare = std::function<void(BareDesk&)>;
+using Prepare = std::function<void(BareEditor&)>;
 
-void select(BareDesk& desk, const Selection& s) {
-  const Draft& draft = desk.document().now().draft;
-  if (is_shown(draft, s.grid)) select_cells(desk.view().select, clipped(s, draft));
+void select(BareEditor& editor, const Selection& s) {
+  const Draft& draft = editor.document().now().draft;
+  if (is_shown(draft, s.grid)) select_cells(editor.view().select, clipped(s, draft));
 }
 
 CellBlock small_block() {
@@ -72,22 +72,22 @@ CellBlock small_block() {
 }
 
 /// A crossing that the loom cannot weave without another shaft.
-void refuse(BareDesk& desk) {
-  Design requested = desk.document().now();
+void refuse(BareEditor& editor) {
+  Design requested = editor.document().now();
   requested.loom.shafts = requested.loom.treadles = kMaxShafts;
   BitMatrix cells = drawdown(requested.draft);
   for (int i = 0; i < std::min({10, cells.rows(), cells.cols()}); ++i) cells.set(i, i, !cells.get(i, i));
   requested.draft = closest_drawdown(requested.draft, cells, loom_size(requested)).draft;
-  desk.view().rejected_edit = RejectedEdit{0, std::make_shared<const Design>(requested)};
-  desk.view().rejected_edit->nearest = nearest_to(desk.document().now(), requested);
+  editor.view().rejected_edit = RejectedEdit{0, std::make_shared<const Design>(requested)};
+  editor.view().rejected_edit->closest = closest_weave_to(editor.document().now(), requested);
 }
 
 std::vector<std::pair<std::string, Prepare>> preparations() {
   const auto selection = [](BitGrid grid, int a0, int a1, int b0, int b1) {
-    return [=](BareDesk& d) { select(d, {grid, a0, a1, b0, b1}); };
+    return [=](BareEditor& d) { select(d, {grid, a0, a1, b0, b1}); };
   };
   return {
-      {"nothing", [](BareDesk&) {}},
+      {"nothing", [](BareEditor&) {}},
       {"threading selected", selection(BitGrid::kThreading, 2, 7, 0, 4)},
       {"whole ends selected", selection(BitGrid::kThreading, 4, 9, 0, 99)},
       {"tie-up selected", selection(BitGrid::kTieup, 1, 3, 1, 4)},
@@ -95,40 +95,40 @@ std::vector<std::pair<std::string, Prepare>> preparations() {
       {"liftplan selected", selection(BitGrid::kLiftplan, 0, 3, 2, 7)},
       {"crossings selected", selection(BitGrid::kDrawdown, 3, 8, 2, 6)},
       {"block in hand",
-       [](BareDesk& d) {
+       [](BareEditor& d) {
          hold_block(d.view().select, d.document().now().draft, small_block(), false);
          hold_block_over(d.view().select, BitGrid::kThreading, {1, 1});
        }},
       {"ends chosen",
-       [](BareDesk& d) {
+       [](BareEditor& d) {
          d.view().chosen = {System::kWarp, {2, 3, 11}, 3, {}, false, false};
        }},
       {"picks chosen",
-       [](BareDesk& d) {
+       [](BareEditor& d) {
          d.view().chosen = {System::kWeft, {1, 4}, 1, {}, false, false};
        }},
-      {"cells on the clipboard", [](BareDesk& d) { d.set_clipboard(block_text(small_block())); }},
+      {"cells on the clipboard", [](BareEditor& d) { d.set_clipboard(block_text(small_block())); }},
       {"colours on the clipboard",
-       [](BareDesk& d) {
+       [](BareEditor& d) {
          d.set_clipboard(color_text(d.document().now().draft, System::kWarp, std::vector<int>{1, 2, 4}));
        }},
-      {"thickness on the clipboard", [](BareDesk& d) { d.set_clipboard("weftlight thickness: 0.5 - 0.8"); }},
-      {"at the loom", [](BareDesk& d) { d.view().at_loom.open = true; }},
+      {"thickness on the clipboard", [](BareEditor& d) { d.set_clipboard("weftlight thickness: 0.5 - 0.8"); }},
+      {"at the loom", [](BareEditor& d) { d.view().at_loom.open = true; }},
       {"refused", refuse},
       {"held against another",
-       [](BareDesk& d) {
-         d.view().other = std::make_shared<OtherDraft>(OtherDraft{"other.wif", {}, {}});
+       [](BareEditor& d) {
+         d.view().differences.other = std::make_shared<OtherDraft>(OtherDraft{"other.wif", {}, {}});
        }},
       {"after two steps, one taken back",
-       [](BareDesk& d) {
+       [](BareEditor& d) {
          d.commit({"Title", [](Design x) { return x.title = "Other", x; }});
          d.commit({"Notes", [](Design x) { return x.title = "Third", x; }});
          d.undo();
        }},
       {"seen otherwise, views kept",
-       [](BareDesk& d) {
-         d.commit(keep_view_edit(d.view(), "Near"));
-         d.view().camera.distance *= 2;
+       [](BareEditor& d) {
+         d.commit(keep_view_edit(d.view().cloth, "Near"));
+         d.view().cloth.camera.distance *= 2;
          d.commit({"Lights", [](Design x) { return x.scene.lights = "overcast", x; }});
        }},
   };
@@ -221,96 +221,101 @@ std::string kind_of(const std::string& id) {
   return id;
 }
 
-std::vector<Action> whole_table() { return make_actions({"/drafts/one.wif"}, {}, {"Near"}); }
+std::vector<Action> whole_table(const BareEditor& editor) {
+  return make_actions(editor.subjects(), {"/drafts/one.wif"}, {}, {"Near"});
+}
 
 /// Runs it in the state; true when it changed the design, which is then taken back and brought again.
-bool changes(const Action& action, const Stage& stage) {
-  BareDesk desk(stage.design());
-  stage.prepare(desk);
-  follow_document(desk.view(), desk.document());
-  const auto before = desk.document().snapshot();
+bool changes(BareEditor& editor, const Action& action, const Stage& stage) {
+  editor.begin(stage.design());
+  stage.prepare(editor);
+  follow_document(editor.view(), editor.document());
+  const auto before = editor.document().snapshot();
   const Design value = *before;
-  if (action.enabled && !action.enabled(desk)) return false;
+  if (action.enabled && !action.enabled()) return false;
   if (action.label) {
-    EXPECT_FALSE(action.label(desk).empty());
+    EXPECT_FALSE(action.label().empty());
   }
   const auto run = action.run;
-  run(desk);
-  follow_document(desk.view(), desk.document());
+  run();
+  follow_document(editor.view(), editor.document());
   EXPECT_EQ(*before, value) << "a design that stands in the history is never written to";
-  const auto after = desk.document().snapshot();
+  const auto after = editor.document().snapshot();
   EXPECT_TRUE(is_consistent(*after));
-  EXPECT_EQ(desk.document().cells(), drawdown(after->draft));
+  EXPECT_EQ(editor.document().cells(), drawdown(after->draft));
   if (*after == *before) return false;
   if (action.item.id == "undo" || action.item.id == "redo") return true;
 
-  EXPECT_FALSE(desk.document().history().undo_label().empty()) << "the step has a name";
-  EXPECT_FALSE(desk.document().is_saved());
+  EXPECT_FALSE(editor.document().history().undo_label().empty()) << "the step has a name";
+  EXPECT_FALSE(editor.document().is_saved());
   const Design edited = *after;
-  desk.undo();
-  EXPECT_EQ(desk.document().now(), value) << "after undo";
-  EXPECT_EQ(desk.document().cells(), drawdown(value.draft)) << "after undo";
-  desk.redo();
-  EXPECT_EQ(desk.document().now(), edited) << "after redo";
-  EXPECT_EQ(desk.document().cells(), drawdown(edited.draft)) << "after redo";
-  follow_document(desk.view(), desk.document());
+  editor.undo();
+  EXPECT_EQ(editor.document().now(), value) << "after undo";
+  EXPECT_EQ(editor.document().cells(), drawdown(value.draft)) << "after undo";
+  editor.redo();
+  EXPECT_EQ(editor.document().now(), edited) << "after redo";
+  EXPECT_EQ(editor.document().cells(), drawdown(edited.draft)) << "after redo";
+  follow_document(editor.view(), editor.document());
 
   // Twice more: some join the step before, and all of them are taken back.
-  const size_t steps = desk.document().history().position();
+  const size_t steps = editor.document().history().position();
   for (int i = 0; i < 2; ++i)
-    if (!action.enabled || action.enabled(desk)) run(desk), follow_document(desk.view(), desk.document());
-  EXPECT_LE(desk.document().history().position(), steps + 2);
+    if (!action.enabled || action.enabled()) run(), follow_document(editor.view(), editor.document());
+  EXPECT_LE(editor.document().history().position(), steps + 2);
   EXPECT_EQ(*before, value) << "a design that stands in the history is never written to";
-  desk.go_to_step(steps);
-  desk.undo();
-  EXPECT_EQ(desk.document().now(), value) << "after all of three are taken back";
+  editor.go_to_step(steps);
+  editor.undo();
+  EXPECT_EQ(editor.document().now(), value) << "after all of three are taken back";
   return true;
 }
 
-TEST(EveryAction, IsRunInStatesThatAreWhole) {
+TEST(EveryAction, StartsFromConsistentDesigns) {
   for (const Stage& stage : stages()) {
     ASSERT_TRUE(is_consistent(stage.design())) << stage.name;
-    BareDesk desk(stage.design());
-    stage.prepare(desk);
-    ASSERT_TRUE(is_consistent(desk.document().now())) << stage.name;
+    BareEditor editor(stage.design());
+    stage.prepare(editor);
+    ASSERT_TRUE(is_consistent(editor.document().now())) << stage.name;
   }
 }
 
-TEST(EveryAction, IsTakenBackAndBroughtAgainExactly) {
+TEST(EveryAction, IsUndoneAndRedoneExactly) {
+  BareEditor editor(rich_design());
   const std::vector<Stage> all = stages();
   std::set<std::string> edits;
-  for (const Action& action : whole_table())
+  for (const Action& action : whole_table(editor))
     for (const Stage& stage : all) {
       SCOPED_TRACE(action.item.id + ": " + stage.name);
-      if (changes(action, stage)) edits.insert(kind_of(action.item.id));
+      if (changes(editor, action, stage)) edits.insert(kind_of(action.item.id));
       if (testing::Test::HasFailure()) return;
     }
   EXPECT_EQ(edits, kEdits) << "rows that change the design, in a state or another";
 }
 
-TEST(EveryAction, CanBeRunInSomeState) {
+TEST(EveryAction, IsEnabledInSomeState) {
+  BareEditor editor(rich_design());
   // Other tabs, files, and what crashed sessions left.
   const std::set<std::string> needs_the_window = {"close_others", "close_right", "copy_path",
                                                   "drape.again",  "next_tab",    "previous_tab",
                                                   "recovery",     "reload",      "show_in_folder"};
   const std::vector<Stage> all = stages();
   std::set<std::string> never;
-  for (const Action& action : whole_table()) {
+  for (const Action& action : whole_table(editor)) {
     bool can = !action.enabled;
     for (size_t i = 0; i < all.size() && !can; ++i) {
-      BareDesk desk(all[i].design());
-      all[i].prepare(desk);
-      can = action.enabled(desk);
+      editor.begin(all[i].design());
+      all[i].prepare(editor);
+      can = action.enabled();
     }
     if (!can) never.insert(action.item.id);
   }
   EXPECT_EQ(never, needs_the_window);
 }
 
-TEST(EveryAction, HasAnIdAndAKeyOfItsOwn) {
+TEST(EveryAction, HasItsOwnIdAndShortcut) {
+  BareEditor editor(rich_design());
   std::map<std::string, std::string> keys;
   std::set<std::string> ids;
-  for (const Action& a : whole_table()) {
+  for (const Action& a : whole_table(editor)) {
     EXPECT_TRUE(ids.insert(a.item.id).second) << a.item.id;
     EXPECT_FALSE(a.item.label.empty()) << a.item.id;
     if (!a.item.shortcut.empty()) {

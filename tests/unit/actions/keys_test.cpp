@@ -1,4 +1,4 @@
-// Which keys run an action while a text field has the keyboard; and that every row of the table can be found.
+// Which shortcuts run while a text field has the keyboard; and that ids and shortcuts are unique.
 
 #include "actions/keys.h"
 
@@ -9,11 +9,18 @@
 #include <string>
 
 #include "actions/actions.h"
+#include "bare_editor.h"
 
 namespace weftlight::actions {
 namespace {
 
-TEST(Keys, SavingWorksWhileTypingAndTextKeepsItsOwn) {
+Design small() {
+  Design d;
+  d.draft = blank_draft(4, 4, 2, 2);
+  return d;
+}
+
+TEST(Keys, SavingWorksWhileTypingAndTextFieldsKeepTheirKeys) {
   for (const char* key : {"Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+P", "Ctrl+Q", "F1", "F4", "F12"})
     EXPECT_TRUE(runs_while_typing(key)) << key;
   for (const char* key : {"Ctrl+C", "Ctrl+V", "Ctrl+X", "Ctrl+A", "Ctrl+Z", "Ctrl+Shift+Z", "Home", "End", "Delete",
@@ -21,17 +28,18 @@ TEST(Keys, SavingWorksWhileTypingAndTextKeepsItsOwn) {
     EXPECT_FALSE(runs_while_typing(key)) << key;
 }
 
-TEST(Keys, PedalsAndBusyHandsStepAtTheLoom) {
+TEST(Keys, LargeKeysAndPedalsStepAtTheLoom) {
   for (const char* key : {"Space", "Enter", "Right", "Down", "PageDown"}) EXPECT_EQ(key_at_loom(key), "loom_next");
   for (const char* key : {"Delete", "Left", "Up", "PageUp"}) EXPECT_EQ(key_at_loom(key), "loom_back");
   EXPECT_EQ(key_at_loom("Escape"), "loom");
   EXPECT_EQ(key_at_loom("Ctrl+Z"), "");
 }
 
-TEST(Table, IdsAndKeysAreNamedOnce) {
+TEST(Table, IdsAndShortcutsAreUnique) {
+  BareEditor editor(small());
   std::set<std::string> ids;
   std::map<std::string, std::string> keys;
-  for (const Action& a : make_actions({})) {
+  for (const Action& a : make_actions(editor.subjects(), {})) {
     EXPECT_TRUE(ids.insert(a.item.id).second) << a.item.id;
     if (a.item.shortcut.empty()) continue;
     EXPECT_TRUE(keys.emplace(a.item.shortcut, a.item.id).second)
@@ -39,8 +47,10 @@ TEST(Table, IdsAndKeysAreNamedOnce) {
   }
 }
 
-TEST(Table, TheWeaversKeysTakeThePlaceOfTheShippedOnes) {
-  const std::vector<Action> all = make_actions({}, {{"save", "Ctrl+U"}, {"quit", ""}, {"no such action", "F24"}});
+TEST(Table, UserShortcutsReplaceTheDefaults) {
+  BareEditor editor(small());
+  const std::vector<Action> all =
+      make_actions(editor.subjects(), {}, {{"save", "Ctrl+U"}, {"quit", ""}, {"no such action", "F24"}});
   for (const Action& a : all) {
     if (a.item.id == "save") {
       EXPECT_EQ(a.item.shortcut, "Ctrl+U");
@@ -53,9 +63,10 @@ TEST(Table, TheWeaversKeysTakeThePlaceOfTheShippedOnes) {
   }
 }
 
-TEST(Table, WeavesAreFoundAmongTheCommands) {
+TEST(Table, EveryWeaveIsInTheCommandPalette) {
+  BareEditor editor(small());
   std::string labels;
-  for (const Action& a : make_actions({})) labels += a.item.label + "\n";
+  for (const Action& a : make_actions(editor.subjects(), {})) labels += a.item.label + "\n";
   for (const char* weave : {"Satin", "Herringbone", "Overshot", "Waffle"})
     EXPECT_NE(labels.find(weave), std::string::npos) << weave;
 }

@@ -1,5 +1,5 @@
-// A hundred thousand random actions, as no weaver would do them: the draft stays whole, every step is taken back and
-// brought again exactly, and memory stays bounded.
+// A hundred thousand random actions: the draft stays consistent, every step is undone and redone exactly, and memory
+// stays bounded.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "bare_desk.h"
+#include "bare_editor.h"
 #include "design/edits.h"
 #include "session/editing/paint.h"
 #include "session/editing/selection_state.h"
@@ -39,7 +39,7 @@ size_t resident_bytes() {
 class RandomActions : public testing::Test {
  protected:
   int roll(int below) { return static_cast<int>(dice_() % static_cast<unsigned>(std::max(below, 1))); }
-  const Draft& draft() const { return desk_.document().now().draft; }
+  const Draft& draft() const { return editor_.document().now().draft; }
 
   void act();
   void paint();
@@ -49,8 +49,8 @@ class RandomActions : public testing::Test {
   void walk(int steps);
 
   std::mt19937 dice_{kSeed};
-  BareDesk desk_{first_design()};
-  std::vector<Action> actions_ = make_actions({});
+  BareEditor editor_{first_design()};
+  std::vector<Action> actions_ = make_actions(editor_.subjects(), {});
   bool joins_none_ = false;  // the last action was an edit of its own step
 };
 
@@ -61,17 +61,17 @@ void RandomActions::paint() {
   const auto cell = [&] { return Cell{roll(draft().ends() + 2) - 1, roll(draft().picks() + 2) - 1}; };
   const Cell from = cell(), to = cell();
   if (grid == GridId::kWarpColors || grid == GridId::kWeftColors)
-    return desk_.commit(bar_edit(grid, from, to, roll(2) == 0 ? BarPaint::kColor : BarPaint::kYarn, roll(4)));
-  const Mirror mirror = mirror_of(desk_.view(), draft());
+    return editor_.commit(bar_edit(grid, from, to, roll(2) == 0 ? BarPaint::kColor : BarPaint::kYarn, roll(4)));
+  const Mirror mirror = mirror_of(editor_.view().drawing, editor_.view().select.selected, draft());
   if (roll(3) == 0 && from.valid() && to.valid()) {
     constexpr Tool kShapes[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
-    desk_.view().shape = ActiveShape{kShapes[roll(3)], grid, from, to, roll(2) == 0};
-    if (const MaybeEdit edit = finish_shape(desk_.view(), desk_.document().now())) desk_.commit(*edit);
+    editor_.view().drawing.shape = ActiveShape{kShapes[roll(3)], grid, from, to, roll(2) == 0};
+    if (const MaybeEdit edit = finish_shape(editor_.view(), editor_.document().now())) editor_.commit(*edit);
     return;
   }
   Edit edit = paint_edit(grid, from, to, roll(3) != 0, roll(2) == 0, mirror);
   edit.stroke = static_cast<uint64_t>(roll(3));  // some join the one before
-  desk_.commit(edit);
+  editor_.commit(edit);
 }
 
 void RandomActions::select() {
@@ -80,7 +80,8 @@ void RandomActions::select() {
   const BitGrid grid = kGrids[roll(5)];
   const int columns = columns_of(draft(), grid), rows = rows_of(draft(), grid);
   if (!is_shown(draft(), grid) || columns == 0 || rows == 0) return;
-  select_cells(desk_.view().select, selection_between(grid, {roll(columns), roll(rows)}, {roll(columns), roll(rows)}));
+  select_cells(editor_.view().select,
+               selection_between(grid, {roll(columns), roll(rows)}, {roll(columns), roll(rows)}));
 }
 
 void RandomActions::edit_threads() {
@@ -89,29 +90,29 @@ void RandomActions::edit_threads() {
   const int kind = roll(6);
   const float mm = roll(3) == 0 ? kFromYarn : 0.1f * static_cast<float>(1 + roll(30));
   const int ends = 1 + roll(60), picks = 1 + roll(60), shafts = 1 + roll(10), treadles = 1 + roll(10);
-  desk_.commit({"threads", [=](Design d) {
-                  switch (kind) {
-                    case 0:
-                      return with_thread_thickness(std::move(d), system, thread, mm);
-                    case 1:
-                      return with_thread_spacing(std::move(d), system, thread, mm);
-                    case 2:
-                      return with_new_palette_color(std::move(d), {0.1f, 0.2f, 0.3f});
-                    case 3:
-                      return d.yarns.size() < 8 ? with_new_yarn(std::move(d), Yarn{}) : d;
-                    case 4:
-                      return d.draft.palette.size() > 64 ? first_design() : d;
-                    default:
-                      return with_size(std::move(d), ends, picks, shafts, treadles);
-                  }
-                }});
+  editor_.commit({"threads", [=](Design d) {
+                    switch (kind) {
+                      case 0:
+                        return with_thread_thickness(std::move(d), system, thread, mm);
+                      case 1:
+                        return with_thread_spacing(std::move(d), system, thread, mm);
+                      case 2:
+                        return with_new_palette_color(std::move(d), {0.1f, 0.2f, 0.3f});
+                      case 3:
+                        return d.yarns.size() < 8 ? with_new_yarn(std::move(d), Yarn{}) : d;
+                      case 4:
+                        return d.draft.palette.size() > 64 ? first_design() : d;
+                      default:
+                        return with_size(std::move(d), ends, picks, shafts, treadles);
+                    }
+                  }});
 }
 
 void RandomActions::act() {
   joins_none_ = false;
   // What grows without end is cut back, as a step like the others.
   if (std::max(draft().ends(), draft().picks()) > kMaxThreadsHere || draft().shafts > 40 || draft().treadles > 40)
-    return desk_.commit({"cut", [](Design d) { return with_size(std::move(d), 24, 24, 6, 6); }});
+    return editor_.commit({"cut", [](Design d) { return with_size(std::move(d), 24, 24, 6, 6); }});
   const int kind = roll(100);
   if (kind < 25) return paint();
   if (kind < 40) return select();
@@ -119,54 +120,54 @@ void RandomActions::act() {
     joins_none_ = true;
     return edit_threads();
   }
-  if (kind < 56) return desk_.undo();
-  if (kind < 60) return desk_.redo();
+  if (kind < 56) return editor_.undo();
+  if (kind < 60) return editor_.redo();
   const Action& action = actions_[static_cast<size_t>(roll(static_cast<int>(actions_.size())))];
   const auto run = action.run;
-  if (!action.enabled || action.enabled(desk_)) run(desk_);
+  if (!action.enabled || action.enabled()) run();
 }
 
 void RandomActions::walk(int steps) {
-  std::vector<std::shared_ptr<const Design>> passed{desk_.document().snapshot()};
-  while (static_cast<int>(passed.size()) <= steps && desk_.document().history().can_undo()) {
-    desk_.undo();
-    passed.push_back(desk_.document().snapshot());
+  std::vector<std::shared_ptr<const Design>> passed{editor_.document().snapshot()};
+  while (static_cast<int>(passed.size()) <= steps && editor_.document().history().can_undo()) {
+    editor_.undo();
+    passed.push_back(editor_.document().snapshot());
   }
   for (size_t i = passed.size() - 1; i-- > 0;) {
-    desk_.redo();
-    ASSERT_EQ(desk_.document().snapshot(), passed[i]) << "the very step that was taken back";
+    editor_.redo();
+    ASSERT_EQ(editor_.document().snapshot(), passed[i]) << "the very step that was taken back";
   }
-  ASSERT_EQ(desk_.document().cells(), drawdown(draft()));
+  ASSERT_EQ(editor_.document().cells(), drawdown(draft()));
 }
 
-TEST_F(RandomActions, LeaveTheDraftWholeAndAreAllTakenBack) {
+TEST_F(RandomActions, KeepTheDraftConsistentAndCanAllBeUndone) {
   const size_t before = resident_bytes();
-  std::string text = write_new_wif(desk_.document().now());
+  std::string text = write_new_wif(editor_.document().now());
   JournalEntry first;
   first.text = text;
   std::string journal = journal_start(first);
   int changes = 0;
   for (int i = 0; i < kActions; ++i) {
-    const auto was = desk_.document().snapshot();
+    const auto was = editor_.document().snapshot();
     act();
-    changes += desk_.document().snapshot() != was;
-    follow_document(desk_.view(), desk_.document());
-    ASSERT_TRUE(is_consistent(desk_.document().now())) << "after action " << i;
+    changes += editor_.document().snapshot() != was;
+    follow_document(editor_.view(), editor_.document());
+    ASSERT_TRUE(is_consistent(editor_.document().now())) << "after action " << i;
     if (i % 16 == 0) {
-      ASSERT_EQ(desk_.document().cells(), drawdown(draft())) << "after action " << i;
+      ASSERT_EQ(editor_.document().cells(), drawdown(draft())) << "after action " << i;
     }
     // Undo gives the very design of before.
-    if (joins_none_ && desk_.document().snapshot() != was) {
-      desk_.undo();
-      ASSERT_EQ(desk_.document().snapshot(), was) << "after action " << i;
-      desk_.redo();
+    if (joins_none_ && editor_.document().snapshot() != was) {
+      editor_.undo();
+      ASSERT_EQ(editor_.document().snapshot(), was) << "after action " << i;
+      editor_.redo();
     }
     if (i % 1000 == 0) {
       ASSERT_NO_FATAL_FAILURE(walk(50)) << "after action " << i;
     }
     if (i % 500 == 0) {
-      const std::string now = write_new_wif(desk_.document().now());
-      ASSERT_EQ(read_wif(now).file->design, desk_.document().now()) << "after action " << i;
+      const std::string now = write_new_wif(editor_.document().now());
+      ASSERT_EQ(read_wif(now).file->design, editor_.document().now()) << "after action " << i;
       journal += journal_entry(text, now);
       text = now;
     }
@@ -179,67 +180,67 @@ TEST_F(RandomActions, LeaveTheDraftWholeAndAreAllTakenBack) {
   RecordProperty("megabytes", static_cast<int>(after >> 20));
 }
 
-TEST(ThreadActions, ColoursGoFromOneBarToTheOther) {
+TEST(ThreadActions, ColoursAreCopiedBetweenWarpAndWeft) {
   Design d;
   d.draft = blank_draft(3, 7, 2, 2);
   d.draft.palette.resize(4);
   d.draft.warp.color = {2, 3, 1};
-  BareDesk desk(d);
-  for (const Action& a : make_actions({}))
-    if (a.item.id == "threads.weft_as_warp") a.run(desk);
-  EXPECT_EQ(desk.document().now().draft.weft.color, (std::vector<int>{2, 3, 1, 2, 3, 1, 2})) << "over and over";
-  desk.undo();
-  EXPECT_EQ(desk.document().now(), d) << "one step of undo";
+  BareEditor editor(d);
+  for (const Action& a : make_actions(editor.subjects(), {}))
+    if (a.item.id == "threads.weft_as_warp") a.run();
+  EXPECT_EQ(editor.document().now().draft.weft.color, (std::vector<int>{2, 3, 1, 2, 3, 1, 2})) << "over and over";
+  editor.undo();
+  EXPECT_EQ(editor.document().now(), d) << "one step of undo";
 }
 
-TEST(ThreadActions, ColoursAndThicknessesAreCopiedAlone) {
+TEST(ThreadActions, ColoursAndThicknessAreCopiedSeparately) {
   Design d;
   d.draft = blank_draft(3, 5, 2, 2);
   d.draft.palette.resize(4, {0.5f, 0.25f, 1});
   d.draft.palette[2] = {1, 0, 0};
   d.draft.warp.color = {2, 0, 1};
   d.draft.warp.thickness_mm = {0.5f, kFromYarn, 2};
-  BareDesk desk(d);
-  const auto run = [&desk](const char* id) {
-    for (const Action& a : make_actions({}))
-      if (a.item.id == id) return a.run(desk);
+  BareEditor editor(d);
+  const auto run = [&editor](const char* id) {
+    for (const Action& a : make_actions(editor.subjects(), {}))
+      if (a.item.id == id) return a.run();
     FAIL() << id;
   };
-  desk.view().chosen = {System::kWarp, {0, 2}, 0, {}, false, false};
+  editor.view().chosen = {System::kWarp, {0, 2}, 0, {}, false, false};
   run("threads.copy_colors");
-  desk.view().chosen = {System::kWeft, {1, 2, 3}, 1, {}, false, false};
+  editor.view().chosen = {System::kWeft, {1, 2, 3}, 1, {}, false, false};
   run("threads.paste_looks");
-  EXPECT_EQ(desk.document().now().draft.weft.color, (std::vector<int>{1, 2, 1, 2, 1}));
-  EXPECT_EQ(desk.document().now().draft.weft.thickness_mm, d.draft.weft.thickness_mm);
-  desk.undo();
+  EXPECT_EQ(editor.document().now().draft.weft.color, (std::vector<int>{1, 2, 1, 2, 1}));
+  EXPECT_EQ(editor.document().now().draft.weft.thickness_mm, d.draft.weft.thickness_mm);
+  editor.undo();
   run("threads.weft_thick_as_warp");
-  EXPECT_EQ(desk.document().now().draft.weft.thickness_mm, (std::vector<float>{0.5f, kFromYarn, 2, 0.5f, kFromYarn}));
-  EXPECT_EQ(desk.document().now().draft.weft.color, d.draft.weft.color);
+  EXPECT_EQ(editor.document().now().draft.weft.thickness_mm, (std::vector<float>{0.5f, kFromYarn, 2, 0.5f, kFromYarn}));
+  EXPECT_EQ(editor.document().now().draft.weft.color, d.draft.weft.color);
 }
 
-TEST(SelectionActions, AQuarterTurnIsWithTheClockAsItIsSeen) {
+TEST(SelectionActions, AQuarterTurnIsClockwiseOnTheScreen) {
   Design d;
   d.draft = blank_draft(6, 6, 4, 4);
   d.draft.threading.set(0, 0, true);  // end 1 at the right, shaft 1 at the bottom
   d.draft.threading.set(1, 0, true);
-  BareDesk desk(d);
-  const auto turn = [&desk] {
-    for (const Action& a : make_actions({}))
-      if (a.item.id == "quarter_turn") a.run(desk);
+  BareEditor editor(d);
+  const auto turn = [&editor] {
+    for (const Action& a : make_actions(editor.subjects(), {}))
+      if (a.item.id == "quarter_turn") a.run();
   };
-  select_cells(desk.view().select, {BitGrid::kThreading, 0, 2, 0, 2});
+  select_cells(editor.view().select, {BitGrid::kThreading, 0, 2, 0, 2});
   turn();
   // The lower row of the two by two is now its left column.
-  const BitMatrix& threading = desk.document().now().draft.threading;
+  const BitMatrix& threading = editor.document().now().draft.threading;
   EXPECT_TRUE(threading.get(1, 0));
   EXPECT_TRUE(threading.get(1, 1));
   EXPECT_EQ(threading.count(), 2);
   for (int i = 0; i < 3; ++i) turn();
-  EXPECT_EQ(desk.document().now(), d) << "four quarters are none";
+  EXPECT_EQ(editor.document().now(), d) << "four quarters are none";
   // One that is longer than wide stays in its grid.
-  select_cells(desk.view().select, {BitGrid::kThreading, 0, 4, 3, 4});
+  select_cells(editor.view().select, {BitGrid::kThreading, 0, 4, 3, 4});
   turn();
-  const Selection& now = desk.view().select.selected;
+  const Selection& now = editor.view().select.selected;
   EXPECT_EQ(now, (Selection{BitGrid::kThreading, 0, 1, 0, 4}));
 }
 

@@ -1,4 +1,4 @@
-// The picture at rest: made again, the same but for its grain.
+// The finished picture is reproducible except for its noise.
 
 #include "app/picture_maker.h"
 
@@ -37,7 +37,7 @@ double apart(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
   return std::sqrt(sum / (3.0 * static_cast<double>(a.size())));
 }
 
-TEST(PictureMakerTest, AtRestItIsTheSameWhenMadeAgain) {
+TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
   const auto context = HeadlessContext::create();
   if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   Design design = straight_draft(8);

@@ -1,4 +1,4 @@
-// The thread of the picture: what is thrown on it is said in the picture's place, and the next is drawn.
+// The drawing thread: an exception is shown in place of the picture, and the next picture is drawn.
 
 #include "app/preview_pane.h"
 
@@ -22,7 +22,7 @@ bool comes_true(const Holds& holds) {
   return false;
 }
 
-TEST(PreviewPaneTest, WhatIsThrownIsSaidAndTheThreadGoesOn) {
+TEST(PreviewPaneTest, AnExceptionIsShownAndTheThreadContinues) {
   std::atomic<int> wakes{0};
   PreviewPane pane([&] {
     const int now = wakes++;

@@ -191,7 +191,8 @@ Image drawn_cells(const Design& design, const BitMatrix& cells, const DocumentVi
   std::string focus;
   FrameNotes notes;
   Intents wanted;
-  const PanelContext c{{style, map, tip, focus}, design, cells, 1, view, settings, notes, wanted};
+  const PanelContext panel{{style, map, tip, focus}, design, cells, 1, settings, notes, wanted};
+  const DraftContext c = draft_context(panel, view, nullptr);
   draw_drawdown_cells(&own.list, c, l.drawdown);
   return drawn(own.list, l.drawdown.min(), static_cast<int>(l.drawdown.x.length),
                static_cast<int>(l.drawdown.y.length));
@@ -208,8 +209,8 @@ std::vector<Seen> window_drawdowns(const Workplace&, std::string&) {
       Settings settings;
       settings.end1_right = !corner.left, settings.pick1_bottom = corner.bottom;
       DocumentView view;
-      view.face = face;
-      const DraftLayout l = lay_out_draft(design.draft, view, settings, Style{}, {0, 0}, {800, 600});
+      view.draft.face = face;
+      const DraftLayout l = lay_out_draft(design.draft, view.draft, settings, Style{}, {0, 0}, {800, 600});
       const std::string name =
           std::string(face == Face::kFront ? "front " : "back ") + corner.end1 + " " + corner.pick1;
       const CellImage flat =

@@ -1,4 +1,4 @@
-// Weaving at a loom: the place in the design, steps by hand, and a mock loom on a line that breaks off.
+// Weaving at a loom: the place in the design, steps by hand, and a mock loom whose connection is lost.
 
 #include "session/loom/at_loom.h"
 
@@ -24,7 +24,7 @@ void take(Design& d, const LoomStep& step) {
   if (step.edit) d = step.edit->apply(std::move(d));
 }
 
-TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
+TEST(AtLoom, AStepByHandWeavesOnePickAndTheDraftKeepsThePlace) {
   AtLoom at;
   Design d = straight_draft(4);
   for (const int next : {1, 2, 3, 0, 1}) {
@@ -39,7 +39,7 @@ TEST(AtLoom, EveryStepByHandIsAPickAndIsKeptWithTheDraft) {
   EXPECT_EQ(one.edit->stroke, two.edit->stroke) << "a sitting is one step of undo";
 }
 
-TEST(AtLoom, ASectionIsWovenOverAndOver) {
+TEST(AtLoom, ASectionRepeats) {
   AtLoom at;
   Design d = straight_draft(4);
   take(d, keep_to_section(at, d, {1, 3}));
@@ -52,7 +52,7 @@ TEST(AtLoom, ASectionIsWovenOverAndOver) {
   EXPECT_EQ(d.loom.next_pick, 1);
 }
 
-TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
+TEST(AtLoom, UndoAndEditsMoveThePlace) {
   AtLoom at;
   Design d = straight_draft(4);
   d.loom.next_pick = 2;  // from the file, or by undo
@@ -61,7 +61,7 @@ TEST(AtLoom, AnEditOfThePlaceIsFollowed) {
   EXPECT_EQ(place_of(at, d).next_pick, 3) << "the draft has become shorter";
 }
 
-TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
+TEST(AtLoom, WithALoomTheFirstStepRaisesTheShownPick) {
   AtLoom at;
   Design d = straight_draft(4);
   LoomStep step = step_by_hand(at, d, true, true);
@@ -73,7 +73,7 @@ TEST(AtLoom, WithALoomTheFirstStepRaisesWhatIsShown) {
   EXPECT_EQ(d.loom.next_pick, 1);
 }
 
-TEST(AtLoom, FeetAndHandsAreTold) {
+TEST(AtLoom, TreadlesToPressOrShaftsToLift) {
   Design d = straight_draft(4);
   d.draft.treadling.set(2, 0, true);
   EXPECT_EQ(to_press(d.draft, 2), (std::vector<int>{0, 2}));
@@ -111,7 +111,7 @@ struct Weaver {
   }
 };
 
-TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
+TEST(LoomLink, AfterALostConnectionWeavingContinuesAtTheSamePick) {
   const LoomPort port;
   Weaver w;
   w.link.connect(port.address());
@@ -147,7 +147,7 @@ TEST(LoomLink, ALineThatBreaksOffLosesNoPlace) {
   ::close(loom);
 }
 
-TEST(LoomLink, ASerialLineIsTakenUpAgainWhereItBrokeOff) {
+TEST(LoomLink, ASerialConnectionResumesAtTheSamePick) {
   const Scratch scratch("serial");
   LoomTerminal loom(scratch / "loom");
   if (!loom.is_there()) GTEST_SKIP() << "this machine gives no pseudo-terminals";
@@ -212,7 +212,7 @@ TEST(LoomLink, AFloodFromTheLoomIsNotHoarded) {
   ::close(loom);
 }
 
-TEST(LoomLink, SaysWhyThereIsNoLoom) {
+TEST(LoomLink, ReportsWhyItCannotConnect) {
   LoomLink link([] {});
   link.connect("somewhere");
   ASSERT_TRUE(comes_true([&] { return !link.why().empty(); }));

@@ -1,4 +1,4 @@
-// What is kept on the disk is tried again until it stands there, and said until then.
+// Writes in the background are retried until they succeed, and their error is shown until then.
 
 #include "session/jobs/background_writer.h"
 
@@ -22,7 +22,7 @@ class BackgroundWriterTest : public ScratchTest {
   }
 };
 
-TEST_F(BackgroundWriterTest, TriesAgainUntilTheFolderIsThere) {
+TEST_F(BackgroundWriterTest, RetriesUntilTheFolderExists) {
   BackgroundWriter writer;
   const std::string file = path("folder/live.wif");
   writer.keep(file, [file] { return write_file_atomically(file, "draft"); });
@@ -34,7 +34,7 @@ TEST_F(BackgroundWriterTest, TriesAgainUntilTheFolderIsThere) {
   EXPECT_EQ(read_file(file).bytes, "draft");
 }
 
-TEST_F(BackgroundWriterTest, OnePathsTroubleHoldsUpNoOther) {
+TEST_F(BackgroundWriterTest, AFailingPathDoesNotDelayOthers) {
   BackgroundWriter writer;
   writer.keep("a", [] { return "no"; });
   ASSERT_TRUE(comes_true([&] { return writer.problem() == "no"; }));
@@ -49,7 +49,7 @@ TEST_F(BackgroundWriterTest, OnePathsTroubleHoldsUpNoOther) {
   EXPECT_TRUE(comes_true([&] { return writer.problem().empty(); }));
 }
 
-TEST_F(BackgroundWriterTest, OnlyTheNewestOfWhatWaitsIsWritten) {
+TEST_F(BackgroundWriterTest, OfSeveralWaitingWritesOnlyTheNewestIsDone) {
   std::atomic<int> last{0}, runs{0};
   std::latch queued{1};
   {
@@ -71,7 +71,7 @@ TEST_F(BackgroundWriterTest, OnlyTheNewestOfWhatWaitsIsWritten) {
   EXPECT_LE(runs, 2) << "those between were skipped";
 }
 
-TEST_F(BackgroundWriterTest, ARefusalAtTheEndDoesNotHoldItUp) {
+TEST_F(BackgroundWriterTest, AFailingWriteDoesNotDelayTheEnd) {
   std::atomic<int> tries{0};
   {
     BackgroundWriter writer;

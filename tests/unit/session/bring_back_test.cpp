@@ -1,4 +1,4 @@
-// Recovered work keeps its own name, and its own file only while that is the file it began with.
+// Recovered work keeps its name, and its file only if the file is unchanged.
 
 #include "session/document/bring_back.h"
 
@@ -36,7 +36,7 @@ class BringBack : public ScratchTest {
   }
 };
 
-TEST_F(BringBack, WhatWasNeverSavedTakesNobodysFile) {
+TEST_F(BringBack, UnsavedWorkWithoutAFileStaysWithoutOne) {
   Document draft(plain(4));
   draft.commit(paint(), 0);
   const LeftWork left = left_of(draft);
@@ -49,7 +49,7 @@ TEST_F(BringBack, WhatWasNeverSavedTakesNobodysFile) {
   EXPECT_EQ(back.document->now(), draft.now());
 }
 
-TEST_F(BringBack, StandsOnItsFileWhileThatIsAsItWas) {
+TEST_F(BringBack, KeepsItsFileIfTheFileIsUnchanged) {
   const std::string file = draft_file("a.wif");
   Document draft = *open_document(file).document;
   const Design before = draft.now();
@@ -66,7 +66,7 @@ TEST_F(BringBack, StandsOnItsFileWhileThatIsAsItWas) {
   EXPECT_TRUE(back.document->is_saved());
 }
 
-TEST_F(BringBack, LeavesAFileAloneThatIsGoneOrAnother) {
+TEST_F(BringBack, DetachesFromAFileThatIsGoneOrChanged) {
   for (const bool gone : {true, false}) {
     const std::string file = draft_file("a.wif");
     Document draft = *open_document(file).document;
@@ -84,7 +84,7 @@ TEST_F(BringBack, LeavesAFileAloneThatIsGoneOrAnother) {
   }
 }
 
-TEST_F(BringBack, IsNotOfferedWhatWasSavedJustBeforeTheEnd) {
+TEST_F(BringBack, WorkSavedBeforeTheCrashIsNotOffered) {
   const std::string file = draft_file("a.wif");
   Document draft = *open_document(file).document;
   draft.commit(paint(), 0);
@@ -94,7 +94,7 @@ TEST_F(BringBack, IsNotOfferedWhatWasSavedJustBeforeTheEnd) {
   EXPECT_TRUE(Recovery(path("recovery")).left_behind().empty());
 }
 
-TEST_F(BringBack, SaysWhatCannotBeRead) {
+TEST_F(BringBack, ReportsWhatCannotBeRead) {
   const OpenResult none = bring_back({path("none.journal"), {}, 0});
   EXPECT_FALSE(none.document);
   ASSERT_EQ(none.remarks.size(), 1u);
@@ -103,7 +103,7 @@ TEST_F(BringBack, SaysWhatCannotBeRead) {
   EXPECT_FALSE(odd.remarks.empty());
 }
 
-TEST_F(BringBack, DocumentNoticesWhatOthersDoToItsFile) {
+TEST_F(BringBack, ADocumentNoticesChangesOfItsFileByOtherPrograms) {
   const std::string file = draft_file("a.wif");
   Document one = *open_document(file).document, two = *open_document(file).document;
   one.commit(paint(), 0);
@@ -118,7 +118,7 @@ TEST_F(BringBack, DocumentNoticesWhatOthersDoToItsFile) {
   EXPECT_EQ(one.look_at_file(), FileChange::kGone);
 }
 
-TEST(TimeInWords, SaysTheDay) {
+TEST(TimeInWords, NamesTodayYesterdayOrTheDate) {
   constexpr int64_t kDay = int64_t{24 * 3600} * 1'000'000'000, kNow = int64_t{1'800'000'000} * 1'000'000'000;
   EXPECT_TRUE(time_in_words(kNow, kNow).starts_with("today "));
   EXPECT_TRUE(time_in_words(kNow - kDay, kNow).starts_with("yesterday "));

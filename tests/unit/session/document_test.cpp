@@ -1,4 +1,4 @@
-// Files of other kinds become documents without a name of their own.
+// Files of other formats become unnamed documents.
 
 #include "session/document/document.h"
 
@@ -12,7 +12,7 @@
 namespace weftlight::session {
 namespace {
 
-TEST(Document, APictureBecomesADraftThatIsSavedUnderANewName) {
+TEST(Document, AnImageOpensAsADraftThatAsksForANameWhenSaved) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("weftlight-picture-" + std::to_string(getpid()) + ".png")).string();
   files::Image image{3, 2, 1, {0, 1, 1, 1, 0, 1}};

@@ -5,8 +5,8 @@
 namespace weftlight::session {
 namespace {
 
-TEST(DocumentView, ACellComesIntoSightByAsLittleAsThatTakes) {
-  DocumentView v;
+TEST(DraftView, ScrollsAsLittleAsNeededToShowACell) {
+  DraftView v;
   v.seen_ends = v.seen_picks = 10;
   v.seen_shafts = v.seen_treadles = 4;
   bring_into_sight(v, GridId::kThreading, {5, 1});
@@ -22,8 +22,8 @@ TEST(DocumentView, ACellComesIntoSightByAsLittleAsThatTakes) {
   EXPECT_EQ(v.scroll_end, 2);
 }
 
-TEST(DocumentView, PagesKeepATenthInSight) {
-  DocumentView w;
+TEST(DraftView, ATenthOfThePageStaysVisible) {
+  DraftView w;
   w.seen_ends = 40;
   w.seen_picks = 100;
   page_picks(w, 1);
@@ -34,8 +34,8 @@ TEST(DocumentView, PagesKeepATenthInSight) {
   EXPECT_EQ(w.scroll_end, 72);
 }
 
-TEST(DocumentView, AThreadIsBroughtToTheMiddle) {
-  DocumentView w;
+TEST(DraftView, ScrollsAThreadToTheMiddle) {
+  DraftView w;
   w.seen_ends = 41;
   w.seen_picks = 21;
   scroll_to(w, System::kWarp, 100);

@@ -1,4 +1,4 @@
-// The cloth's own drape on request: it falls on a thread of its own, can be stopped, and is found again.
+// The simulated drape: computed on its own thread, stopped, restarted, and cached.
 
 #include "session/jobs/draper.h"
 
@@ -47,27 +47,27 @@ class DraperTest : public ScratchTest {
   }
 };
 
-TEST_F(DraperTest, TheShippedOneIsTheDefault) {
+TEST_F(DraperTest, TheGenericDrapeIsTheDefault) {
   Draper draper([] {});
   draper.follow(cloth(false));
-  EXPECT_EQ(draper.state().stage, DrapeStage::kShipped);
+  EXPECT_EQ(draper.state().stage, DrapeStage::kGeneric);
   EXPECT_FALSE(draper.busy());
 }
 
-TEST_F(DraperTest, WhatIsKeptComesBackAtOnce) {
+TEST_F(DraperTest, ACachedDrapeIsShownAtOnce) {
   const auto design = cloth(true);
   keep(*design, "sphere_limp.glb");
   Draper draper([] {});
   draper.follow(design);
-  ASSERT_TRUE(comes_true([&] { return draper.state().stage == DrapeStage::kOwn; }));
-  const Draper::News news = draper.take_news();
-  EXPECT_TRUE(news.draped);
-  EXPECT_EQ(news.said, "") << "nothing was done that is worth a word";
+  ASSERT_TRUE(comes_true([&] { return draper.state().stage == DrapeStage::kSimulated; }));
+  const Draper::Update update = draper.take_update();
+  EXPECT_TRUE(update.new_mesh);
+  EXPECT_EQ(update.message, "") << "nothing was done that is worth a word";
   draper.follow(cloth(false));
-  EXPECT_EQ(draper.state().stage, DrapeStage::kShipped);
+  EXPECT_EQ(draper.state().stage, DrapeStage::kGeneric);
 }
 
-TEST_F(DraperTest, ItFallsUntilItIsStoppedAndAgainWhenAsked) {
+TEST_F(DraperTest, TheSimulationCanBeStoppedAndRestarted) {
   const auto design = cloth(true);
   Draper draper([] {});
   follow_till_it_falls(draper, design);
@@ -80,24 +80,24 @@ TEST_F(DraperTest, ItFallsUntilItIsStoppedAndAgainWhenAsked) {
   EXPECT_TRUE(draper.busy());
 }
 
-TEST_F(DraperTest, WhatIsKeptAndBrokenIsSimulatedAgain) {
+TEST_F(DraperTest, ADamagedCacheFileIsSimulatedAgain) {
   const auto design = cloth(true);
   keep(*design, "skirt.glb");
   Draper draper([] {});
   follow_till_it_falls(draper, design);
-  EXPECT_EQ(draper.state().stage, DrapeStage::kFalling);
+  EXPECT_EQ(draper.state().stage, DrapeStage::kSimulating);
 }
 
-TEST_F(DraperTest, AFolderThatCannotBeMadeIsToldInWords) {
+TEST_F(DraperTest, ReportsACacheFolderThatCannotBeMade) {
   written("weftlight", "a file in the way");
   Draper draper([] {});
   draper.follow(cloth(true));
   ASSERT_TRUE(comes_true([&] { return draper.state().stage == DrapeStage::kFailed; }));
   EXPECT_NE(draper.state().problem.find("weftlight"), std::string::npos);
-  EXPECT_NE(draper.take_news().said, "");
+  EXPECT_NE(draper.take_update().message, "");
 }
 
-TEST(OwnDrape, IsAStepOfUndo) {
+TEST(SimulatedDrape, IsOneStepOfUndo) {
   Document document{*cloth(false)};
   document.commit(simulated_drape_edit(true), 0);
   EXPECT_TRUE(document.now().scene.simulated_drape);

@@ -1,4 +1,4 @@
-// What comes of a choice to export, and the thread that does it.
+// The plan of a texture export, the thread that writes it, and its preview.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ bool comes_true(const Holds& holds) {
   return false;
 }
 
-TEST(ExportPlanTest, EachTargetHasAFolderOfItsOwn) {
+TEST(ExportPlanTest, EachTargetHasItsOwnFolder) {
   const Design design = sample();
   const std::vector<ExportJob> one = jobs_of(plan_into("out", {&targets::kGodot}), design, "a/My draft.wif", "1");
   ASSERT_EQ(one.size(), 1u);
@@ -48,7 +48,7 @@ TEST(ExportPlanTest, EachTargetHasAFolderOfItsOwn) {
   EXPECT_EQ(two[1].folder, "out/untitled/raw");
 }
 
-TEST(ExportPlanTest, MipsAreAskedForBesideImagesThatHaveNone) {
+TEST(ExportPlanTest, MipFilesAreWrittenOnlyForTargetsWithoutTheirOwn) {
   ExportPlan plan = plan_into("out", {&targets::kGodot, &targets::kRaw});
   EXPECT_FALSE(jobs_of(plan, sample(), "", "1")[0].options.mips);
   plan.mips = MipContainer::kKtx2;
@@ -57,7 +57,7 @@ TEST(ExportPlanTest, MipsAreAskedForBesideImagesThatHaveNone) {
   EXPECT_FALSE(jobs[1].options.mips) << "a raw set has mips of its own";
 }
 
-TEST(ExportPlanTest, OneTargetStays) {
+TEST(ExportPlanTest, OneTargetIsAlwaysChosen) {
   ExportPlan plan;
   toggle(plan, &targets::kGltf);
   EXPECT_EQ(plan.targets, std::vector{&targets::kGltf});
@@ -66,7 +66,7 @@ TEST(ExportPlanTest, OneTargetStays) {
   EXPECT_EQ(plan.targets, std::vector{&targets::kU3m});
 }
 
-TEST(ExportPlanTest, FiguresAreThoseOfTheFiles) {
+TEST(ExportPlanTest, TheFiguresMatchTheWrittenFiles) {
   const Scratch scratch("export-figures");
   const Design design = sample();
   ExportPlan plan = plan_into(scratch / "out", {&targets::kUnityUrp});
@@ -86,13 +86,13 @@ TEST(ExportPlanTest, FiguresAreThoseOfTheFiles) {
   EXPECT_FALSE(figures_of(design, jobs_of(plan, design, "x.wif", "1")).why.empty()) << "threads blur";
 }
 
-TEST(ExportPlanTest, BytesAreShownForPeople) {
+TEST(ExportPlanTest, ByteCountsAreReadable) {
   EXPECT_EQ(shown_bytes(1200), "1.2 kB");
   EXPECT_EQ(shown_bytes(55924053), "56 MB");
   EXPECT_EQ(shown_bytes(999'700'000), "1.0 GB");
 }
 
-TEST(ExporterTest, WritesEverySetAndTellsHowFarItIs) {
+TEST(ExporterTest, WritesEverySetWithProgress) {
   const Scratch scratch("exporter");
   const auto design = std::make_shared<const Design>(sample());
   const std::vector<ExportJob> jobs =
@@ -120,7 +120,7 @@ TEST(ExporterTest, WritesEverySetAndTellsHowFarItIs) {
   EXPECT_EQ(in_the_way(others)[0].find("--force"), std::string::npos) << "words of the command line";
 }
 
-TEST(ExporterTest, StoppedItLeavesWhatWasThere) {
+TEST(ExporterTest, AStoppedExportKeepsTheEarlierSet) {
   const Scratch scratch("exporter-stop");
   const auto design = std::make_shared<const Design>(sample());
   const std::vector<ExportJob> jobs =
@@ -135,7 +135,7 @@ TEST(ExporterTest, StoppedItLeavesWhatWasThere) {
   ASSERT_TRUE(comes_true([&] { return fs::is_empty(scratch / "out"); })) << "something half-written was left";
 }
 
-TEST(ExporterTest, TheNewestDraftWins) {
+TEST(ExporterTest, TheNewestDraftIsWritten) {
   const Scratch scratch("exporter-newest");
   const auto first = std::make_shared<const Design>(sample());
   Design changed = sample();
@@ -152,7 +152,7 @@ TEST(ExporterTest, TheNewestDraftWins) {
   EXPECT_EQ(exporter.take_message(), "Exported the texture set to " + (scratch / "out/x"));
 }
 
-TEST(ExportPreviewTest, EveryImageIsShownWholeAndByItsChannels) {
+TEST(ExportPreviewTest, PreviewsEveryImageWholeAndByChannel) {
   const Design design = sample();
   TextureSetOptions options;
   options.target = &targets::kGltf, options.name = "x";

@@ -1,4 +1,4 @@
-// Another program's changes of a file are noticed, its touching alone is not taken for one.
+// Changes of a file by other programs are noticed; a new time alone is no change.
 
 #include "session/files/file_identity.h"
 
@@ -12,21 +12,21 @@ namespace {
 namespace fs = std::filesystem;
 using FileIdentityTest = ScratchTest;
 
-TEST_F(FileIdentityTest, KnowsAFileThatNobodyTouched) {
+TEST_F(FileIdentityTest, AnUntouchedFileIsUnchanged) {
   const std::string file = written("a.wif", "one");
   FileIdentity known = identify(file);
   EXPECT_TRUE(known.there);
   EXPECT_EQ(changed_since(file, known), FileChange::kNone);
 }
 
-TEST_F(FileIdentityTest, NoticesAnotherContentOfTheSameSize) {
+TEST_F(FileIdentityTest, NoticesNewContentOfTheSameSize) {
   const std::string file = written("a.wif", "one");
   FileIdentity known = identify(file);
   written("a.wif", "two");
   EXPECT_EQ(changed_since(file, known), FileChange::kContent);
 }
 
-TEST_F(FileIdentityTest, NoticesAContentWrittenInPlaceWithTheOldTime) {
+TEST_F(FileIdentityTest, NoticesContentWrittenInPlaceWithTheOldTime) {
   const std::string file = written("a.wif", "one");
   const auto time = fs::last_write_time(file);
   FileIdentity known = identify(file);
@@ -35,7 +35,7 @@ TEST_F(FileIdentityTest, NoticesAContentWrittenInPlaceWithTheOldTime) {
   EXPECT_EQ(changed_since(file, known), FileChange::kContent);
 }
 
-TEST_F(FileIdentityTest, AFileThatWasOnlyTouchedIsTheSame) {
+TEST_F(FileIdentityTest, ATouchedFileIsUnchanged) {
   const std::string file = written("a.wif", "one");
   FileIdentity known = identify(file);
   written("a.wif", "one");
@@ -43,7 +43,7 @@ TEST_F(FileIdentityTest, AFileThatWasOnlyTouchedIsTheSame) {
   EXPECT_EQ(known, identify(file)) << "so that it is not read again the next time";
 }
 
-TEST_F(FileIdentityTest, NoticesWhatIsGoneAndWhatHasCome) {
+TEST_F(FileIdentityTest, NoticesDeletionAndCreation) {
   const std::string file = written("a.wif", "one");
   FileIdentity known = identify(file), none = identify(path("b.wif"));
   fs::remove(file);
@@ -54,7 +54,7 @@ TEST_F(FileIdentityTest, NoticesWhatIsGoneAndWhatHasCome) {
   EXPECT_EQ(changed_since(path("b.wif"), none), FileChange::kContent);
 }
 
-TEST_F(FileIdentityTest, OneFileByManyNames) {
+TEST_F(FileIdentityTest, ManyPathsOfOneFileAreTheSameFile) {
   const std::string file = written("a.wif", "one");
   fs::create_symlink(file, path("link.wif"));
   fs::create_hard_link(file, path("hard.wif"));

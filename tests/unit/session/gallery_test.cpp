@@ -1,11 +1,13 @@
-// The page of drafts with pictures: which cards, which of them the keys lead to, and what the pictures are.
+// The gallery: its cards, its keyboard navigation, and the thumbnails.
 
 #include "session/library/gallery.h"
 
 #include <chrono>
 
 #include "../scratch_fixture.h"
+#include "base/files.h"
 #include "design/edits.h"
+#include "paths.h"
 #include "session/files/user_files.h"
 #include "session/jobs/draft_thumbnails.h"
 #include "wif/wif.h"
@@ -13,7 +15,7 @@
 namespace weftlight::session {
 namespace {
 
-TEST(Gallery, CardsSayWhereTheirFilesAre) {
+TEST(Gallery, CardsShowTheFolderOfTheirFile) {
   const auto cards = recent_cards({"/home/a/drafts/scarf.wif", "/home/abc/x.wif", "/home/a/y.wif"}, "/home/a/");
   ASSERT_EQ(cards.size(), 3u);
   EXPECT_EQ(cards[0].name, "scarf.wif");
@@ -24,7 +26,7 @@ TEST(Gallery, CardsSayWhereTheirFilesAre) {
   EXPECT_EQ(recent_cards({"/a/x.wif"}, "")[0].where, "/a");
 }
 
-TEST(Gallery, TheLibraryIsAllThatIsShipped) {
+TEST(Gallery, TheLibraryHasEveryShippedDraftAndCloth) {
   const auto cards = library_cards();
   ASSERT_GT(cards.size(), 30u);
   EXPECT_EQ(cards.front().where, "Cloths");
@@ -32,7 +34,14 @@ TEST(Gallery, TheLibraryIsAllThatIsShipped) {
   for (const GalleryCard& card : cards) EXPECT_TRUE(card.copy) << card.name;
 }
 
-TEST(Gallery, EveryTypedWordIsLookedFor) {
+TEST(Gallery, EveryNameOfTheLibraryIsInTheCatalogueOfTexts) {
+  const std::string catalogue = base::read_file(WEFTLIGHT_SOURCE_DIR "/editor/languages/weftlight.pot").bytes;
+  ASSERT_FALSE(catalogue.empty());
+  for (const GalleryCard& card : library_cards())
+    EXPECT_NE(catalogue.find("msgid \"" + card.name + "\""), std::string::npos) << card.name;
+}
+
+TEST(Gallery, SearchMatchesEveryTypedWord) {
   const auto cards = recent_cards({"/a/Scarf two.wif", "/b/scarf.wif", "/a/rug.wif"}, "");
   EXPECT_EQ(found_cards(cards, ""), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(found_cards(cards, "SCARF"), (std::vector<int>{0, 1}));
@@ -40,7 +49,7 @@ TEST(Gallery, EveryTypedWordIsLookedFor) {
   EXPECT_TRUE(found_cards(cards, "silk").empty());
 }
 
-TEST(Gallery, StepsEndAtTheEdges) {
+TEST(Gallery, ArrowKeysStopAtTheEdges) {
   EXPECT_EQ(stepped(-1, 5, 2, Step::kDown), 0) << "the first step chooses the first";
   EXPECT_EQ(stepped(0, 5, 2, Step::kDown), 2);
   EXPECT_EQ(stepped(3, 5, 2, Step::kDown), 4) << "into a last row that is not full";
@@ -51,7 +60,7 @@ TEST(Gallery, StepsEndAtTheEdges) {
   EXPECT_EQ(stepped(3, 0, 2, Step::kLeft), -1);
 }
 
-TEST(Gallery, OpensByItselfForAWeaverWithoutAFile) {
+TEST(Gallery, OpensAtTheStartOnlyWithoutAFile) {
   Settings s;
   EXPECT_FALSE(opens_with_gallery(s, false, false)) << "the tour comes first";
   s.toured = true;
@@ -65,7 +74,7 @@ TEST(Gallery, OpensByItselfForAWeaverWithoutAFile) {
   EXPECT_FALSE(settings_from(settings_text(s)).start_page);
 }
 
-TEST(Gallery, TheLatestComesFirstAndCanBeTakenOff) {
+TEST(Gallery, RecentFilesAreNewestFirstAndCanBeRemoved) {
   Settings s;
   for (int i = 0; i < 60; ++i) remember(s, "/drafts/" + std::to_string(i) + ".wif");
   EXPECT_EQ(s.recent.size(), 40u);
@@ -88,7 +97,7 @@ Design plain(int ends = 2, int picks = 2) {
   return d;
 }
 
-TEST(Thumbnails, AreTheDrawdownInItsColours) {
+TEST(Thumbnails, ShowTheDrawdownInItsColours) {
   const Thumbnail t = thumbnail_of(plain().draft, 384, 248);
   ASSERT_EQ(t.pixels.size(), 384u * 248u);
   const auto at = [&](int x, int y) { return t.pixels[static_cast<size_t>(y * 384 + x)] & 0xFFFFFF; };
@@ -101,7 +110,7 @@ TEST(Thumbnails, AreTheDrawdownInItsColours) {
   EXPECT_TRUE(red(at(384 - 20, 4))) << "a small draft is repeated";
 }
 
-TEST(Thumbnails, OfAVastDraftTakeAsManyCrossingsAsPixels) {
+TEST(Thumbnails, ALargeDraftShowsOneCrossingPerPixel) {
   const Thumbnail t = thumbnail_of(plain(9000, 7000).draft, 384, 248);
   ASSERT_EQ(t.pixels.size(), 384u * 248u);
   int reds = 0, blues = 0;
@@ -109,19 +118,19 @@ TEST(Thumbnails, OfAVastDraftTakeAsManyCrossingsAsPixels) {
   EXPECT_NEAR(static_cast<double>(reds) / blues, 1, 0.1) << "half of each";
 }
 
-TEST(Thumbnails, WhiteDamaskShowsItsFigure) {
+TEST(Thumbnails, WhiteDamaskShowsItsPattern) {
   Design d = plain();
   d.draft.palette = {{0.95f, 0.94f, 0.92f}, {0.96f, 0.95f, 0.93f}};
   const Thumbnail t = thumbnail_of(d.draft, 384, 248);
   EXPECT_GT((t.pixels[384 - 4] & 255), (t.pixels[384 - 12] & 255) + 20);
 }
 
-TEST(Thumbnails, OfNothingAreEmpty) {
+TEST(Thumbnails, AnEmptyDraftHasNone) {
   EXPECT_TRUE(thumbnail_of(Draft{}, 10, 10).pixels.empty());
   EXPECT_TRUE(thumbnail_of(plain().draft, 0, 10).pixels.empty());
 }
 
-class FileLooksTest : public ScratchTest {
+class DraftThumbnailsTest : public ScratchTest {
  protected:
   static size_t files_in(const std::string& folder) {
     size_t n = 0;
@@ -131,7 +140,7 @@ class FileLooksTest : public ScratchTest {
   }
 };
 
-TEST_F(FileLooksTest, APictureIsMadeOnceAndAgainWhenTheFileChanges) {
+TEST_F(DraftThumbnailsTest, IsCachedUntilTheFileChanges) {
   const std::string cache = path("cache/drafts"), file = written("a.wif", wif::write_new_wif(plain()));
   const DraftThumbnail first = look_of_file(file, cache);
   EXPECT_EQ(first.state, DraftThumbnail::State::kThere);
@@ -146,13 +155,13 @@ TEST_F(FileLooksTest, APictureIsMadeOnceAndAgainWhenTheFileChanges) {
   EXPECT_EQ(files_in(cache), 2u);
 }
 
-TEST_F(FileLooksTest, WhatIsGoneOrNoDraftIsSaid) {
+TEST_F(DraftThumbnailsTest, ReportsMissingAndUnreadableFiles) {
   EXPECT_EQ(look_of_file(path("nowhere.wif"), path("cache")).state, DraftThumbnail::State::kMissing);
   EXPECT_EQ(look_of_file(written("b.wif", "no draft"), path("cache")).state, DraftThumbnail::State::kUnreadable);
   EXPECT_EQ(files_in(path("cache")), 0u);
 }
 
-TEST_F(FileLooksTest, ACacheThatCannotBeOrIsBrokenIsMadeUpFor) {
+TEST_F(DraftThumbnailsTest, WorksWithADamagedOrMissingCache) {
   const std::string file = written("a.wif", wif::write_new_wif(plain()));
   const DraftThumbnail there = look_of_file(file, written("in_the_way", "x") + "/drafts");
   EXPECT_EQ(there.state, DraftThumbnail::State::kThere);
@@ -163,7 +172,7 @@ TEST_F(FileLooksTest, ACacheThatCannotBeOrIsBrokenIsMadeUpFor) {
   EXPECT_EQ(look_of_file(file, cache).picture, there.picture);
 }
 
-TEST_F(FileLooksTest, AreLookedForBesideTheWindow) {
+TEST_F(DraftThumbnailsTest, AreMadeInTheBackground) {
   const std::string file = written("a.wif", wif::write_new_wif(plain()));
   DraftThumbnails looks("", [] {});
   looks.ask(file);

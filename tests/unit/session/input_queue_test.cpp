@@ -1,4 +1,4 @@
-// What a hand does faster than the frames come: nothing lost, nothing overtaken.
+// Input that is faster than the frames is neither lost nor reordered.
 
 #include "session/jobs/input_queue.h"
 
@@ -47,27 +47,27 @@ std::string frames_of(InputQueue& q) {
   return text;
 }
 
-TEST(InputQueue, PressAndReleaseFallInTwoFrames) {
+TEST(InputQueue, PressAndReleaseComeInTwoFrames) {
   InputQueue q;
   click(q);
   click(q);
   EXPECT_EQ(frames_of(q), "mB|b|mB|b|");
 }
 
-TEST(InputQueue, ADragSeesWhereItEndedBeforeItIsLetGo) {
+TEST(InputQueue, ADragReachesItsEndBeforeTheRelease) {
   InputQueue q;
   add(q, {move(1), button(true), move(2), move(3), button(false)});
   EXPECT_EQ(frames_of(q), "mB|mm|b|");
 }
 
-TEST(InputQueue, WhatIsTypedGoesToWhatTheClickOpened) {
+TEST(InputQueue, TypedTextGoesToTheFieldThatTheClickOpened) {
   InputQueue q;
   click(q);
   type(q, "10");
   EXPECT_EQ(frames_of(q), "mB|b|||K'1'kK'0'k|");
 }
 
-TEST(InputQueue, TheCommandAfterATextComesAfterIt) {
+TEST(InputQueue, AShortcutAfterTypedTextComesAfterIt) {
   InputQueue q;
   type(q, "10");
   add(q, {key('\r', true), key('\r', false)});
@@ -75,27 +75,27 @@ TEST(InputQueue, TheCommandAfterATextComesAfterIt) {
   EXPECT_EQ(frames_of(q), "K'1'kK'0'kK|k||K'a'k|");
 }
 
-TEST(InputQueue, ACommandKeepsTheKeysHeldWithIt) {
+TEST(InputQueue, AShortcutKeepsItsModifiers) {
   InputQueue q;
   add(q, {control(true), key('A', true, {true, false, false}), key('A', false), control(false)});
   type(q, "5");
   EXPECT_EQ(frames_of(q), "CK|kc||K'5'k|");
 }
 
-TEST(InputQueue, AKeyPressedAgainIsUpInBetween) {
+TEST(InputQueue, APressedKeyIsReleasedBeforeItsNextPress) {
   InputQueue q;
   for (int i = 0; i < 3; ++i) add(q, {key('Z', true, {true, false, false}), key('Z', false)});
   EXPECT_EQ(frames_of(q), "K|k|K|k|K|k|");
 }
 
-TEST(InputQueue, ACommandAfterReturnGoesNoMoreToTheField) {
+TEST(InputQueue, AShortcutAfterReturnDoesNotGoToTheField) {
   InputQueue q;
   type(q, "7");
   add(q, {key('\r', true), key('\r', false), control(true), key('S', true, {true, false, false}), key('S', false)});
   EXPECT_EQ(frames_of(q), "K'7'kK|kC|K|k|");
 }
 
-TEST(InputQueue, ScrollsRunTogetherUntilAnotherKeyIsHeld) {
+TEST(InputQueue, ScrollsAddUpUntilTheModifiersChange) {
   InputQueue q;
   const auto scroll = [](bool ctrl) { return InputEvent{Kind::kScroll, 0, 1, 0, false, {ctrl, false, false}}; };
   add(q, {move(1), scroll(false), scroll(false), control(true), scroll(true), move(2)});

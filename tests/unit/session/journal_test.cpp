@@ -1,4 +1,4 @@
-// What a journal keeps, and what is left of it when it is torn, the disk full, or its folder gone.
+// What a journal keeps, and what can be read when it is damaged, the disk is full, or its folder is gone.
 
 #include "session/recovery/journal.h"
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 DocumentNote note(const std::string& name) { return {"/some where/" + name, name, {true, 1, 2, 3, -4, 5}}; }
 
-TEST(JournalFormat, GivesTheLastEntryBack) {
+TEST(JournalFormat, ReadsTheLastEntry) {
   std::string bytes = journal_start({note("caf\xe9\n.wif"), "one two three"});
   EXPECT_EQ(read_journal(bytes)->note, note("caf\xe9\n.wif"));
   EXPECT_EQ(read_journal(bytes)->text, "one two three");
@@ -27,7 +27,7 @@ TEST(JournalFormat, GivesTheLastEntryBack) {
   }
 }
 
-TEST(JournalFormat, APaintedCellTakesFewBytes) {
+TEST(JournalFormat, APaintedCellTakesAFewBytes) {
   std::string before;
   for (int i = 1; i < 5000; ++i)
     before.append(std::to_string(i)).append("=").append(std::to_string(i % 16)).append("\r\n");
@@ -36,7 +36,7 @@ TEST(JournalFormat, APaintedCellTakesFewBytes) {
   EXPECT_LT(journal_entry(before, now).size(), 64u);
 }
 
-TEST(JournalFormat, CutAnywhereItGivesTheEntriesBefore) {
+TEST(JournalFormat, ATruncatedJournalGivesTheLastCompleteEntry) {
   const std::vector<std::string> texts{"first", "first and second", "third", "third and a last one"};
   std::string bytes = journal_start({note("a.wif"), texts[0]});
   std::vector<size_t> ends{bytes.size()};
@@ -55,7 +55,7 @@ TEST(JournalFormat, CutAnywhereItGivesTheEntriesBefore) {
   }
 }
 
-TEST(JournalFormat, AChangedByteCostsWhatFollowsAndNothingElse) {
+TEST(JournalFormat, ADamagedByteLosesOnlyTheEntriesAfterIt) {
   const std::vector<std::string> texts{"first", "first and second", "third"};
   const std::string bytes =
       journal_start({note("a.wif"), texts[0]}) + journal_entry(texts[0], texts[1]) + journal_entry(texts[1], texts[2]);
@@ -76,7 +76,7 @@ class JournalTest : public ScratchTest {
   static std::vector<LeftWork> left_in(const std::string& root) { return Recovery(root).left_behind(); }
 };
 
-TEST_F(JournalTest, KeepsTheNewestOfEachDocument) {
+TEST_F(JournalTest, KeepsTheNewestStateOfEachDocument) {
   Recovery recovery(root());
   Journal journal(recovery);
   const uint64_t a = journal.new_document(), b = journal.new_document();
@@ -95,7 +95,7 @@ TEST_F(JournalTest, KeepsTheNewestOfEachDocument) {
   EXPECT_TRUE(fs::exists(recovery.journal_path(b)));
 }
 
-TEST_F(JournalTest, LeavesNothingWhenAllIsSaved) {
+TEST_F(JournalTest, LeavesNoFilesWhenEverythingIsSaved) {
   {
     Recovery recovery(root());
     Journal journal(recovery);
@@ -106,7 +106,7 @@ TEST_F(JournalTest, LeavesNothingWhenAllIsSaved) {
   for (const auto& entry : fs::directory_iterator(root())) EXPECT_EQ(entry.path().filename(), "lock");
 }
 
-TEST_F(JournalTest, IsBegunAnewWhenItHasGrown) {
+TEST_F(JournalTest, IsRewrittenWhenItHasGrown) {
   Recovery recovery(root());
   Journal journal(recovery);
   std::string text(3 << 20, 'a');
@@ -119,7 +119,7 @@ TEST_F(JournalTest, IsBegunAnewWhenItHasGrown) {
   EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, text);
 }
 
-TEST_F(JournalTest, ItsFolderMayVanish) {
+TEST_F(JournalTest, SurvivesTheLossOfItsFolder) {
   Recovery recovery(root());
   Journal journal(recovery);
   journal.keep(1, note("a.wif"), [] { return "one"; });
@@ -132,7 +132,7 @@ TEST_F(JournalTest, ItsFolderMayVanish) {
   EXPECT_TRUE(left_in(root()).empty()) << "and it still lives";
 }
 
-TEST_F(JournalTest, ARefusalStandsUntilItSucceedsAndNamesFileAndCause) {
+TEST_F(JournalTest, AWriteErrorNamesFileAndCauseUntilItSucceeds) {
   written("state", "a file where the folder should be");
   Recovery recovery(root());
   Journal journal(recovery);
@@ -148,7 +148,7 @@ TEST_F(JournalTest, ARefusalStandsUntilItSucceedsAndNamesFileAndCause) {
   EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, "one");
 }
 
-TEST_F(JournalTest, WhatWasLeftGoesOnlyWhenTheNewOneStands) {
+TEST_F(JournalTest, TheOldJournalIsRemovedOnlyAfterTheNewOneIsOnDisk) {
   const std::string old = path("state/recovery/0123456789abcdef");
   fs::create_directories(old);
   written("state/recovery/0123456789abcdef/1.journal", journal_start({note("a.wif"), "left"}));

@@ -1,4 +1,4 @@
-// Memory that a thread cannot have is told; the thread goes on, and nothing of the weaver's is lost.
+// A thread that runs out of memory reports it and goes on; no work is lost.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ bool comes_true(const Holds& holds) {
 
 bool tells_of_memory(const std::string& said) { return said.find("not enough memory") != std::string::npos; }
 
-TEST_F(NoMemory, AnExportSaysSoLeavesNothingAndTheNextIsWritten) {
+TEST_F(NoMemory, AFailedExportLeavesNothingAndTheNextSucceeds) {
   ExportPlan plan;
   plan.folder = path("out"), plan.targets = {&targets::kGodot}, plan.size = 32;
   const std::vector<ExportJob> jobs = jobs_of(plan, *design_, "x.wif", "1");
@@ -67,7 +67,7 @@ TEST_F(NoMemory, AnExportSaysSoLeavesNothingAndTheNextIsWritten) {
   EXPECT_EQ(exporter.state().written.size(), 1u);
 }
 
-TEST_F(NoMemory, TheJournalTriesAgainAndHasEveryStroke) {
+TEST_F(NoMemory, TheJournalRetriesAndHasEveryStroke) {
   Recovery recovery(path("recovery"));
   Journal journal(recovery);
   const uint64_t a = journal.new_document(), b = journal.new_document();
@@ -86,7 +86,7 @@ TEST_F(NoMemory, TheJournalTriesAgainAndHasEveryStroke) {
   EXPECT_EQ(read_left({recovery.journal_path(b), {}, 0})->text, "of another");
 }
 
-TEST_F(NoMemory, TheWriterTriesAgain) {
+TEST_F(NoMemory, TheWriterRetries) {
   std::atomic<int> tries{0};
   BackgroundWriter writer;
   writer.keep(path("a"), [&]() -> std::string {
@@ -97,7 +97,7 @@ TEST_F(NoMemory, TheWriterTriesAgain) {
   EXPECT_EQ(tries, 2);
 }
 
-TEST_F(NoMemory, AnAnalysisSaysSoAndTheNextComes) {
+TEST_F(NoMemory, AFailedAnalysisIsReportedAndTheNextSucceeds) {
   const auto large = std::make_shared<const Design>(twill({2, 2}, Lean::kRight, {512, 512}));
   const BitMatrix cells = drawdown(large->draft);
   Reporter reporter;
@@ -113,7 +113,7 @@ TEST_F(NoMemory, AnAnalysisSaysSoAndTheNextComes) {
   ASSERT_TRUE(comes_true([&] { return reporter.on(large, cells, 2, 5) != nullptr; }));
 }
 
-TEST_F(NoMemory, AnExportsPreviewSaysSoAndTheNextComes) {
+TEST_F(NoMemory, AFailedExportPreviewIsReportedAndTheNextSucceeds) {
   ExportPreviewer previewer(design_, [] {});
   TextureSetOptions options;
   options.name = "x", options.size = 32;
@@ -132,7 +132,7 @@ TEST_F(NoMemory, AnExportsPreviewSaysSoAndTheNextComes) {
   EXPECT_FALSE(made->images.empty());
 }
 
-TEST_F(NoMemory, ATracedPictureSaysSoAndTheNextComes) {
+TEST_F(NoMemory, AFailedRayTracingIsReportedAndTheNextSucceeds) {
   TraceJob job{design_, design_->scene, 0, {}, {}};
   job.around = job.preview = Image{32, 32, 3, std::vector<float>(size_t{32} * 32 * 3)};
   ReferenceTracer tracer;
@@ -149,7 +149,7 @@ TEST_F(NoMemory, ATracedPictureSaysSoAndTheNextComes) {
   EXPECT_EQ(made->problem, "");
 }
 
-TEST_F(NoMemory, APictureOfAFileIsNotThereAndTheOthersAre) {
+TEST_F(NoMemory, AFailedThumbnailDoesNotStopTheOthers) {
   DraftThumbnails looks("", [] {});
   const std::string file = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/drafts/starter.wif";
   std::vector<std::pair<std::string, DraftThumbnail>> made;

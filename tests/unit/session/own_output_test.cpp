@@ -1,4 +1,4 @@
-// --live-export and --ui-map replace what they wrote themselves, and nothing else.
+// --live-export and --ui-map replace their own files and no others.
 
 #include "session/files/own_output.h"
 
@@ -14,7 +14,7 @@ class OwnOutput : public ScratchTest {
   LiveExport live() const { return {path("live.wif"), path("state")}; }
 };
 
-TEST_F(OwnOutput, LiveExportGoesWhereNothingIsAndToWhatItWrote) {
+TEST_F(OwnOutput, LiveExportWritesNewFilesAndItsOwn) {
   const std::string draft = written("draft.wif", "a draft");
   EXPECT_EQ(live().rejected_edit(draft), "");
   for (const char* bytes : {"one", "two", "three"}) {
@@ -26,7 +26,7 @@ TEST_F(OwnOutput, LiveExportGoesWhereNothingIsAndToWhatItWrote) {
   EXPECT_EQ(live().rejected_edit(""), "");
 }
 
-TEST_F(OwnOutput, LiveExportRefusesAnothersFile) {
+TEST_F(OwnOutput, LiveExportRefusesForeignFiles) {
   written("live.wif", "somebody's draft");
   EXPECT_NE(live().rejected_edit(""), "");
   fs::remove(path("live.wif"));
@@ -36,7 +36,7 @@ TEST_F(OwnOutput, LiveExportRefusesAnothersFile) {
   EXPECT_NE(live().rejected_edit(""), "");
 }
 
-TEST_F(OwnOutput, LiveExportRefusesTheDraftByAnyName) {
+TEST_F(OwnOutput, LiveExportRefusesTheDraftUnderAnyPath) {
   const std::string draft = written("draft.wif", "a draft");
   fs::create_symlink(draft, path("live.wif"));
   EXPECT_NE(live().rejected_edit(draft), "");
@@ -44,7 +44,7 @@ TEST_F(OwnOutput, LiveExportRefusesTheDraftByAnyName) {
   EXPECT_NE(LiveExport(dir_.string(), path("state")).rejected_edit(draft), "") << "a folder";
 }
 
-TEST_F(OwnOutput, LiveExportTakesAnEmptyFileAndACopyOfTheDraft) {
+TEST_F(OwnOutput, LiveExportAcceptsAnEmptyFileAndACopyOfTheDraft) {
   const std::string draft = written("draft.wif", "a draft");
   written("live.wif", "");
   EXPECT_EQ(live().rejected_edit(draft), "");
@@ -52,7 +52,7 @@ TEST_F(OwnOutput, LiveExportTakesAnEmptyFileAndACopyOfTheDraft) {
   EXPECT_EQ(live().rejected_edit(draft), "");
 }
 
-TEST_F(OwnOutput, LiveExportIsKnownWheneverItsProcessEnded) {
+TEST_F(OwnOutput, LiveExportRecognisesItsFileAfterACrash) {
   LiveExport one = live();
   EXPECT_EQ(one.write("first"), "");
   // The record is written before the file: as if killed in between.
@@ -64,7 +64,7 @@ TEST_F(OwnOutput, LiveExportIsKnownWheneverItsProcessEnded) {
   EXPECT_EQ(live().rejected_edit(""), "");
 }
 
-TEST_F(OwnOutput, UiMapIsToldByWhatItSays) {
+TEST_F(OwnOutput, UiMapIsRecognisedByItsContent) {
   const std::string draft = written("draft.wif", "[WIF]\n");
   EXPECT_EQ(ui_map_refusal(path("map.json"), draft), "");
   written("map.json", R"({"frame": 3, "controls": [], "grids": []})");

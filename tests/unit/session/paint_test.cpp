@@ -8,7 +8,7 @@
 namespace weftlight::session {
 namespace {
 
-TEST(Paint, AFastDragLeavesOutNoThread) {
+TEST(Paint, AFastDragSkipsNoThread) {
   const std::vector<Cell> line = line_of_cells({2, 1}, {12, 4});
   ASSERT_EQ(line.size(), 11u);
   EXPECT_EQ(line.front(), (Cell{2, 1}));
@@ -27,7 +27,7 @@ TEST(Paint, AStrokeMovesEveryEndToTheShaft) {
   EXPECT_EQ(painted.draft.threading.first(5), 1);
 }
 
-TEST(Paint, CellsOfEveryGridSayWhatTheyAre) {
+TEST(Paint, ReadsCellsOfEveryGrid) {
   const Design d = straight_twill(6, 5);
   const BitMatrix cells = drawdown(d.draft);
   EXPECT_TRUE(is_on(d.draft, cells, GridId::kThreading, {5, 1}));
@@ -38,7 +38,7 @@ TEST(Paint, CellsOfEveryGridSayWhatTheyAre) {
   EXPECT_FALSE(is_on(d.draft, cells, GridId::kNone, {0, 0}));
 }
 
-TEST(Paint, TheStatusLineSpeaksAsAWeaverDoes) {
+TEST(Paint, DescribesACellInWeaversWords) {
   Design d = straight_twill(6, 5);
   BitMatrix cells = drawdown(d.draft);
   EXPECT_EQ(describe(d, cells, GridId::kThreading, {5, 0}), "End 6 on shaft 2");
@@ -62,7 +62,7 @@ TEST(Paint, ColourBarsPaintColourOrYarn) {
   EXPECT_EQ(d.draft.weft.yarn[2], 0);
 }
 
-TEST(Zoom, EveryZoomStepChangesThePitchAndCanBeTakenBack) {
+TEST(Zoom, EveryZoomStepChangesThePitchAndCanBeReversed) {
   float pitch = 2;
   for (int i = 0; i < 30 && pitch < 48; ++i) {
     const float next = zoomed_pitch(pitch, 1);

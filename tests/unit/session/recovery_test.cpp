@@ -1,4 +1,4 @@
-// Which sessions crashed is told by their locks; what they left is offered, newest first, once.
+// Crashed sessions are recognised by their locks; their work is offered once, newest first.
 
 #include "session/recovery/recovery.h"
 
@@ -59,7 +59,7 @@ TEST_F(RecoveryTest, OffersEveryCrashedSessionNewestFirst) {
   for (const LeftWork& one : left) EXPECT_EQ(read_left(one)->text, "text of " + one.note.name);
 }
 
-TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSame) {
+TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSameWork) {
   crash({"a.wif"});
   Recovery one(root());
   EXPECT_EQ(one.left_behind().size(), 1u);
@@ -67,13 +67,13 @@ TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSame) {
   EXPECT_EQ(one.left_behind().size(), 1u) << "the same window may ask again";
 }
 
-TEST_F(RecoveryTest, WhatWasPutOffIsOfferedTheNextTime) {
+TEST_F(RecoveryTest, PostponedWorkIsOfferedNextTime) {
   crash({"a.wif"});
   { Recovery(root()).left_behind(); }
   EXPECT_EQ(names(Recovery(root()).left_behind()), Names{"a.wif"});
 }
 
-TEST_F(RecoveryTest, ALivingSessionIsLeftAlone) {
+TEST_F(RecoveryTest, ARunningSessionIsLeftAlone) {
   Recovery living(root());
   Journal journal(living);
   journal.keep(1, {"", "Untitled", {}}, [] { return "text"; });
@@ -106,7 +106,7 @@ TEST_F(RecoveryTest, AFolderThatWasHalfMadeGoes) {
   EXPECT_TRUE(fs::exists(path("recovery/00000000000000fe.making"))) << "its session is about to begin";
 }
 
-TEST_F(RecoveryTest, DiscardsOneOfSeveralThenTheFolder) {
+TEST_F(RecoveryTest, DiscardsOneJournalAndFinallyTheFolder) {
   crash({"a.wif", "b.wif"});
   Recovery now(root());
   std::vector<LeftWork> left = now.left_behind();
@@ -119,7 +119,7 @@ TEST_F(RecoveryTest, DiscardsOneOfSeveralThenTheFolder) {
   EXPECT_TRUE(now.left_behind().empty());
 }
 
-TEST_F(RecoveryTest, WhatCannotBeReadIsNamedLastAndStays) {
+TEST_F(RecoveryTest, UnreadableWorkIsListedLastAndKept) {
   crash({"a.wif"});
   fs::create_directories(path("recovery/00000000000000ff"));
   written("recovery/00000000000000ff/1.journal", "not a journal");
@@ -142,7 +142,7 @@ TEST_F(RecoveryTest, WhatCannotBeReadIsNamedLastAndStays) {
   EXPECT_TRUE(fs::exists(path("recovery/mine")));
 }
 
-TEST_F(RecoveryTest, StartsAtTheSameMomentDoNotTakeEachOtherForCrashed) {
+TEST_F(RecoveryTest, SessionsStartedAtOnceDoNotSeemCrashed) {
   std::vector<std::thread> starts;
   std::atomic<int> taken{0};
   for (int t = 0; t < 8; ++t)

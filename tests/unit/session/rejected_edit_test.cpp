@@ -1,4 +1,4 @@
-// What the loom cannot weave of what was painted is kept as a whole gesture, and the nearest to it is offered.
+// An edit that the loom cannot weave is kept as a whole gesture, and the closest weave is offered.
 
 #include "session/document/rejected_edit.h"
 
@@ -29,7 +29,7 @@ Design small_loom(int shafts = 4) {
   return d;
 }
 
-class RefusalTest : public testing::Test {
+class RejectedEditTest : public testing::Test {
  protected:
   const Design& now() const { return session_.active().document.now(); }
   const std::optional<RejectedEdit>& rejected_edit() const { return session_.active().view.rejected_edit; }
@@ -39,14 +39,14 @@ class RefusalTest : public testing::Test {
   Session session_{scratch_ / "recovery", Document(small_loom()), false};
 };
 
-TEST_F(RefusalTest, WhatIsTakenIsNoRefusal) {
+TEST_F(RejectedEditTest, AnAcceptedEditIsNotRejected) {
   session_.commit({"Size", [](Design d) { return with_size(std::move(d), 12, 12, 4, 4); }}, 1);
   EXPECT_FALSE(rejected_edit());
   EXPECT_TRUE(session_.commit(paint_edit(GridId::kThreading, {0, 0}, {0, 3}, true, true), 2));
   EXPECT_FALSE(rejected_edit());
 }
 
-TEST_F(RefusalTest, TheWholeGestureIsTheRequest) {
+TEST_F(RejectedEditTest, TheWholeGestureIsRequested) {
   const Design before = now();
   const BitMatrix cells = drawdown(before.draft);
   EXPECT_FALSE(session_.commit(line({0, 2}, {4, 2}, true), 7)) << "the loom has no fifth treadle";
@@ -62,7 +62,7 @@ TEST_F(RefusalTest, TheWholeGestureIsTheRequest) {
   EXPECT_EQ(drawdown(rejected_edit()->requested->draft), wanted);
 }
 
-TEST_F(RefusalTest, EndsWithTheNextEditAndWithUndo) {
+TEST_F(RejectedEditTest, TheNextEditOrUndoClearsIt) {
   ASSERT_TRUE(session_.commit({"Title",
                                [](Design d) {
                                  d.title = "A";
@@ -84,9 +84,9 @@ TEST_F(RefusalTest, EndsWithTheNextEditAndWithUndo) {
   EXPECT_FALSE(rejected_edit());
 }
 
-TEST_F(RefusalTest, ShapesAndFillsAreRefusedWhole) {
+TEST_F(RejectedEditTest, ShapesAndFillsAreRejectedAsAWhole) {
   DocumentView view;
-  view.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {4, 2}, true};
+  view.drawing.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {4, 2}, true};
   const MaybeEdit edit = finish_shape(view, now());
   ASSERT_TRUE(edit);
   EXPECT_FALSE(session_.commit(*edit, 3));
@@ -97,7 +97,7 @@ TEST_F(RefusalTest, ShapesAndFillsAreRefusedWhole) {
     for (int end = 0; end <= 4; ++end) EXPECT_TRUE(wanted.get(pick, end));
 }
 
-TEST_F(RefusalTest, TheNearestFitsTheLoomAndCountsItsCrossings) {
+TEST_F(RejectedEditTest, TheClosestWeaveFitsTheLoomAndCountsWrongCrossings) {
   // A plain weave, which two shafts weave, with three crossings turned over.
   Design requested = now();
   requested.loom.shafts = requested.loom.treadles = kMaxShafts;
@@ -106,36 +106,36 @@ TEST_F(RefusalTest, TheNearestFitsTheLoomAndCountsItsCrossings) {
       const bool odd = (end == 3 && pick == 6) || (end == 7 && pick == 0) || (end == 8 && pick == 9);
       requested = with_drawdown_cell(requested, end, pick, ((end + pick) % 2 == 0) != odd);
     }
-  const auto nearest = nearest_to(now(), requested);
-  ASSERT_TRUE(nearest);
-  EXPECT_NE(nearest->why, "");
-  EXPECT_FALSE(nearest->is_there);
-  EXPECT_LE(nearest->design->draft.shafts, 4);
-  EXPECT_LE(nearest->design->draft.treadles, 4);
-  const BitMatrix shown = drawdown(nearest->design->draft), wanted = drawdown(requested.draft);
+  const auto closest = closest_weave_to(now(), requested);
+  ASSERT_TRUE(closest);
+  EXPECT_NE(closest->why, "");
+  EXPECT_FALSE(closest->is_there);
+  EXPECT_LE(closest->design->draft.shafts, 4);
+  EXPECT_LE(closest->design->draft.treadles, 4);
+  const BitMatrix shown = drawdown(closest->design->draft), wanted = drawdown(requested.draft);
   int64_t wrong = 0;
   for (int pick = 0; pick < 12; ++pick)
     for (int end = 0; end < 12; ++end) {
-      EXPECT_EQ(nearest->differing.get(pick, end), shown.get(pick, end) != wanted.get(pick, end));
+      EXPECT_EQ(closest->differing.get(pick, end), shown.get(pick, end) != wanted.get(pick, end));
       wrong += shown.get(pick, end) != wanted.get(pick, end);
     }
-  EXPECT_EQ(nearest->wrong, wrong);
+  EXPECT_EQ(closest->wrong, wrong);
   EXPECT_GT(wrong, 0);
   EXPECT_LE(wrong, 3) << "the plain weave itself is nearer";
-  EXPECT_FALSE(nearest->places.empty());
+  EXPECT_FALSE(closest->places.empty());
 }
 
-TEST_F(RefusalTest, WhereNothingIsNearerTheDraftStays) {
+TEST_F(RejectedEditTest, WithoutACloserWeaveTheDraftStays) {
   session_.commit(line({0, 2}, {0, 2}, !drawdown(now().draft).get(2, 0)), 2);
   ASSERT_TRUE(rejected_edit());
-  const auto nearest = nearest_to(now(), *rejected_edit()->requested);
-  ASSERT_TRUE(nearest);
-  EXPECT_TRUE(nearest->is_there);
-  EXPECT_EQ(*nearest->design, now());
-  EXPECT_EQ(nearest->wrong, 1);
+  const auto closest = closest_weave_to(now(), *rejected_edit()->requested);
+  ASSERT_TRUE(closest);
+  EXPECT_TRUE(closest->is_there);
+  EXPECT_EQ(*closest->design, now());
+  EXPECT_EQ(closest->wrong, 1);
 }
 
-TEST_F(RefusalTest, ALargerLoomTakesItAll) {
+TEST_F(RejectedEditTest, ALargerLoomWeavesTheWholeRequest) {
   session_.commit(line({0, 2}, {4, 2}, true), 2);
   ASSERT_TRUE(rejected_edit());
   const BitMatrix wanted = drawdown(rejected_edit()->requested->draft);

@@ -10,7 +10,7 @@
 namespace weftlight::session {
 namespace {
 
-TEST(Report, TellsFloatsRepeatAndHeddles) {
+TEST(Report, ReportsFloatsRepeatAndHeddles) {
   const Design satin8 = satin(8, 3, Face::kFront, {16, 16});
   const BitMatrix cells = drawdown(satin8.draft);
   const Report r = report_on(satin8, cells, 5);
@@ -24,7 +24,7 @@ TEST(Report, TellsFloatsRepeatAndHeddles) {
   EXPECT_EQ(report_on(satin8, cells, 7).floats.count, 0);
 }
 
-TEST(Report, ComesForTheNewestDesignThatIsAskedFor) {
+TEST(Report, AnalysesTheNewestRequestedDesign) {
   Reporter reporter;
   const auto twilled = std::make_shared<const Design>(twill({2, 2}, Lean::kRight, {16, 16}));
   const BitMatrix cells = drawdown(twilled->draft);

@@ -1,4 +1,4 @@
-// Views of the cloth by name: kept, gone to, renamed, dropped, and in the file.
+// Named views of the cloth: saved, shown, renamed, deleted, and in the file.
 
 #include "session/editing/scene_views.h"
 
@@ -17,14 +17,14 @@ Design plain() {
   return d;
 }
 
-DocumentView seen_from(float azimuth, bool flat = false) {
-  DocumentView v;
+ClothView seen_from(float azimuth, bool flat = false) {
+  ClothView v;
   v.camera = {azimuth, 10, 0.5f, 0.1f, -0.2f};
   v.flat = flat;
   return v;
 }
 
-TEST(Views, AreKeptWithCameraLightAndWhatHangs) {
+TEST(Views, SaveCameraLightAndDrape) {
   Design d = plain();
   d.scene.mesh = "skirt";
   d.scene.light_azimuth = 33;
@@ -41,9 +41,9 @@ TEST(Views, AreKeptWithCameraLightAndWhatHangs) {
   EXPECT_EQ(keep_view_edit(seen_from(1), "  ").apply(d), d) << "no name, no view";
 }
 
-TEST(Views, GoingThereMovesTheCameraAndEditsOnlyTheLightAndWhatHangs) {
+TEST(Views, GoingToAViewMovesTheCameraAndEditsOnlyLightAndDrape) {
   Design d = plain();
-  DocumentView v = seen_from(20);
+  ClothView v = seen_from(20);
   d = keep_view_edit(v, "Here").apply(d);
   v.camera = {};
   EXPECT_FALSE(go_to_view(v, d, d.views[0])) << "the light is the same: nothing to undo";
@@ -59,9 +59,9 @@ TEST(Views, GoingThereMovesTheCameraAndEditsOnlyTheLightAndWhatHangs) {
   EXPECT_EQ(v.draped, seen_from(20).camera) << "F leads back to it";
 }
 
-TEST(Views, TheFlatSwatchIsLitLowFromTheSideWhereThatIsAskedFor) {
+TEST(Views, GrazingLightIsForTheFlatSwatchOnly) {
   const Design d = plain();
-  DocumentView v = seen_from(20);
+  ClothView v = seen_from(20);
   v.grazing = true;
   EXPECT_EQ(seen_scene(v, d), with_orbit(d.scene, v.camera)) << "the drape keeps its light";
   v.flat = true;
@@ -76,7 +76,7 @@ TEST(Views, TheFlatSwatchIsLitLowFromTheSideWhereThatIsAskedFor) {
   EXPECT_FALSE(v.grazing) << "a view brings its own light";
 }
 
-TEST(Views, AreRenamedAndDropped) {
+TEST(Views, CanBeRenamedAndDeleted) {
   Design d = plain();
   for (const char* name : {"A", "B", "C"}) d = keep_view_edit(seen_from(1), name).apply(d);
   d = rename_views_edit({"C", "", "C"}).apply(d);
@@ -86,7 +86,7 @@ TEST(Views, AreRenamedAndDropped) {
   EXPECT_EQ(free_view_name(d), "View 3");
 }
 
-TEST(Views, ShippedOnesAreFoundByNameInAnyCase) {
+TEST(Views, ShippedViewsAreFoundByNameInAnyCase) {
   const Design d = plain();
   for (const ShippedView& s : kShippedViews) {
     EXPECT_TRUE(view_named(d, s.id, 800, 600)) << s.id;
@@ -102,7 +102,7 @@ TEST(Views, ShippedOnesAreFoundByNameInAnyCase) {
   EXPECT_EQ(view_named(own, "whole", 800, 600)->scene.view_azimuth, 77) << "the weaver's own come first";
 }
 
-TEST(Views, StandInTheFileAndGoWithoutATrace) {
+TEST(Views, AreSavedInTheFileAndRemovedCompletely) {
   const std::string before = wif::write_new_wif(plain());
   const wif::WifRead read = wif::read_wif(before);
   ASSERT_TRUE(read.file);

@@ -14,7 +14,7 @@ SelectState with_selected(const Selection& s) {
   return state;
 }
 
-TEST(SelectTool, ARectangleHoldsBothOfItsCorners) {
+TEST(SelectTool, ARectangleIncludesBothCorners) {
   const Selection s = selection_between(BitGrid::kThreading, {5, 3}, {2, 1});
   EXPECT_EQ(s, (Selection{BitGrid::kThreading, 2, 6, 1, 4}));
   EXPECT_TRUE(holds(s, BitGrid::kThreading, {5, 1}));
@@ -22,7 +22,7 @@ TEST(SelectTool, ARectangleHoldsBothOfItsCorners) {
   EXPECT_FALSE(holds(s, BitGrid::kDrawdown, {3, 2}));
 }
 
-TEST(SelectTool, ArrowsGoWhereTheyPointWhateverTheGridsDirection) {
+TEST(SelectTool, ArrowKeysFollowTheScreenInEveryOrientation) {
   const Settings right;
   Settings left, below, upwards;
   left.end1_right = false;
@@ -41,7 +41,7 @@ TEST(SelectTool, ArrowsGoWhereTheyPointWhateverTheGridsDirection) {
   EXPECT_EQ(screen_step(BitGrid::kThreading, upwards, 0, -1).b, 1);
 }
 
-TEST(SelectTool, WhatAMovePassesOverComesBack) {
+TEST(SelectTool, MovedMarksRestoreTheCellsThatTheyPass) {
   const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   MaybeEdit edit = move_selection(s, start, 1, 0, false);
@@ -63,7 +63,7 @@ TEST(SelectTool, WhatAMovePassesOverComesBack) {
   EXPECT_EQ(edit->apply(now), start) << "back home";
 }
 
-TEST(SelectTool, AnEditBetweenTwoMovesPartsThem) {
+TEST(SelectTool, AnEditBetweenTwoMovesSeparatesThem) {
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   MaybeEdit edit = move_selection(s, straight_twill(8, 6), 1, 0, false);
   const uint64_t stroke = edit->stroke;
@@ -75,7 +75,7 @@ TEST(SelectTool, AnEditBetweenTwoMovesPartsThem) {
   EXPECT_EQ(now.draft.threading.first(3), 1);
 }
 
-TEST(SelectTool, AMoveStaysInsideItsGrid) {
+TEST(SelectTool, AMoveStaysInsideTheGrid) {
   SelectState s = with_selected({BitGrid::kTieup, 2, 4, 2, 4});
   move_selection(s, straight_twill(8, 6), 99, -99, false);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kTieup, 2, 4, 0, 2}));
@@ -84,7 +84,7 @@ TEST(SelectTool, AMoveStaysInsideItsGrid) {
   EXPECT_FALSE(move_selection(none, straight_twill(8, 6), 1, 1, false).has_value());
 }
 
-TEST(SelectTool, ACopyLeavesTheMarksWhereTheyWere) {
+TEST(SelectTool, ACopyLeavesTheMarksInPlace) {
   const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   EXPECT_FALSE(move_selection(s, start, 0, 0, true).has_value()) << "nothing moved yet";
@@ -95,7 +95,7 @@ TEST(SelectTool, ACopyLeavesTheMarksWhereTheyWere) {
   EXPECT_EQ(now.draft.threading.first(6), 1);
 }
 
-TEST(SelectTool, UndoOfAMoveTakesTheSelectionBack) {
+TEST(SelectTool, UndoOfAMoveMovesTheSelectionBack) {
   const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   const Design now = move_selection(s, start, 3, 0, false)->apply(start);
@@ -105,7 +105,7 @@ TEST(SelectTool, UndoOfAMoveTakesTheSelectionBack) {
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 0, 2, 0, 4}));
 }
 
-TEST(SelectTool, WhatIsGoneIsNotSelected) {
+TEST(SelectTool, DeletedThreadsAreNotSelected) {
   SelectState s = with_selected({BitGrid::kThreading, 2, 6, 0, 4});
   follow_design(s, with_size(straight_twill(8, 6), 4, 6, 3, 4), 1);
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 2, 4, 0, 3}));
@@ -114,7 +114,7 @@ TEST(SelectTool, WhatIsGoneIsNotSelected) {
   EXPECT_TRUE(s.selected.empty()) << "a liftplan has no treadling";
 }
 
-TEST(SelectTool, TheFarCornerMoves) {
+TEST(SelectTool, ExtendingMovesTheFarCorner) {
   SelectState s = with_selected({BitGrid::kThreading, 2, 4, 1, 2});
   s.anchor = {2, 1};
   extend_selection(s, straight_twill(8, 6).draft, 2, 1);
@@ -125,7 +125,7 @@ TEST(SelectTool, TheFarCornerMoves) {
   EXPECT_EQ(s.selected, (Selection{BitGrid::kThreading, 0, 3, 1, 4}));
 }
 
-TEST(SelectTool, ABlockIsHeldPutDownAndSelected) {
+TEST(SelectTool, APastedBlockIsPlacedAndSelected) {
   const Design start = straight_twill(8, 6);
   SelectState s;
   CellBlock block{BitGrid::kThreading, cells_of(start.draft, {BitGrid::kThreading, 0, 4, 0, 4})};
@@ -154,7 +154,7 @@ TEST(SelectTool, ABlockIsHeldPutDownAndSelected) {
   EXPECT_FALSE(escape(s));
 }
 
-TEST(SelectTool, ABlockInHandIsTurnedAsItIsSeen) {
+TEST(SelectTool, AnActiveBlockRotatesAsSeenOnTheScreen) {
   const Design start = straight_twill(8, 6);
   SelectState s;
   hold_block(s, start.draft, {BitGrid::kThreading, cells_of(start.draft, {BitGrid::kThreading, 0, 3, 0, 4})}, false);
@@ -170,7 +170,7 @@ TEST(SelectTool, ABlockInHandIsTurnedAsItIsSeen) {
   EXPECT_EQ(now.draft.treadling.first(2), 2);
 }
 
-TEST(SelectTool, EscapeInADragTakesTheMarksHome) {
+TEST(SelectTool, EscapeDuringADragReturnsTheMarks) {
   const Design start = straight_twill(8, 6);
   SelectState s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
   s.drag = SelectDrag::kMove;
@@ -184,7 +184,7 @@ TEST(SelectTool, EscapeInADragTakesTheMarksHome) {
   EXPECT_FALSE(cancel_drag(s, start).has_value());
 }
 
-TEST(SelectTool, SaysWhichCrossingsCouldNotFollow) {
+TEST(SelectTool, CountsCrossingsThatCouldNotFollow) {
   SelectState s;
   BitMatrix torn(1, 5);
   torn.set(0, 0, true);  // end 1 up, end 5 on the same shaft down
@@ -193,7 +193,7 @@ TEST(SelectTool, SaysWhichCrossingsCouldNotFollow) {
   EXPECT_NE(s.notice.find("1 crossing could not follow"), std::string::npos) << s.notice;
 }
 
-TEST(SelectTool, ALiftplanBlockFindsAGridThatIsShown) {
+TEST(SelectTool, ALiftplanBlockIsPastedIntoAShownGrid) {
   SelectState s;
   hold_block(s, straight_twill(8, 6).draft, {BitGrid::kLiftplan, BitMatrix(2, 2)}, false);
   EXPECT_TRUE(is_shown(straight_twill(8, 6).draft, s.held->grid));
@@ -201,7 +201,7 @@ TEST(SelectTool, ALiftplanBlockFindsAGridThatIsShown) {
   EXPECT_TRUE(is_shown(to_liftplan(straight_twill(8, 6)).draft, s.held->grid));
 }
 
-TEST(SelectTool, SaysWhatIsSelected) {
+TEST(SelectTool, DescribesTheSelection) {
   EXPECT_EQ(selection_text(with_selected({BitGrid::kThreading, 2, 10, 0, 1}))
                 .rfind("8 ends \xC3\x97 1 shaft: ends 3\xE2\x80\x93"
                        "10, shaft 1    drag",

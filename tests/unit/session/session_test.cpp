@@ -1,4 +1,4 @@
-// Several documents at once, without a window: opened, edited, closed, saved, killed and brought back.
+// Several documents without a window: opened, edited, closed, saved, and recovered after a crash.
 
 #include "session/session.h"
 
@@ -88,21 +88,21 @@ TEST_F(SessionTest, EachDocumentHasItsOwnHistoryAndView) {
   const auto s = session();
   const uint64_t one = open(*s, draft_file("one.wif")).id;
   s->commit(paint(), 0);
-  s->active().view.pitch = 17;
+  s->active().view.draft.pitch = 17;
   const Design painted = s->active().document.now();
   const uint64_t two = open(*s, draft_file("two.wif", 8)).id;
-  EXPECT_EQ(s->active().view.pitch, 0) << "to be fitted";
+  EXPECT_EQ(s->active().view.draft.pitch, 0) << "to be fitted";
   EXPECT_FALSE(s->undo()) << "nothing was done in this one";
   EXPECT_EQ(s->unsaved(), std::vector<uint64_t>{one});
   s->show(one);
-  EXPECT_EQ(s->active().view.pitch, 17);
+  EXPECT_EQ(s->active().view.draft.pitch, 17);
   EXPECT_EQ(s->active().document.now(), painted);
   EXPECT_TRUE(s->undo());
   EXPECT_TRUE(s->unsaved().empty());
   EXPECT_NE(one, two);
 }
 
-TEST_F(SessionTest, StatesOfTwoDocumentsAreToldApart) {
+TEST_F(SessionTest, RevisionsOfTwoDocumentsDiffer) {
   const auto s = session();
   open(*s, draft_file("one.wif"));
   const uint64_t before = s->revision();
@@ -112,7 +112,7 @@ TEST_F(SessionTest, StatesOfTwoDocumentsAreToldApart) {
   EXPECT_TRUE(s->is_of_active(s->revision()));
 }
 
-TEST_F(SessionTest, WhatTheWindowBeganWithGivesWayUntilItIsEdited) {
+TEST_F(SessionTest, TheFirstDocumentIsReplacedUnlessEdited) {
   const auto s = session();
   s->add(Document(plain(4, "a")), Origin::kShipped, false);
   EXPECT_EQ(titles(*s), (Titles{"a"}));
@@ -125,7 +125,7 @@ TEST_F(SessionTest, WhatTheWindowBeganWithGivesWayUntilItIsEdited) {
   EXPECT_EQ(titles(*s), (Titles{"b", "c", "d"})) << "to a file of the weaver's own a shipped one does not give way";
 }
 
-TEST_F(SessionTest, AFileThatIsOpenIsFoundByAnyOfItsNames) {
+TEST_F(SessionTest, AnOpenFileIsFoundByAnyPath) {
   const auto s = session();
   const std::string file = draft_file("one.wif");
   const uint64_t id = open(*s, file).id;
@@ -136,7 +136,7 @@ TEST_F(SessionTest, AFileThatIsOpenIsFoundByAnyOfItsNames) {
   EXPECT_EQ(s->on_file(""), nullptr);
 }
 
-TEST_F(SessionTest, TabsStepRoundMoveAndClose) {
+TEST_F(SessionTest, TabsStepAroundMoveAndClose) {
   const auto s = session();
   std::vector<uint64_t> ids;
   for (const char* name : {"a", "b", "c"}) ids.push_back(s->add(Document(plain(4, name)), Origin::kOwn, false).id);
@@ -159,7 +159,7 @@ TEST_F(SessionTest, TabsStepRoundMoveAndClose) {
   EXPECT_EQ(s->all().size(), 1u);
 }
 
-TEST_F(SessionTest, BothAreOfferedAfterAKill) {
+TEST_F(SessionTest, AllDocumentsAreOfferedAfterACrash) {
   const std::string a = draft_file("a.wif"), b = draft_file("b.wif", 6);
   ASSERT_NO_FATAL_FAILURE(crash_with({a, b}));
   const auto s = session();
@@ -176,7 +176,7 @@ TEST_F(SessionTest, BothAreOfferedAfterAKill) {
   EXPECT_TRUE(Session(path("recovery"), first(), false).find_left().empty()) << "this session has them now";
 }
 
-TEST_F(SessionTest, WorkComesBackInTheTabOfItsFile) {
+TEST_F(SessionTest, RecoveredWorkReplacesTheTabOfItsFile) {
   const std::string a = draft_file("a.wif");
   ASSERT_NO_FATAL_FAILURE(crash_with({a}));
   const auto s = session();
@@ -188,7 +188,7 @@ TEST_F(SessionTest, WorkComesBackInTheTabOfItsFile) {
   EXPECT_TRUE(s->active().document.now().draft.threading.get(0, 1));
 }
 
-TEST_F(SessionTest, WorkOnAFileThatIsBeingEditedComesBackBesideIt) {
+TEST_F(SessionTest, RecoveredWorkOpensBesideAnEditedTabOfItsFile) {
   const std::string a = draft_file("a.wif");
   ASSERT_NO_FATAL_FAILURE(crash_with({a}));
   const auto s = session();
@@ -201,7 +201,7 @@ TEST_F(SessionTest, WorkOnAFileThatIsBeingEditedComesBackBesideIt) {
   EXPECT_EQ(s->active().document.name(), "a.wif");
 }
 
-TEST_F(SessionTest, WhatIsSavedOrClosedLeavesNoJournal) {
+TEST_F(SessionTest, SavedAndClosedDocumentsLeaveNoJournal) {
   const auto journals = [this] {
     int count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(path("recovery")))
@@ -226,7 +226,7 @@ TEST_F(SessionTest, WhatIsSavedOrClosedLeavesNoJournal) {
   EXPECT_TRUE(open_document(a).document->now().draft.threading.get(0, 1));
 }
 
-TEST_F(SessionTest, SavesAllAndSaysWhatItCannot) {
+TEST_F(SessionTest, SavesAllAndReportsWhatFails) {
   const auto s = session();
   std::vector<std::string> files{draft_file("a.wif"), draft_file("b.wif"), path("gone/c.wif")};
   for (size_t i = 0; i < 2; ++i) {

@@ -8,7 +8,7 @@
 namespace weftlight::session {
 namespace {
 
-TEST(Settings, a_path_that_is_no_utf8_is_kept_and_loses_nothing_else) {
+TEST(Settings, APathThatIsNotUtf8IsSavedWithoutLoss) {
   Settings s;
   s.dark = true;
   s.width = 1234;
@@ -21,7 +21,7 @@ TEST(Settings, a_path_that_is_no_utf8_is_kept_and_loses_nothing_else) {
   EXPECT_EQ(back.width, 1234);
 }
 
-TEST(Settings, the_loom_and_the_lines_are_kept) {
+TEST(Settings, LoomAddressAndHeavyLinesAreSaved) {
   Settings s;
   s.loom_address = "tcp:localhost:8000";
   s.heavy_lines = 8;
@@ -31,7 +31,7 @@ TEST(Settings, the_loom_and_the_lines_are_kept) {
   EXPECT_EQ(settings_from("{\"heavy_lines\": -3, \"loom\": 4}").heavy_lines, 0);
 }
 
-TEST(Settings, how_the_draft_is_seen_is_kept) {
+TEST(Settings, OrientationAndStyleAreSaved) {
   Settings s;
   s.end1_right = s.minimap = false;
   s.pick1_bottom = true;
@@ -43,7 +43,7 @@ TEST(Settings, how_the_draft_is_seen_is_kept) {
   EXPECT_TRUE(settings_from("{}").minimap);
 }
 
-TEST(Settings, the_time_of_a_picture_is_kept_within_its_range) {
+TEST(Settings, TheTimeLimitOfAPictureIsClamped) {
   Settings s;
   s.by_time = true;
   s.picture_ms = 250;
@@ -53,7 +53,7 @@ TEST(Settings, the_time_of_a_picture_is_kept_within_its_range) {
   EXPECT_EQ(settings_from("{\"picture_ms\": 0}").picture_ms, Settings{}.picture_ms);
 }
 
-TEST(Settings, what_yarn_costs_and_what_is_lost_of_it_is_kept) {
+TEST(Settings, YarnPricesAndWasteAreSaved) {
   Settings s;
   s.loom_waste_cm = 90, s.shrinkage = 0.2f, s.spare_yarn = 0;
   s.yarn_prices = {{"Linen 16/2", 38.5f}, {"Silk \xFF", 100}};
@@ -68,7 +68,7 @@ TEST(Settings, what_yarn_costs_and_what_is_lost_of_it_is_kept) {
   EXPECT_TRUE(odd.yarn_prices.empty());
 }
 
-TEST(Settings, keys_are_kept) {
+TEST(Settings, ShortcutsAreSaved) {
   Settings s;
   s.keys = {{"save", "Ctrl+U"}, {"quit", ""}};
   EXPECT_EQ(settings_from(settings_text(s)).keys, s.keys);
@@ -76,7 +76,7 @@ TEST(Settings, keys_are_kept) {
   EXPECT_EQ(settings_from("{\"keys\": {\"save\": 3, \"open\": \"F3\"}}").keys.size(), 1u);
 }
 
-TEST(Settings, what_is_wrong_is_as_if_it_were_missing) {
+TEST(Settings, InvalidValuesAreAsIfMissing) {
   for (const char* text : {"", "[]", "{", "{\"width\": \"wide\", \"recent\": 3, \"dark\": 1}", "\xFF\xFE"}) {
     const Settings s = settings_from(text);
     EXPECT_EQ(s.width, Settings{}.width) << text;

@@ -17,17 +17,17 @@ using Rows = std::vector<std::string>;
 
 DocumentView view_with(ActiveShape shape) {
   DocumentView v;
-  v.shape = shape;
+  v.drawing.shape = shape;
   return v;
 }
 
 Design drawn(const Design& d, DocumentView& v) {
   const MaybeEdit edit = finish_shape(v, d);
-  EXPECT_FALSE(v.shape) << "it is no longer in hand";
+  EXPECT_FALSE(v.drawing.shape) << "it is no longer in hand";
   return edit ? edit->apply(d) : d;
 }
 
-TEST(Shapes, ALineInTheThreadingIsOnOneShaftOfEachEnd) {
+TEST(Shapes, ALineInTheThreadingHasOneShaftPerEnd) {
   // Steep: elsewhere it would take several shafts of an end.
   EXPECT_EQ(rows_of_mask(cells_of_shape(Tool::kLine, GridId::kThreading, {2, 0}, {4, 6})),
             (Rows{"100", "000", "000", "010", "000", "000", "001"}));
@@ -48,7 +48,7 @@ TEST(Shapes, ALineInTheThreadingIsOnOneShaftOfEachEnd) {
   EXPECT_TRUE(after.draft.threading.get(4, 0)) << "the others stay";
 }
 
-TEST(Shapes, RectanglesAreOutlinesOrFilledAndClearWhatTheyBeginOn) {
+TEST(Shapes, RectanglesAreOutlinedOrFilledAndClearIfBegunOnAMark) {
   EXPECT_EQ(rows_of_mask(cells_of_shape(Tool::kRectangle, GridId::kTieup, {4, 3}, {1, 0})),
             (Rows{"1111", "1001", "1001", "1111"}));
   EXPECT_EQ(cells_of_shape(Tool::kFilledRectangle, GridId::kTieup, {4, 3}, {1, 0}).cells.count(), 16);
@@ -56,12 +56,12 @@ TEST(Shapes, RectanglesAreOutlinesOrFilledAndClearWhatTheyBeginOn) {
   d.draft = blank_draft(6, 6, 6, 6);
   DocumentView v = view_with({Tool::kFilledRectangle, GridId::kTieup, {0, 0}, {5, 5}, true});
   d = drawn(d, v);
-  v.shape = ActiveShape{Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, false};
+  v.drawing.shape = ActiveShape{Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, false};
   d = drawn(d, v);
   EXPECT_EQ(text_of(d.draft.tieup), (Rows{"111111", "100001", "101101", "101101", "100001", "111111"}));
 }
 
-TEST(Shapes, ShiftHoldsLinesToEightDirectionsAndRectanglesToSquaresInsideTheGrid) {
+TEST(Shapes, ShiftKeepsLinesToEightDirectionsAndRectanglesSquare) {
   EXPECT_EQ(constrained(Tool::kLine, {5, 5}, {15, 7}, 20, 20), (Cell{15, 5}));
   EXPECT_EQ(constrained(Tool::kLine, {5, 5}, {4, 15}, 20, 20), (Cell{5, 15}));
   EXPECT_EQ(constrained(Tool::kLine, {5, 5}, {10, 9}, 20, 20), (Cell{10, 10}));
@@ -71,7 +71,7 @@ TEST(Shapes, ShiftHoldsLinesToEightDirectionsAndRectanglesToSquaresInsideTheGrid
   EXPECT_EQ(constrained(Tool::kRectangle, {5, 5}, {5, 5}, 20, 20), (Cell{5, 5}));
 }
 
-TEST(Shapes, CrossingsAreDrawnAndWhatTheLoomCannotFollowIsTold) {
+TEST(Shapes, CrossingsThatTheLoomCannotWeaveAreCounted) {
   Design d = straight_twill(8, 8);
   d.loom.leading = Leading::kDrawdown;
   DocumentView v = view_with({Tool::kLine, GridId::kDrawdown, {0, 0}, {7, 7}, true});
@@ -82,12 +82,12 @@ TEST(Shapes, CrossingsAreDrawnAndWhatTheLoomCannotFollowIsTold) {
   // Threading rules: ends 1 and 5 share a shaft, and one cannot go where the other is.
   d.loom.leading = Leading::kThreading;
   d.draft.threading.set(0, 0, false);  // end 1 is on no shaft
-  v.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
+  v.drawing.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
   drawn(d, v);
   EXPECT_EQ(v.select.notice, "Filled rectangle; 2 crossings could not follow: ends on the same shafts rise together");
 }
 
-TEST(Shapes, ALockedGridStaysAndSaysWhy) {
+TEST(Shapes, ALockedGridStaysWithAReason) {
   Design d = straight_twill(6, 5);
   d.loom.leading = Leading::kDrawdown;
   d.loom.locked = true;
@@ -98,7 +98,7 @@ TEST(Shapes, ALockedGridStaysAndSaysWhy) {
   EXPECT_EQ(edit->why(d), "this follows the drawdown and is locked");
 }
 
-TEST(Shapes, AFillTakesTheRegionOfEqualCellsAndNoMore) {
+TEST(Shapes, AFillCoversTheRegionOfEqualCells) {
   Design d;
   d.draft = blank_draft(6, 6, 6, 6);
   DocumentView v = view_with({Tool::kRectangle, GridId::kTieup, {1, 1}, {4, 4}, true});
@@ -132,7 +132,7 @@ BitMatrix flooded(const BitMatrix& cells, Cell at) {
   return seen;
 }
 
-TEST(Shapes, ARegionIsWhatHangsTogetherCellByCell) {
+TEST(Shapes, ARegionIsFourConnected) {
   // Wider than three words, and not whole ones.
   BitMatrix cells(40, 211);
   uint32_t random = 7;
@@ -147,13 +147,13 @@ TEST(Shapes, ARegionIsWhatHangsTogetherCellByCell) {
     EXPECT_EQ(region_about(d, cells, GridId::kDrawdown, at).cells, flooded(cells, at)) << at.a << ", " << at.b;
 }
 
-TEST(Shapes, AFillOfFourMillionCellsEnds) {
+TEST(Shapes, AFillOfFourMillionCellsFinishes) {
   Design d;
   d.draft = blank_draft(2000, 2000, 2, 2);
   EXPECT_EQ(region_about(d.draft, drawdown(d.draft), GridId::kDrawdown, {1000, 1000}).cells.count(), 4'000'000);
 }
 
-TEST(Shapes, AFillIsWhatHangsTogetherInAnyDrawdown) {
+TEST(Shapes, AFillMatchesASimpleFloodFillInAnyDrawdown) {
   // Against the plainest search there is: cell by cell.
   std::mt19937 random(7);
   for (const int width : {1, 63, 64, 65, 130, 200}) {
@@ -179,7 +179,7 @@ TEST(Shapes, AFillIsWhatHangsTogetherInAnyDrawdown) {
   }
 }
 
-TEST(Shapes, ColourBarsFillTheThreadsThatAreAlike) {
+TEST(Shapes, ColourBarsFillTheRunOfEqualThreads) {
   Design d = straight_twill(8, 5);
   d.draft.palette.resize(3);
   d.draft.warp.color = {0, 1, 1, 1, 0, 1, 1, 0};
@@ -187,30 +187,32 @@ TEST(Shapes, ColourBarsFillTheThreadsThatAreAlike) {
   EXPECT_EQ(filled.draft.warp.color, (std::vector<int>{0, 2, 2, 2, 0, 1, 1, 0}));
 }
 
-TEST(Mirrors, TheAxisIsTheMiddleOfTheDraftOrOfWhatIsSelected) {
+TEST(Mirrors, TheAxisIsTheMiddleOfTheSelectionOrTheDraft) {
   const Draft d = blank_draft(10, 7, 4, 4);
   DocumentView v;
-  EXPECT_FALSE(mirror_of(v, d).ends);
-  v.mirror_ends = v.mirror_picks = true;
-  const Mirror whole = mirror_of(v, d);
+  EXPECT_FALSE(mirror_of(v.drawing, v.select.selected, d).ends);
+  v.drawing.mirror_ends = v.drawing.mirror_picks = true;
+  const Mirror whole = mirror_of(v.drawing, v.select.selected, d);
   EXPECT_EQ(images_of(whole, GridId::kThreading, {0, 2}), (std::vector<Cell>{{0, 2}, {9, 2}}));
   EXPECT_EQ(images_of(whole, GridId::kTreadling, {1, 0}), (std::vector<Cell>{{1, 0}, {1, 6}}));
   EXPECT_EQ(images_of(whole, GridId::kDrawdown, {0, 0}), (std::vector<Cell>{{0, 0}, {9, 0}, {0, 6}, {9, 6}}));
   EXPECT_EQ(images_of(whole, GridId::kTieup, {1, 1}).size(), 1u) << "a tie-up has neither ends nor picks";
   v.select.selected = {BitGrid::kThreading, 2, 5, 0, 4};
-  const Mirror part = mirror_of(v, d);
+  const Mirror part = mirror_of(v.drawing, v.select.selected, d);
   EXPECT_EQ(images_of(part, GridId::kThreading, {2, 0})[1], (Cell{4, 0}));
   EXPECT_EQ(images_of(part, GridId::kDrawdown, {2, 0})[2], (Cell{2, 6})) << "the picks about those of the draft";
 }
 
-TEST(Mirrors, ThePenAndShapesAreDrawnOnBothSides) {
+TEST(Mirrors, PenAndShapesDrawOnBothSides) {
   Design d;
   d.draft = blank_draft(8, 8, 4, 4);
   DocumentView v;
-  v.mirror_ends = true;
-  const Design painted = paint_edit(GridId::kThreading, {0, 0}, {1, 1}, true, true, mirror_of(v, d.draft)).apply(d);
+  v.drawing.mirror_ends = true;
+  const Design painted =
+      paint_edit(GridId::kThreading, {0, 0}, {1, 1}, true, true, mirror_of(v.drawing, v.select.selected, d.draft))
+          .apply(d);
   EXPECT_EQ(text_of(painted.draft.threading), (Rows{"1000", "0100", "0000", "0000", "0000", "0000", "0100", "1000"}));
-  v.shape = ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true};
+  v.drawing.shape = ActiveShape{Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true};
   const Design point = drawn(d, v);
   EXPECT_EQ(text_of(point.draft.threading), (Rows{"1000", "0100", "0010", "0001", "0001", "0010", "0100", "1000"}));
 }

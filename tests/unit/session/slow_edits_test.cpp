@@ -159,9 +159,9 @@ TEST_F(SlowEditsTest, TheClosestWeaveIsFoundOnce) {
   paint_too_much(7);
   for (int frame = 0; frame < 3; ++frame) edits_.find_closest_weave();
   EXPECT_EQ(runner_.shown().size(), 1u);
-  EXPECT_FALSE(rejected()->nearest) << "the window did not wait";
+  EXPECT_FALSE(rejected()->closest) << "the window did not wait";
   proceed();
-  ASSERT_TRUE(rejected() && rejected()->nearest);
+  ASSERT_TRUE(rejected() && rejected()->closest);
   edits_.find_closest_weave();
   EXPECT_FALSE(runner_.busy());
 }
@@ -173,11 +173,11 @@ TEST_F(SlowEditsTest, TheNextGestureHasItsOwnClosestWeave) {
   paint_too_much(8, 8);
   const auto requested = rejected()->requested;
   proceed();
-  EXPECT_FALSE(rejected()->nearest) << "that was of the gesture before";
+  EXPECT_FALSE(rejected()->closest) << "that was of the gesture before";
   edits_.find_closest_weave();
   runner_.wait();
   runner_.take();
-  ASSERT_TRUE(rejected()->nearest);
+  ASSERT_TRUE(rejected()->closest);
   EXPECT_EQ(rejected()->requested, requested);
 }
 

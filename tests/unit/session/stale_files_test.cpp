@@ -1,4 +1,4 @@
-// Temporary files of the dead go; nothing else does.
+// Temporary files of processes that ended are removed, and no others.
 
 #include "session/files/stale_files.h"
 
@@ -29,7 +29,7 @@ class StaleFiles : public ScratchTest {
   }
 };
 
-TEST_F(StaleFiles, OfAnOwnerWithoutANumberHereStayUntilItIsDead) {
+TEST_F(StaleFiles, FilesOfAnOwnerWithUnknownProcessIdStayWhileItLives) {
   Heir heir(writer());
   ASSERT_TRUE(fs::exists(heir.name()));
   remove_stale_files(path("a.wif"));
@@ -43,7 +43,7 @@ TEST_F(StaleFiles, OfAnOwnerWithoutANumberHereStayUntilItIsDead) {
   EXPECT_TRUE(fs::is_empty(dir_));
 }
 
-TEST_F(StaleFiles, AnOwnerWithoutANumberHereComesToItsEnd) {
+TEST_F(StaleFiles, FilesOfAnOwnerWithUnknownProcessIdGoAfterItsEnd) {
   Heir heir(writer());
   remove_stale_files(path("a.wif"));
   heir.finish();
@@ -51,7 +51,7 @@ TEST_F(StaleFiles, AnOwnerWithoutANumberHereComesToItsEnd) {
   EXPECT_EQ(std::distance(fs::directory_iterator(dir_), {}), 1);
 }
 
-TEST_F(StaleFiles, OfOneWhoForkedStayWhenTheForkEnds) {
+TEST_F(StaleFiles, FilesStayWhenAForkOfTheirOwnerEnds) {
   EXPECT_EQ(base::write_through(path("a.wif"),
                                 [&](const std::string& beside) {
                                   std::ofstream(beside) << "half";
@@ -65,7 +65,7 @@ TEST_F(StaleFiles, OfOneWhoForkedStayWhenTheForkEnds) {
             "");
 }
 
-TEST_F(StaleFiles, NothingElseGoes) {
+TEST_F(StaleFiles, OtherFilesStay) {
   const std::string mark = "0123456789abcdef";
   const std::set<std::string> kept{"a.wif",
                                    "b.part-" + mark + ".wif",
@@ -89,7 +89,7 @@ TEST_F(StaleFiles, NothingElseGoes) {
   remove_stale_files("");
 }
 
-TEST_F(StaleFiles, WithoutLocksNothingGoes) {
+TEST_F(StaleFiles, WithoutFileLocksNothingIsRemoved) {
   const std::string left = written("a.part-0123456789abcdef.wif", "half");
   const int answer = without_locks([&] {
     remove_stale_files(path("a.wif"));

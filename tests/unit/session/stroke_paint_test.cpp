@@ -1,4 +1,4 @@
-// Strokes in cells: what a gesture makes of a design is what its cells ask, whatever it passed on its way.
+// A stroke gives the cells that it passed, whatever it needed on its way.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ class StrokeTest : public testing::Test {
     const bool on = !cells().get(along.front().b, along.front().a);
     commit(begin_stroke(view(), now(), GridId::kDrawdown, along.front(), on, true));
     for (const Cell& at : along) commit(go_on_with_stroke(view(), now(), at, true));
-    view().stroke = {};
+    view().drawing.stroke = {};
   }
 
   Scratch scratch_{"strokes"};
@@ -63,7 +63,7 @@ class StrokeTest : public testing::Test {
   uint64_t stroke_ = 0;
 };
 
-TEST_F(StrokeTest, OverTheWholeShedOfAPickLeavesNoTreadleThatItAddedOnItsWay) {
+TEST_F(StrokeTest, AStrokeOverAWholePickLeavesNoSpareTreadle) {
   open(twill(Leading::kThreading));
   paint({{2, 1}, {1, 1}});
   EXPECT_EQ(now().draft.treadles, 4) << "the fifth was for the first of the two crossings";
@@ -71,7 +71,7 @@ TEST_F(StrokeTest, OverTheWholeShedOfAPickLeavesNoTreadleThatItAddedOnItsWay) {
   EXPECT_EQ(fault_of(now().draft, {4, 4}), "");
 }
 
-TEST_F(StrokeTest, AClickAndAnotherAreNothing) {
+TEST_F(StrokeTest, TwoClicksOnACellChangeNothing) {
   for (const Leading leading : {Leading::kThreading, Leading::kLiftplan, Leading::kDrawdown}) {
     open(twill(leading));
     const Design first = now();
@@ -88,7 +88,7 @@ TEST_F(StrokeTest, AClickAndAnotherAreNothing) {
   }
 }
 
-TEST_F(StrokeTest, WhatTheWeaverAddedStays) {
+TEST_F(StrokeTest, ShaftsAndTreadlesThatTheWeaverAddedStay) {
   open(twill(Leading::kThreading));
   session_.commit({"Size", [](Design d) { return with_size(std::move(d), 48, 48, 4, 6); }}, 0);
   const Design first = now();
@@ -105,7 +105,7 @@ TEST_F(StrokeTest, WhatTheWeaverAddedStays) {
   EXPECT_EQ(now(), first) << "those that redo brought back, too";
 }
 
-TEST_F(StrokeTest, AnUndoWhileTheButtonIsDownIsNotPaintedOver) {
+TEST_F(StrokeTest, AnUndoDuringAStrokeIsNotPaintedOver) {
   open(twill(Leading::kDrawdown));
   const Design first = now();
   ++stroke_;
@@ -116,14 +116,14 @@ TEST_F(StrokeTest, AnUndoWhileTheButtonIsDownIsNotPaintedOver) {
   EXPECT_TRUE(cells().get(1, 2)) << "what was taken back has come again";
 }
 
-TEST_F(StrokeTest, GoesOnOnlyInAnotherCell) {
+TEST_F(StrokeTest, AStrokeContinuesOnlyInAnotherCell) {
   open(twill(Leading::kDrawdown));
   EXPECT_TRUE(begin_stroke(view(), now(), GridId::kDrawdown, {2, 1}, false, true));
   EXPECT_FALSE(go_on_with_stroke(view(), now(), {2, 1}, true));
   EXPECT_FALSE(go_on_with_stroke(view(), now(), {}, true));
 }
 
-TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
+TEST_F(StrokeTest, AStrokeInAnyDraftGivesTheRequestedCells) {
   std::mt19937 random(7);
   const auto roll = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   for (int round = 0; round < 300; ++round) {
@@ -132,12 +132,12 @@ TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
     design.draft.rising = roll(4) != 0;
     design = with_leading(std::move(design), static_cast<Leading>(roll(3)));
     open(design);
-    view().mirror_ends = roll(4) == 0;
-    view().mirror_picks = roll(4) == 0;
+    view().drawing.mirror_ends = roll(4) == 0;
+    view().drawing.mirror_picks = roll(4) == 0;
     const LoomSize given{now().draft.shafts, now().draft.treadles};
     for (int strokes = 0; strokes < 3; ++strokes) {
       const Design before = now();
-      const Mirror mirror = mirror_of(view(), before.draft);
+      const Mirror mirror = mirror_of(view().drawing, view().select.selected, before.draft);
       std::vector<Cell> along{{roll(14), roll(12)}};
       for (int steps = roll(6); steps > 0; --steps) along.push_back({roll(14), roll(12)});
       const bool on = !cells().get(along.front().b, along.front().a);
@@ -160,17 +160,17 @@ TEST_F(StrokeTest, OfAnyDraftIsWhatItsCellsAsk) {
   }
 }
 
-TEST_F(StrokeTest, AShapeWithItsImagesLeavesNothingThatNothingNeeds) {
+TEST_F(StrokeTest, AMirroredShapeLeavesNoSpareShaftOrTreadle) {
   std::mt19937 random(8);
   const auto roll = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   for (int round = 0; round < 200; ++round) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
     open(with_leading(std::move(design), static_cast<Leading>(roll(3))));
-    const LoomSize given = view().given;
-    view().mirror_ends = view().mirror_picks = true;
+    const LoomSize given = view().drawing.given;
+    view().drawing.mirror_ends = view().drawing.mirror_picks = true;
     constexpr Tool kTools[] = {Tool::kLine, Tool::kRectangle, Tool::kFilledRectangle};
-    view().shape =
+    view().drawing.shape =
         ActiveShape{kTools[roll(3)], GridId::kDrawdown, {roll(14), roll(12)}, {roll(14), roll(12)}, roll(2) == 0};
     ++stroke_;
     commit(finish_shape(view(), now()));
@@ -178,14 +178,14 @@ TEST_F(StrokeTest, AShapeWithItsImagesLeavesNothingThatNothingNeeds) {
   }
 }
 
-TEST_F(StrokeTest, AMovedBlockLeavesNothingThatNothingNeeds) {
+TEST_F(StrokeTest, AMovedBlockLeavesNoSpareShaftOrTreadle) {
   std::mt19937 random(9);
   const auto roll = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   for (int round = 0; round < 300; ++round) {
     Design design;
     design.draft = random_draft(random, 14, 12, 5, 4);
     open(with_leading(std::move(design), static_cast<Leading>(roll(3))));
-    const LoomSize given = view().given;
+    const LoomSize given = view().drawing.given;
     const int a = roll(10), b = roll(8);
     const Selection s{BitGrid::kDrawdown, a, a + 1 + roll(4), b, b + 1 + roll(4)};
     ASSERT_EQ(fault_of(with_moved(now(), s, roll(10), roll(8)).draft, given), "") << round;

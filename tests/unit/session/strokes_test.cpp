@@ -17,7 +17,7 @@ TEST(Strokes, ADragIsOneGesture) {
   EXPECT_EQ(s.now(), 0u) << "between gestures every edit is a step of its own";
 }
 
-TEST(Strokes, AClickThatFollowsAtOnceIsAnother) {
+TEST(Strokes, ASecondClickIsAnotherGesture) {
   Strokes s;
   s.frame(true, true);
   const uint64_t first = s.now();
@@ -28,7 +28,7 @@ TEST(Strokes, AClickThatFollowsAtOnceIsAnother) {
   EXPECT_NE(s.now(), first);
 }
 
-TEST(Strokes, WhatIsTypedIntoAFieldIsOneGesture) {
+TEST(Strokes, TypingIntoAFieldIsOneGesture) {
   Strokes s;
   s.frame(false, true);
   const uint64_t first = s.now();

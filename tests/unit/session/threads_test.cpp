@@ -18,7 +18,7 @@ Design striped() {
   return d;
 }
 
-TEST(ThreadChoice, APressTakesOneADragTheRange) {
+TEST(ThreadChoice, APressChoosesOneThreadADragARange) {
   ThreadChoice c;
   begin_choice(c, System::kWarp, 4, Choose::kOnly);
   EXPECT_EQ(c.threads, Indices{4});
@@ -31,7 +31,7 @@ TEST(ThreadChoice, APressTakesOneADragTheRange) {
   EXPECT_EQ(c.threads, (Indices{4, 5}));
 }
 
-TEST(ThreadChoice, ShiftReachesAndCtrlAddsOrTakesAway) {
+TEST(ThreadChoice, ShiftExtendsAndCtrlAddsOrRemoves) {
   ThreadChoice c;
   begin_choice(c, System::kWarp, 1, Choose::kOnly);
   begin_choice(c, System::kWarp, 3, Choose::kRange);
@@ -49,7 +49,7 @@ TEST(ThreadChoice, ShiftReachesAndCtrlAddsOrTakesAway) {
   EXPECT_EQ(c.threads, Indices{2}) << "warp and weft are not chosen at once";
 }
 
-TEST(ThreadChoice, NoneMeansAllAndThreadsThatAreGoneAreNotChosen) {
+TEST(ThreadChoice, AnEmptyChoiceMeansAllAndDeletedThreadsAreDropped) {
   const Design d = striped();
   ThreadChoice c;
   EXPECT_EQ(concerned(c, d.draft).size(), 6u);
@@ -58,13 +58,13 @@ TEST(ThreadChoice, NoneMeansAllAndThreadsThatAreGoneAreNotChosen) {
   EXPECT_EQ(concerned(c, d.draft), (Indices{2, 5}));
 }
 
-TEST(ThreadChoice, AlikeIsTheSameColourAndYarn) {
+TEST(ThreadChoice, SimilarThreadsHaveTheSameColourAndYarn) {
   const Design d = striped();
   EXPECT_EQ(threads_alike(d.draft, System::kWarp, {1}), (Indices{1, 5}));
   EXPECT_EQ(threads_alike(d.draft, System::kWarp, {0, 3}), (Indices{0, 2, 3, 4}));
 }
 
-TEST(ThreadWords, SayRangesAndStepsAndReadThemAgain) {
+TEST(ThreadWords, RangesAndStepsAreWrittenAndReadAgain) {
   EXPECT_EQ(words_of_threads({2, 3, 4, 5, 6, 11}), "3-7, 12");
   EXPECT_EQ(words_of_threads({0, 2, 4, 6}), "1-7/2");
   EXPECT_EQ(words_of_threads({0, 1}), "1, 2");
@@ -73,7 +73,7 @@ TEST(ThreadWords, SayRangesAndStepsAndReadThemAgain) {
     EXPECT_EQ(threads_of_words(words_of_threads(threads), 20), threads);
 }
 
-TEST(ThreadWords, ReadWhatAWeaverTypes) {
+TEST(ThreadWords, ReadsTypedLists) {
   EXPECT_EQ(threads_of_words(" 7 - 3,12 ", 20), (Indices{2, 3, 4, 5, 6, 11}));
   EXPECT_EQ(threads_of_words("3\xE2\x80\x93"
                              "5",
@@ -89,7 +89,7 @@ TEST(ThreadWords, ReadWhatAWeaverTypes) {
     EXPECT_FALSE(threads_of_words(bad, 6)) << bad;
 }
 
-TEST(SharedThreads, MixedMeasuresShowTheirSpan) {
+TEST(SharedThreads, MixedValuesShowTheirRange) {
   Design d = striped();
   SharedThreads s = shared_by(d, System::kWarp, {0, 1, 2});
   EXPECT_FALSE(s.thickness.mixed());
@@ -105,8 +105,8 @@ TEST(SharedThreads, MixedMeasuresShowTheirSpan) {
   EXPECT_TRUE(s.yarn.mixed());
   EXPECT_EQ(s.color.value, 0);
   EXPECT_EQ(s.color.others, Indices{1});
-  EXPECT_EQ(thread_label("Thickness", System::kWarp, 3), "Thickness of 3 ends");
-  EXPECT_EQ(thread_label("Yarn", System::kWeft, 1), "Yarn of 1 pick");
+  EXPECT_EQ(thread_label(ThreadProperty::kThickness, System::kWarp, 3), "Thickness of 3 ends");
+  EXPECT_EQ(thread_label(ThreadProperty::kYarn, System::kWeft, 1), "Yarn of 1 pick");
 }
 
 }  // namespace

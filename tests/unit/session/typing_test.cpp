@@ -49,11 +49,11 @@ Design blank(int threads, int shafts) {
 
 using Shafts = std::vector<int>;
 
-TEST(Typing, DigitsThreadOneEndAfterTheOther) {
+TEST(Typing, DigitsThreadEndAfterEnd) {
   Typist t(blank(6, 8));
   t.type("1 2 3 4");
   EXPECT_EQ(t.shafts(), (Shafts{1, 2, 3, 4, 0, 0}));
-  EXPECT_EQ(t.view.cursor.at.a, 4);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 4);
   EXPECT_EQ(t.steps, 4) << "each a step of undo";
   t.document.undo();
   EXPECT_EQ(t.shafts(), (Shafts{1, 2, 3, 0, 0, 0}));
@@ -63,7 +63,7 @@ TEST(Typing, DigitsThreadOneEndAfterTheOther) {
   EXPECT_EQ(std::popcount(t.draft().threading.row(0)[0]), 1);
 }
 
-TEST(Typing, ANumberThatCouldGoOnWaits) {
+TEST(Typing, ANumberThatCouldGetAnotherDigitWaits) {
   Typist t(blank(8, 16));
   t.type("2");
   EXPECT_EQ(t.shafts()[0], 2) << "there is no shaft 20";
@@ -85,62 +85,62 @@ TEST(Typing, ANumberThatCouldGoOnWaits) {
   EXPECT_EQ(t.shafts()[7], 10);
 }
 
-TEST(Typing, CommasMayStandAfterAnyNumber) {
+TEST(Typing, ACommaMayFollowAnyNumber) {
   Typist t(blank(8, 16));
   t.type("2 , 1 , 1 2 , 5 Enter Enter 7");
   EXPECT_EQ(t.shafts(), (Shafts{2, 1, 12, 5, 0, 7, 0, 0})) << "the second Enter leaves an end out";
 }
 
-TEST(Typing, EscapeDropsTheNumberAndThenTheTool) {
+TEST(Typing, EscapeCancelsTheNumberThenTheTool) {
   Typist t(blank(8, 16));
   t.type("1 Escape");
-  EXPECT_EQ(t.view.cursor.typed, 0);
+  EXPECT_EQ(t.view.drawing.cursor.typed, 0);
   EXPECT_EQ(t.view.select.tool, Tool::kType);
   EXPECT_EQ(t.steps, 0);
   t.type("Escape");
   EXPECT_EQ(t.view.select.tool, Tool::kPaint);
 }
 
-TEST(Typing, ZeroClearsAndGoesOnDeleteClearsAndStays) {
+TEST(Typing, ZeroClearsAndMovesOnDeleteClearsAndStays) {
   Design d = blank(6, 4);
   for (int i = 0; i < 6; ++i) d.draft.threading.set(i, i % 4, true), d.draft.threading.set(i, 3, true);
   Typist t(d);
   t.type("0 Delete");
   EXPECT_EQ(t.shafts(), (Shafts{0, 0, 3, 4, 1, 2}));
-  EXPECT_EQ(t.view.cursor.at.a, 1);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 1);
 }
 
-TEST(Typing, ArrowsMoveAsSeenAndTakeAWaitingNumber) {
+TEST(Typing, ArrowKeysMoveOnTheScreenAndAcceptAWaitingNumber) {
   Typist t(blank(30, 16));
-  t.view.seen_ends = 10;
-  t.view.seen_shafts = 16;
+  t.view.draft.seen_ends = 10;
+  t.view.draft.seen_shafts = 16;
   t.type("Left Left Up");  // end 1 is at the right
-  EXPECT_EQ(t.view.cursor.at, (Cell{2, 1}));
+  EXPECT_EQ(t.view.drawing.cursor.at, (Cell{2, 1}));
   t.type("1 Left");
   EXPECT_EQ(t.shafts()[2], 1);
-  EXPECT_EQ(t.view.cursor.at.a, 3) << "one step, not two";
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 3) << "one step, not two";
   t.type("End");
-  EXPECT_EQ(t.view.cursor.at.a, 29);
-  EXPECT_GE(t.view.scroll_end, 20) << "the cursor is in sight";
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 29);
+  EXPECT_GE(t.view.draft.scroll_end, 20) << "the cursor is in sight";
   t.type("Home");
-  EXPECT_EQ(t.view.cursor.at.a, 0);
-  EXPECT_LE(t.view.scroll_end, 0);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
+  EXPECT_LE(t.view.draft.scroll_end, 0);
   EXPECT_FALSE(t.type("Ctrl+S")) << "what means nothing here is left to the actions";
 }
 
-TEST(Typing, TreadlesAreTypedPickByPickAndTabGoesRound) {
+TEST(Typing, TreadlesAreTypedPickByPickAndTabCyclesTheGrids) {
   Typist t(blank(6, 4));
   t.type("Tab Tab");
-  ASSERT_EQ(t.view.cursor.grid, GridId::kTreadling);
+  ASSERT_EQ(t.view.drawing.cursor.grid, GridId::kTreadling);
   t.type("4 3 2");
   EXPECT_EQ(t.draft().treadling.first(0), 3);
   EXPECT_EQ(t.draft().treadling.first(2), 1);
-  EXPECT_EQ(t.view.cursor.at.b, 3);
+  EXPECT_EQ(t.view.drawing.cursor.at.b, 3);
   t.type("Tab Tab");
-  EXPECT_EQ(t.view.cursor.grid, GridId::kThreading) << "past the drawdown";
+  EXPECT_EQ(t.view.drawing.cursor.grid, GridId::kThreading) << "past the drawdown";
 }
 
-TEST(Typing, InTheTieUpNumbersTurnMarksOverAndSpaceTurnsAnyCell) {
+TEST(Typing, NumbersToggleMarksInTheTieUpAndSpaceTogglesAnyCell) {
   Typist t(blank(6, 4));
   t.type("Tab 1 3 Enter 2");
   EXPECT_TRUE(t.draft().tieup.get(0, 0));
@@ -151,26 +151,26 @@ TEST(Typing, InTheTieUpNumbersTurnMarksOverAndSpaceTurnsAnyCell) {
   EXPECT_TRUE(t.draft().tieup.get(1, 0)) << "the cursor's own cell";
 }
 
-TEST(Typing, WhatCannotBeIsSaid) {
+TEST(Typing, ImpossibleNumbersAreReported) {
   Typist t(blank(6, 4));
   t.type("7");
   EXPECT_EQ(t.view.select.notice, "There is no shaft 7: the last is 4");
-  EXPECT_EQ(t.view.cursor.at.a, 0);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
   EXPECT_EQ(t.steps, 0);
 }
 
-TEST(Typing, ALockedGridIsLeftAndTheCursorStays) {
+TEST(Typing, ALockedGridStaysAndSoDoesTheCursor) {
   Design d = blank(6, 4);
   d.loom.leading = Leading::kDrawdown;
   d.loom.locked = true;
   Typist t(d);
   t.type("2");
   EXPECT_EQ(t.steps, 0);
-  EXPECT_EQ(t.view.cursor.at.a, 0);
+  EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
   EXPECT_EQ(t.view.select.notice, "this follows the drawdown and is locked");
 }
 
-TEST(Typing, TheCursorFollowsADraftThatShrinksOrChangesItsDrive) {
+TEST(Typing, TheCursorFollowsADraftThatShrinksOrChangesShedControl) {
   TypeCursor c{GridId::kTreadling, {3, 5}};
   Draft d = blank_draft(4, 4, 2, 2);
   follow_draft(c, d);

@@ -46,7 +46,7 @@ TEST(Wake, IsCalledWithoutALock) {
     Exporter exporter(a.wake());
     a.ask = [&] { exporter.state(); };
     ExportPlan plan;
-    plan.folder = scratch / "out", plan.targets = {ExportTarget::kGodot}, plan.size = 32;
+    plan.folder = scratch / "out", plan.targets = {&targets::kGodot}, plan.size = 32;
     exporter.start(jobs_of(plan, *design, "x.wif", "1"), design);
     a.woken.wait();
   }

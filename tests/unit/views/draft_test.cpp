@@ -37,7 +37,7 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
 
 TEST(Layout, GridsAreWhereTheMapSaysAndAlignWithTheTieUp) {
   const Design d = straight_twill(6, 5);
-  DocumentView view;
+  DraftView view;
   const Style style;
   const DraftLayout l = lay_out_draft(d.draft, view, {}, style, {0, 0}, {800, 600});
   EXPECT_EQ(l.threading.x.start, l.drawdown.x.start);
@@ -141,7 +141,7 @@ TEST(DragScroll, GoesTowardsThePointerAndStopsAtTheEnd) {
 TEST(Layout, TenThousandThreadsStayInThePane) {
   const Draft d = blank_draft(10000, 10000, 32, 32);
   for (float pitch : {0.0f, 0.02f, 1.0f, 20.0f}) {
-    DocumentView view;
+    DraftView view;
     view.pitch = pitch;
     view.scroll_end = 1e9f;
     const DraftLayout l = lay_out_draft(d, view, {}, Style{}, {0, 0}, {640, 800});
@@ -156,7 +156,7 @@ TEST(Layout, TenThousandThreadsStayInThePane) {
 TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
   const Style style;
   const Draft d = blank_draft(16, 16, 4, 4);
-  DocumentView view;
+  DraftView view;
   const float width = fitting_width(d, style, 400, 700, 800);
   const DraftLayout l = lay_out_draft(d, view, {}, style, {0, 0}, {width, 800});
   EXPECT_GE(l.pitch, 24);

@@ -26,7 +26,7 @@ class HeldLayoutTest : public testing::Test {
     design_ = with_leading(std::move(design_), static_cast<Leading>(roll(3)));
     design_.loom.shafts = design_.loom.treadles = kEnds + kPicks;  // it weaves whatever is asked
     view_ = {};
-    view_.given = {design_.draft.shafts, design_.draft.treadles};
+    view_.drawing.given = {design_.draft.shafts, design_.draft.treadles};
     settings_.end1_right = toss();
     settings_.pick1_bottom = toss();
     settings_.threading_below = toss();
@@ -34,19 +34,21 @@ class HeldLayoutTest : public testing::Test {
     max_ = {static_cast<float>(260 + roll(500)), static_cast<float>(260 + roll(500))};
   }
   DraftLayout frame(bool down) {
-    const DraftLayout l = held_.of(lay_out_draft(design_.draft, view_, settings_, Style{}, {0, 0}, max_), view_, down);
-    settle(view_, l);
-    if (down) held_.hold(l, view_);
+    const DraftLayout l =
+        held_.of(lay_out_draft(design_.draft, view_.draft, settings_, Style{}, {0, 0}, max_), view_.draft, down);
+    settle(view_.draft, l);
+    if (down) held_.hold(l, view_.draft);
     return l;
   }
   /// Whatever may happen while the button is down.
   void disturb() {
     switch (roll(6)) {
       case 0:
-        view_.pitch = zoomed_pitch(view_.pitch, toss() ? 1 : -1);
+        view_.draft.pitch = zoomed_pitch(view_.draft.pitch, toss() ? 1 : -1);
         return;
       case 1:
-        view_.scroll_end += 3, view_.scroll_pick += 2, view_.scroll_shaft += 1, view_.scroll_treadle += 1;
+        view_.draft.scroll_end += 3, view_.draft.scroll_pick += 2, view_.draft.scroll_shaft += 1,
+            view_.draft.scroll_treadle += 1;
         return;
       case 2:
         max_ = {max_.x - 30, max_.y - 20};
@@ -123,18 +125,18 @@ TEST_F(HeldLayoutTest, AStrokeIsTheCellsThatTheHandCameToInTheLayoutOfThePress) 
           << round;
     }
     const DraftLayout after = frame(false);
-    ASSERT_EQ(places_of(after), places_of(lay_out_draft(design_.draft, view_, settings_, Style{}, {0, 0}, max_)));
+    ASSERT_EQ(places_of(after), places_of(lay_out_draft(design_.draft, view_.draft, settings_, Style{}, {0, 0}, max_)));
   }
 }
 
 TEST_F(HeldLayoutTest, TheHandItselfMayScroll) {
   for (int round = 0; round < 100; ++round) {
     begin();
-    view_.pitch = 20;
+    view_.draft.pitch = 20;
     frame(false);
     const DraftLayout pressed = frame(true);
-    view_.scroll_end += 2;
-    view_.scroll_pick += 1;
+    view_.draft.scroll_end += 2;
+    view_.draft.scroll_pick += 1;
     held_.let_scroll();
     const DraftLayout l = frame(true);
     EXPECT_EQ(l.drawdown.x.scroll, clamp_scroll(pressed.drawdown.x, pressed.drawdown.x.scroll + 2));
@@ -152,7 +154,7 @@ TEST_F(HeldLayoutTest, TheHandItselfMayScroll) {
 TEST_F(HeldLayoutTest, AnotherDocumentIsLaidOutAnew) {
   begin();
   frame(true);
-  DocumentView other;
+  DraftView other;
   const DraftLayout l = lay_out_draft(straight_twill(6, 5).draft, other, settings_, Style{}, {0, 0}, max_);
   EXPECT_EQ(places_of(held_.of(l, other, true)), places_of(l));
 }

@@ -13,7 +13,7 @@ TEST(YarnNeed, ThePlanCombinesViewAndSettings) {
   d.yarns.push_back(d.yarns[0]);
   d.yarns[0].name = "Linen";
   d.yarns[1].name = "Silk";
-  DocumentView view;
+  AnalysisView view;
   view.cloth_length_cm = 200, view.cloth_width_cm = 50;
   Settings settings;
   settings.loom_waste_cm = 75, settings.shrinkage = 0.1f, settings.spare_yarn = 0;

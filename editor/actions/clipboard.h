@@ -1,0 +1,16 @@
+#pragma once
+// The clipboard of the system.
+
+#include <functional>
+#include <string>
+
+#include "actions/names.h"
+
+namespace weftlight::actions {
+
+struct Clipboard {
+  std::function<std::string()> text;
+  std::function<void(const std::string&)> set_text;
+};
+
+}  // namespace weftlight::actions

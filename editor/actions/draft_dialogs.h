@@ -1,0 +1,22 @@
+#pragma once
+// The dialogs that change the draft or move in it.
+
+#include <functional>
+
+#include "actions/names.h"
+
+namespace weftlight::actions {
+
+struct DraftDialogs {
+  std::function<void()> size, notes;
+  /// Goes to an end or pick by its number.
+  std::function<void()> go_to;
+  /// Fills the selected threads, or all, with a weave.
+  std::function<void()> weave;
+  /// Threading and treadling from named sections.
+  std::function<void()> sections;
+  /// Offers the closest weave to an edit that the loom cannot weave.
+  std::function<void()> closest_weave;
+};
+
+}  // namespace weftlight::actions

@@ -1,0 +1,22 @@
+#pragma once
+// The window: its status line, its controls, and the windows inside it.
+
+#include <functional>
+#include <string>
+
+#include "actions/names.h"
+#include "session/editing/grid.h"
+
+namespace weftlight::actions {
+
+struct WindowActions {
+  /// Shows a message in the status line for a while.
+  std::function<void(std::string)> say;
+  /// The cell under the pointer.
+  std::function<Hover()> hover;
+  /// Gives the keyboard to a control, by its name in the --ui-map.
+  std::function<void(std::string)> focus;
+  std::function<void()> show_commands, show_remarks, toggle_keys, toggle_theme;
+};
+
+}  // namespace weftlight::actions

@@ -1,0 +1,30 @@
+#include "app/action_table.h"
+
+#include <algorithm>
+
+namespace weftlight::app {
+
+void ActionTable::follow(const Document& document) {
+  const Settings& settings = subjects_.settings;
+  const std::vector<NamedView>& views = document.now().views;
+  if (!actions_.empty() && recent_ == settings.recent && keys_ == settings.keys &&
+      std::ranges::equal(views_, views, {}, {}, &NamedView::name))
+    return;
+  recent_ = settings.recent;
+  keys_ = settings.keys;
+  views_.clear();
+  for (const NamedView& v : views) views_.push_back(v.name);
+  actions_ = make_actions(subjects_, recent_, keys_, views_);
+}
+
+void ActionTable::run(const std::string& id) {
+  for (const Action& a : actions_)
+    if (a.item.id == id && (!a.enabled || a.enabled())) return a.run();
+}
+
+void ActionTable::run_key(const std::string& key) {
+  for (const Action& a : actions_)
+    if (a.item.shortcut == key) return run(a.item.id);
+}
+
+}  // namespace weftlight::app

@@ -1,0 +1,152 @@
+#include "app/draft_prompts.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+#include "design/edits.h"
+#include "design/selection_edits.h"
+#include "weaves/sections.h"
+
+namespace weftlight::app {
+
+using base::mark;
+using base::tr;
+
+namespace {
+
+// Numbers of the gestures of dialogs, distinct from those of the mouse and from each other.
+constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;
+constexpr uint64_t kSectionStrokes = uint64_t{3} << 61;
+constexpr uint64_t kClosestStrokes = uint64_t{5} << 60;
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+void DraftPrompts::ask_new_draft(int weave) {
+  const Draft& d = document().now().draft;
+  dialogs_.ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
+    const auto& p = dialogs_.prompt<WeavePrompt>();
+    const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
+    files_.open_beside(Document(weaves::new_draft(kind, p.values, {p.ends, p.picks}).design), Origin::kOwn);
+  });
+}
+
+void DraftPrompts::ask_size() {
+  const Draft& d = document().now().draft;
+  const Loom& loom = document().now().loom;
+  dialogs_.ask(SizePrompt{tr("Size of the draft"), mark("Change"), d.ends(), d.picks(), d.shafts, d.treadles,
+                          loom.shafts, loom.treadles},
+               [this](int) {
+                 editing_.commit({tr("Change size"), [p = dialogs_.prompt<SizePrompt>()](Design d2) {
+                                    d2.loom.shafts = p.loom_shafts;
+                                    d2.loom.treadles = p.loom_treadles;
+                                    return with_size(std::move(d2), p.ends, p.picks, p.shafts, p.treadles);
+                                  }});
+                 view().draft.pitch = 0;
+               });
+}
+
+void DraftPrompts::ask_notes() {
+  const Design& d = document().now();
+  dialogs_.ask(NotesPrompt{d.title, d.author, joined(d.notes)}, [this](int) {
+    editing_.commit({tr("Title and notes"), [p = dialogs_.prompt<NotesPrompt>()](Design d2) {
+                       d2.title = p.title;
+                       d2.author = p.author;
+                       d2.notes = split_lines(p.notes);
+                       return d2;
+                     }});
+  });
+}
+
+void DraftPrompts::ask_thread() {
+  const Draft& d = document().now().draft;
+  dialogs_.ask(ThreadPrompt{view().chosen.system, 1, d.ends(), d.picks()}, [this](int) {
+    const ThreadPrompt p = dialogs_.prompt<ThreadPrompt>();
+    const int thread = std::clamp(p.number, 1, document().now().draft.threads(p.system).size()) - 1;
+    scroll_to(view().draft, p.system, thread);
+    view().chosen = {p.system, {thread}, thread, {}, false, false};
+  });
+}
+
+void DraftPrompts::ask_weave() {
+  const Draft& d = document().now().draft;
+  const Selection& s = view().select.selected;
+  const bool ends = !s.empty() && (s.grid == BitGrid::kThreading || s.grid == BitGrid::kDrawdown);
+  const bool picks =
+      !s.empty() && (s.grid == BitGrid::kTreadling || s.grid == BitGrid::kLiftplan || s.grid == BitGrid::kDrawdown);
+  WeaveOverPrompt p;
+  p.whole = !ends && !picks;
+  p.use.ends = ends ? s.a1 - s.a0 : d.ends();
+  p.use.first_end = ends ? s.a0 : 0;
+  p.use.picks = picks ? s.b1 - s.b0 : d.picks();
+  p.use.first_pick = picks ? s.b0 : 0;
+  std::string weave = "twill";
+  // If a weave made these threads, its values are shown again.
+  for (const WeaveUse& before : document().now().weaves)
+    if (before.first_end == p.use.first_end && before.ends == p.use.ends && before.first_pick == p.use.first_pick &&
+        before.picks == p.use.picks)
+      weave = before.weave, p.use.values = before.values;
+  for (size_t i = 0; i < weave_kinds().size(); ++i)
+    if (weave_kinds()[i].id == weave) p.kind = static_cast<int>(i);
+  p.base = document().snapshot();
+  p.stroke = kWeaveStrokes | ++asked_;
+  dialogs_.ask(std::move(p), [](int) {});
+}
+
+void DraftPrompts::ask_sections() {
+  const Design& d = document().now();
+  const Selection& s = view().select.selected;
+  SectionsPrompt p;
+  p.last_end = d.draft.ends(), p.last_pick = d.draft.picks();
+  if (const std::optional<ThreadRange> range = s.empty() ? std::nullopt : threads_of(s)) {
+    p.system = range->system;
+    (range->system == System::kWarp ? p.first_end : p.first_pick) = range->first + 1;
+    (range->system == System::kWarp ? p.last_end : p.last_pick) = range->end;
+  }
+  p.warp = d.warp_assembly, p.weft = d.weft_assembly;
+  p.name = free_section_name(p.system == System::kWarp ? p.warp : p.weft);
+  p.base = document().snapshot();
+  p.stroke = kSectionStrokes | ++asked_;
+  dialogs_.ask(std::move(p), [](int) {});
+}
+
+void DraftPrompts::ask_closest_weave() {
+  if (!view().rejected_edit || !view().rejected_edit->closest) return;
+  ClosestWeavePrompt p{view().rejected_edit->closest, document().snapshot(), kClosestStrokes | ++asked_};
+  Edit edit{tr("Closest weave for this loom"), [closest = p.closest](const Design&) { return *closest->design; }};
+  edit.stroke = p.stroke;
+  editing_.commit(edit);
+  view().differences.closest = p.closest;
+  view().differences.place = -1;
+  dialogs_.ask(std::move(p), [](int) {});
+}
+
+DraftDialogs DraftPrompts::actions() {
+  return {.size = [this] { ask_size(); },
+          .notes = [this] { ask_notes(); },
+          .go_to = [this] { ask_thread(); },
+          .weave = [this] { ask_weave(); },
+          .sections = [this] { ask_sections(); },
+          .closest_weave = [this] { ask_closest_weave(); }};
+}
+
+}  // namespace weftlight::app

@@ -1,0 +1,31 @@
+#include "app/live_export_writer.h"
+
+#include "base/text.h"
+#include "base/user_folders.h"
+
+namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
+LiveExportWriter::LiveExportWriter(const std::string& path)
+    : out_(std::make_shared<LiveExport>(path, state_folder())) {}
+
+void LiveExportWriter::keep(const Document& document) {
+  const std::string& path = out_->path();
+  if (path.empty()) return;
+  refused_.clear();
+  if (same_file(path, document.path())) {
+    refused_ = fill(tr("No live export: {path} is the open draft"), arg("path", path));
+    return writer_.drop(path);
+  }
+  writer_.keep(path, [out = out_, make = document.writer()] {
+    const std::string problem = out->write(make());
+    return problem.empty()
+               ? problem
+               : fill(tr("No live export to {path}: {problem}"), arg("path", out->path()), arg("problem", problem));
+  });
+}
+
+}  // namespace weftlight::app

@@ -1,0 +1,128 @@
+#include "app/panels.h"
+
+#include <algorithm>
+
+#include "app/fixed_window.h"
+#include "base/text.h"
+#include "ui/widgets.h"
+#include "views/draft/closest_weave_notice.h"
+#include "views/draft/draft_header.h"
+#include "views/draft/draft_layout.h"
+#include "views/inspector/accuracy_rows.h"
+#include "views/inspector/palette_panel.h"
+#include "views/inspector/scene_panel.h"
+#include "views/inspector/threads_panel.h"
+#include "views/inspector/yarn_panel.h"
+#include "views/shell/status_bar.h"
+
+namespace weftlight::app {
+
+using base::mark;
+using base::tr;
+
+Panels::Panels(Editing& editing, const Settings& settings, ClothPane& cloth, LoomWindow& loom, Reports& reports,
+               BackgroundTasks& tasks, Messages& messages)
+    : editing_(editing),
+      settings_(settings),
+      cloth_(cloth),
+      loom_(loom),
+      reports_(reports),
+      tasks_(tasks),
+      messages_(messages) {}
+
+void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status) {
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
+  const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
+  const float room = shared_width(c.style, size.x, settings_.inspector);
+  const WindowLayout l = lay_out_window(c.style, at, size, split_of(c.style, room, size.y), settings_.inspector);
+  if (editing_.view().at_loom.open) {
+    loom_.draw(c, l);
+    return draw_status(c, l, status);
+  }
+  draw_draft_pane(c, l, items);
+  draw_splitter(c, l);
+  begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  cloth_.draw(c);
+  ImGui::End();
+  if (l.inspector.shown()) draw_inspector(c, l);
+  draw_status(c, l, status);
+}
+
+void Panels::draw_draft_pane(PanelContext& c, const WindowLayout& l, std::span<const ActionItem> items) {
+  const DocumentView& v = editing_.view();
+  begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_draft_header(c, editing_.document().name(), v.select.tool, items);
+  draw_draft(c, v, reports_.last(), draft_pictures_);
+  ImGui::End();
+  draw_closest_weave_notice(c, v.rejected_edit, l.draft.at,
+                            {l.draft.at.x + l.draft.size.x, l.draft.at.y + l.draft.size.y});
+}
+
+void Panels::draw_status(PanelContext& c, const WindowLayout& l, const StatusTexts& status) {
+  const DocumentView& v = editing_.view();
+  begin_fixed("Status", l.status, {c.style.px(14), c.style.px(6)}, kFixed);
+  tasks_.draw(c, status.awaits);
+  if (draw_status_bar(c, v.select, v.drawing, status.trouble, messages_.text(), messages_.remarks()))
+    messages_.toggle_remarks();
+  ImGui::End();
+}
+
+void Panels::draw_inspector(PanelContext& c, const WindowLayout& l) {
+  constexpr const char* kTabs[] = {mark("Threads"), mark("Yarns"), mark("Cloth"), mark("Analysis")};
+  begin_fixed("Inspector", l.inspector, {c.style.px(16), c.style.px(10)}, kFixed);
+  int tab = c.focus.starts_with("threads.") ? 0 : c.settings.inspector_tab;
+  segmented(c, "inspector", kTabs, tab);
+  if (tab != c.settings.inspector_tab) c.wanted.change_settings([tab](Settings& s) { s.inspector_tab = tab; });
+  ImGui::Dummy({0, c.style.px(2)});
+  ImGui::BeginChild(kTabs[tab], {0, 0});
+  const DocumentView& v = editing_.view();
+  if (tab == 0) {
+    c.wanted.add(draw_palette(c, v.drawing));
+    c.wanted.add(draw_threads(c, v.chosen, v.units, typed_threads_));
+  } else if (tab == 1) {
+    c.wanted.add(draw_yarns(c, v.drawing, strip_));
+  } else if (tab == 2) {
+    c.wanted.add(draw_scene(c, cloth_.drape()));
+    c.wanted.add(draw_accuracy(c));
+  } else {
+    reports_.draw(c);
+  }
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+float Panels::split_of(const Style& style, float room, float height) {
+  constexpr float kMin = 0.42f, kMax = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
+  if (settings_.split > 0) return settings_.split;
+  // Computed with the first pitch, and kept while threads are added.
+  if (editing_.view().draft.pitch <= 0)
+    fitted_split_ = fitting_width(editing_.document().now().draft, style, room * kMin, room * kMax,
+                                  std::max(1.0f, height - style.px(kAround))) /
+                    room;
+  return fitted_split_;
+}
+
+void Panels::draw_splitter(PanelContext& c, const WindowLayout& l) const {
+  const auto [at, size] = l.splitter;
+  begin_fixed("Splitter", l.splitter, {0, 0}, kFixed);
+  hit_area("split", size);
+  c.map.add_item("split");
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActive()) {
+    const float moved = ImGui::GetIO().MouseDelta.x / l.room,
+                now = std::clamp((c.settings.split > 0 ? c.settings.split : fitted_split_) + moved, 0.2f, 0.8f);
+    if (moved != 0) c.wanted.change_settings([now](Settings& s) { s.split = now; });
+  }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    c.wanted.change_settings([](Settings& s) { s.split = 0; });
+    c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
+  }
+  tooltip(c, tr("Drag to resize the draft. Double-click to fit it."));
+  const ImU32 color = ImGui::IsItemActive() ? c.style.color.accent : c.style.color.line;
+  const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));
+  ImGui::GetWindowDrawList()->AddRectFilled({middle, at.y}, {middle + 1, at.y + size.y}, color);
+  ImGui::End();
+}
+
+}  // namespace weftlight::app

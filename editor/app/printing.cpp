@@ -1,0 +1,76 @@
+#include "app/printing.h"
+
+#include <filesystem>
+#include <memory>
+
+#include "app/window.h"
+#include "base/text.h"
+#include "views/analysis/yarn_need_panel.h"
+
+namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+
+void Printing::ask() {
+  const Document& document = editing_.document();
+  PrintPrompt prompt;
+  prompt.options.end1_right = settings_.end1_right;
+  prompt.options.pick1_bottom = settings_.pick1_bottom;
+  prompt.options.threading_below = settings_.threading_below;
+  prompt.options.heavy_lines = settings_.heavy_lines;
+  prompt.options.plan = plan_of(document.now(), editing_.view().analysis, settings_);
+  prompt.options.name = std::filesystem::path(document.shown_name()).stem().string();
+  prompt.preview = std::make_shared<SheetPreview>(document.snapshot(), Window::wake);
+  dialogs_.ask(std::move(prompt), [this](int) {
+    const PrintPrompt p = dialogs_.prompt<PrintPrompt>();
+    dialogs_.close();
+    const std::string& path = editing_.document().path();
+    const std::filesystem::path draft(path.empty() ? "untitled.wif" : path);
+    const std::string ending = ending_of(p.format);
+    dialogs_.ask_path(
+        FileAsk::kSave, tr("Print to a file"), (draft.parent_path() / (draft.stem().string() + ending)).string(),
+        [this, p](const std::string& to) { start(to, p); }, ending);
+  });
+}
+
+void Printing::start(const std::string& path, const PrintPrompt& p) {
+  const auto write = [this, path, p] {
+    base::Task task = base::task_with_result(
+        [path, p, design = editing_.document().snapshot()](const base::RunningTask& running) {
+          const base::Result<print::Printed> printed = print::printed(*design, p.format, chosen_options(p));
+          std::string problem = problem_of(printed);
+          for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i) {
+            running.report(static_cast<float>(i) / static_cast<float>(printed->files.size()));
+            problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
+          }
+          return problem;
+        },
+        [this, path](const std::string& problem) {
+          messages_.say(problem.empty() ? fill(tr("Printed to {path}"), arg("path", path))
+                                        : fill(tr("Not printed: {problem}"), arg("problem", problem)));
+        },
+        [this](const std::string& why) { messages_.say(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+    task.kind = "print:" + path;
+    task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));
+    task.finishes = true;
+    tasks_.computing().start(std::move(task));
+  };
+  // The dialog confirmed the name itself, but not those of further sheets.
+  const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);
+  std::error_code ignored;
+  for (size_t i = 0; sheets > 1 && i < sheets; ++i)
+    if (const std::string file = print::sheet_file(path, i, sheets); std::filesystem::exists(file, ignored))
+      return dialogs_.ask(
+          Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(file).filename().string())),
+                   tr("Sheets of that name already exist. Printing would replace them."),
+                   {mark("Replace"), mark("Cancel")}},
+          [write](int button) {
+            if (button == 0) write();
+          });
+  write();
+}
+
+}  // namespace weftlight::app

@@ -1,0 +1,31 @@
+#pragma once
+// Printing the draft to files: the dialog, and the sheets, which are written in the background.
+
+#include <string>
+
+#include "app/background_tasks.h"
+#include "app/dialogs.h"
+#include "app/editing.h"
+#include "app/messages.h"
+#include "app/names.h"
+#include "session/files/user_files.h"
+
+namespace weftlight::app {
+
+class Printing {
+ public:
+  Printing(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages)
+      : editing_(editing), settings_(settings), tasks_(tasks), dialogs_(dialogs), messages_(messages) {}
+  void ask();
+
+ private:
+  void start(const std::string& path, const PrintPrompt& prompt);
+
+  Editing& editing_;
+  const Settings& settings_;
+  BackgroundTasks& tasks_;
+  Dialogs& dialogs_;
+  Messages& messages_;
+};
+
+}  // namespace weftlight::app

@@ -1,0 +1,124 @@
+#include "app/start_dialogs.h"
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "app/window.h"
+#include "base/text.h"
+#include "base/user_folders.h"
+#include "platform/folders.h"
+#include "session/document/bring_back.h"
+#include "session/library/gallery.h"
+
+namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::tr;
+
+namespace {
+
+int64_t now_ns() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+}
+
+}  // namespace
+
+StartDialogs::StartDialogs(Session& session, Files& files, Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
+                           Messages& messages, std::function<void()> new_draft)
+    : session_(session),
+      files_(files),
+      settings_(settings),
+      tasks_(tasks),
+      dialogs_(dialogs),
+      messages_(messages),
+      new_draft_(std::move(new_draft)) {}
+
+void StartDialogs::begin(bool gallery) {
+  base::Task task = base::task_with_result(
+      [&session = session_](const base::RunningTask&) { return session.find_left(); },
+      [this, gallery](std::vector<LeftWork> left) {
+        session_.set_left(std::move(left));
+        if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
+        else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
+      },
+      [this](const std::string& why) {
+        messages_.say(fill(tr("Unsaved work cannot be looked for: {problem}"), arg("problem", why)));
+      });
+  task.kind = "left";
+  tasks_.computing().start(std::move(task));
+}
+
+void StartDialogs::show_gallery(bool library) {
+  GalleryPrompt prompt;
+  prompt.page = library ? 1 : 0;
+  prompt.recent = recent_cards(settings_.recent, platform::home_folder());
+  prompt.library = library_cards();
+  prompt.pictures = std::make_shared<GalleryPictures>(cache_folder() + "/drafts", Window::wake, now_ns());
+  dialogs_.ask(std::move(prompt), [this](int button) {
+    const GalleryCard card = dialogs_.prompt<GalleryPrompt>().open;
+    dialogs_.close();
+    if (button == GalleryPrompt::kBrowse) return files_.open();
+    if (button == GalleryPrompt::kNew) return new_draft_();
+    if (card.copy) files_.open_copy(card.path);
+    else files_.open_path(card.path);
+  });
+}
+
+void StartDialogs::offer_recovery() {
+  if (session_.left().empty()) return;
+  RecoveryPrompt prompt;
+  for (const LeftWork& left : session_.left()) {
+    const std::string when = time_in_words(left.written_ns, now_ns());
+    if (!left.problem.empty()) prompt.rows.push_back({tr("Cannot be read"), when, left.journal + ": " + left.problem});
+    else prompt.rows.push_back({name_of(left.note), when, left.note.path.empty() ? tr("never saved") : left.note.path});
+  }
+  dialogs_.ask(std::move(prompt), [this](int button) {
+    const auto& asked = dialogs_.prompt<RecoveryPrompt>();
+    const auto chosen = static_cast<size_t>(asked.chosen);
+    switch (asked.button(button)) {
+      case RecoveryPrompt::Button::kOne:
+        return bring_back(chosen);
+      case RecoveryPrompt::Button::kAll:
+        return bring_back_all();
+      case RecoveryPrompt::Button::kDiscard:
+        session_.discard(chosen);
+        return offer_recovery();
+      case RecoveryPrompt::Button::kLater:
+        return;
+    }
+  });
+}
+
+void StartDialogs::bring_back(size_t chosen) {
+  const LeftWork& left = session_.left()[chosen];
+  const std::string name = name_of(left.note);
+  base::Task task = base::task_with_result([left](const base::RunningTask&) { return session::bring_back(left); },
+                                           [this, left](OpenResult back) { take_back(left, std::move(back)); },
+                                           [this, name](const std::string& why) {
+                                             messages_.report({{Severity::kError, 0, why, {}}}, name);
+                                           });
+  task.kind = "left:" + left.journal;
+  task.name = fill(tr("Recovering {draft}"), arg("draft", name));
+  tasks_.reading().start(std::move(task));
+}
+
+void StartDialogs::take_back(const LeftWork& left, OpenResult back) {
+  if (!back.document) return messages_.report(std::move(back.remarks), name_of(left.note));
+  const OpenDocument* open = session_.take_back(left, std::move(back), settings_.per_inch);
+  if (open == nullptr) return;
+  if (open->document.path().empty() && !left.note.path.empty())
+    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", left.note.path)));
+  else if (!session_.left().empty()) messages_.say(tr("There is more to recover: File, Recover unsaved work"));
+}
+
+void StartDialogs::bring_back_all() {
+  // The newest is recovered last, so that it is shown; unreadable work stays.
+  for (size_t left = session_.left().size(); left-- > 0;) bring_back(left);
+}
+
+}  // namespace weftlight::app

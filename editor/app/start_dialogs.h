@@ -1,0 +1,44 @@
+#pragma once
+// What the window may start with: the gallery of recent drafts and of the library, and unsaved work of crashed
+// sessions. Both can also be asked for later.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "app/background_tasks.h"
+#include "app/dialogs.h"
+#include "app/files.h"
+#include "app/messages.h"
+#include "app/names.h"
+#include "session/files/user_files.h"
+#include "session/session.h"
+
+namespace weftlight::app {
+
+class StartDialogs {
+ public:
+  /// `new_draft` asks for a new draft.
+  StartDialogs(Session& session, Files& files, Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
+               Messages& messages, std::function<void()> new_draft);
+  /// Looks for work of crashed sessions, and offers it; if there is none, shows the gallery if that is wanted.
+  void begin(bool gallery);
+  void show_gallery(bool library);
+  void offer_recovery();
+  bool has_left_work() const { return !session_.left().empty(); }
+
+ private:
+  void bring_back(size_t left);
+  void bring_back_all();
+  void take_back(const LeftWork& left, OpenResult back);
+
+  Session& session_;
+  Files& files_;
+  Settings& settings_;
+  BackgroundTasks& tasks_;
+  Dialogs& dialogs_;
+  Messages& messages_;
+  std::function<void()> new_draft_;
+};
+
+}  // namespace weftlight::app

@@ -1,0 +1,144 @@
+#include "app/tabs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "app/fixed_window.h"
+#include "base/text.h"
+
+namespace weftlight::app {
+
+using base::arg;
+using base::fill;
+using base::mark;
+using base::tr;
+using base::tr_n;
+
+void Tabs::step(int by) {
+  session_.step(by);
+  files_.look_at_file();
+}
+
+void Tabs::close(uint64_t id, const std::function<void()>& then) {
+  const auto closed = [this, id, then] {
+    session_.close(id, Files::first_document);
+    if (then) then();
+  };
+  const OpenDocument* open = session_.find(id);
+  if (open == nullptr) return;
+  if (Saver& saver = files_.saver(); saver.saving(id))
+    return saver.after(id, [this, id, then] { dialogs_.when_none([this, id, then] { close(id, then); }); });
+  if (open->document.is_saved()) return closed();
+  session_.show(id);
+  dialogs_.ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),
+                        tr("Your changes since the last save would be lost."),
+                        {mark("Save"), mark("Do not save"), mark("Cancel")}},
+               [this, id, then, closed](int button) {
+                 if (button == 1) closed();
+                 // Again, since there may be edits meanwhile.
+                 if (button == 0) files_.save_shown([this, id, then] { close(id, then); });
+               });
+}
+
+void Tabs::close_each(std::vector<uint64_t> ids) {
+  if (ids.empty()) return;
+  const uint64_t id = ids.front();
+  ids.erase(ids.begin());
+  close(id, [this, ids] { close_each(ids); });
+}
+
+void Tabs::close_others() {
+  std::vector<uint64_t> ids;
+  for (const auto& open : session_.all())
+    if (open->id != session_.active().id) ids.push_back(open->id);
+  close_each(std::move(ids));
+}
+
+void Tabs::close_to_right() {
+  std::vector<uint64_t> ids;
+  for (size_t i = session_.active_place() + 1; i < session_.all().size(); ++i) ids.push_back(session_.all()[i]->id);
+  close_each(std::move(ids));
+}
+
+void Tabs::quit() {
+  if (Saver& saver = files_.saver(); saver.saving(0))
+    return saver.after(0, [this] { dialogs_.when_none([this] { quit(); }); });
+  const std::vector<uint64_t> unsaved = session_.unsaved();
+  if (unsaved.empty()) {
+    leaving_ = true;
+    return;
+  }
+  if (unsaved.size() == 1) session_.show(unsaved.front());
+  std::string names;
+  for (const uint64_t id : unsaved) names += (names.empty() ? "" : ", ") + session_.find(id)->document.shown_name();
+  const bool one = unsaved.size() == 1;
+  const std::string question =
+      one ? fill(tr("Save the changes to {draft}?"), arg("draft", names))
+          : fill(tr_n("Save the changes to {count} draft?", "Save the changes to {count} drafts?",
+                      static_cast<long long>(unsaved.size())),
+                 arg("count", unsaved.size()));
+  dialogs_.ask(Question{question,
+                        (one ? "" : names + "\n\n") + tr("Your changes since the last save would be lost."),
+                        {one ? mark("Save") : mark("Save all"), mark("Do not save"), mark("Cancel")}},
+               [this, unsaved](int button) {
+                 if (button == 1) leaving_ = true;
+                 // Again, since there may be edits meanwhile.
+                 if (button == 0) files_.save_each(unsaved, [this] { quit(); });
+               });
+}
+
+std::string Tabs::awaits() const {
+  const Saver& saver = std::as_const(files_).saver();
+  if (saver.awaited(0)) return tr("Weftlight closes when your drafts are saved\xE2\x80\xA6");
+  if (saver.awaited(session_.active().id)) return tr("This tab closes when its draft is saved\xE2\x80\xA6");
+  return {};
+}
+
+/// "twill.wif", "Overshot"; with the folder if two have the same name.
+std::vector<Tab> Tabs::shown_tabs() const {
+  std::vector<Tab> tabs;
+  for (const auto& open : session_.all()) {
+    const Document& d = open->document;
+    tabs.push_back({open->id, d.shown_name(), d.path().empty() ? tr("Not saved yet") : d.path(), !d.is_saved()});
+  }
+  const std::vector<Tab> plain = tabs;
+  for (size_t i = 0; i < tabs.size(); ++i) {
+    const std::filesystem::path folder = std::filesystem::path(session_.all()[i]->document.path()).parent_path();
+    const auto same = std::count_if(plain.begin(), plain.end(), [&](const Tab& t) { return t.name == plain[i].name; });
+    if (same > 1 && !folder.empty()) tabs[i].name += " \xE2\x80\x93 " + folder.filename().string();
+  }
+  return tabs;
+}
+
+TabRequest Tabs::draw(PanelContext& c, float height) {
+  if (height <= 0) return {};
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  begin_fixed("Tabs", {view->WorkPos, {view->WorkSize.x, height}}, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  const TabRequest requested = draw_tab_strip(c, shown_tabs(), session_.active().id, strip_);
+  ImGui::End();
+  return requested;
+}
+
+void Tabs::carry_out(const TabRequest& requested) {
+  if (requested.kind == TabRequest::Kind::kNone) return;
+  schedule_.draw_after_event();
+  if (requested.kind == TabRequest::Kind::kMove) return session_.move(requested.id, requested.place);
+  if (requested.kind == TabRequest::Kind::kClose) return close(requested.id);
+  strip_.menu_due = requested.kind == TabRequest::Kind::kMenu;
+  if (requested.id == session_.active().id) return;
+  session_.show(requested.id);
+  files_.look_at_file();
+}
+
+TabActions Tabs::actions() {
+  return {.count = [this] { return session_.all().size(); },
+          .active = [this] { return session_.active_place(); },
+          .step = [this](int by) { step(by); },
+          .close = [this] { close(session_.active().id); },
+          .close_others = [this] { close_others(); },
+          .close_to_right = [this] { close_to_right(); }};
+}
+
+}  // namespace weftlight::app

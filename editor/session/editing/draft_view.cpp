@@ -1,0 +1,49 @@
+#include "session/editing/draft_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weftlight::session {
+namespace {
+
+constexpr float kSmallestPitch = 0.02f;  // 100,000 threads in 2,000 pixels
+constexpr float kLargestPitch = 48.0f;
+
+}  // namespace
+
+float zoomed_pitch(float pitch, float steps) {
+  float next = pitch * std::pow(1.2f, steps);
+  if (next >= 2) {
+    next = std::round(next);
+    if (next == pitch && steps != 0) next += steps > 0 ? 1.0f : -1.0f;
+  }
+  return std::clamp(next, kSmallestPitch, kLargestPitch);
+}
+
+void page_ends(DraftView& v, int pages) {
+  v.scroll_end += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_ends);
+}
+
+void page_picks(DraftView& v, int pages) {
+  v.scroll_pick += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_picks);
+}
+
+void bring_into_sight(DraftView& v, GridId grid, Cell at) {
+  const auto see = [](float& scroll, float seen, int cell) {
+    constexpr float kBeside = 1;  // cells
+    const auto first = static_cast<float>(cell);
+    if (seen < 2 * kBeside + 1) scroll = first;
+    else scroll = std::max(0.0f, std::clamp(scroll, first + 1 + kBeside - seen, first - kBeside));
+  };
+  const bool ends = has_ends(grid), picks = has_picks(grid);
+  see(ends ? v.scroll_end : v.scroll_treadle, ends ? v.seen_ends : v.seen_treadles, at.a);
+  see(picks ? v.scroll_pick : v.scroll_shaft, picks ? v.seen_picks : v.seen_shafts, at.b);
+}
+
+void scroll_to(DraftView& v, System system, int thread) {
+  const bool warp = system == System::kWarp;
+  (warp ? v.scroll_end : v.scroll_pick) =
+      static_cast<float>(thread) + 0.5f - 0.5f * (warp ? v.seen_ends : v.seen_picks);
+}
+
+}  // namespace weftlight::session

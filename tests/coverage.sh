@@ -8,7 +8,9 @@ if ! command -v gcovr >/dev/null; then
   exit 1
 fi
 gcovr --root "$root" --filter "$root/core/" --csv - "$build" | awk -F, '
-  NR > 1 { split($1, path, "/"); lines[path[2]] += $2; run[path[2]] += $3 }
+  # A header is known by the link that targets include it through: BUILD/include/ROOM/ROOM/x.h.
+  NR > 1 { at = match($1, "/include/"); n = split(at ? substr($1, at + 8) : $1, path, "/")
+           lines[path[2]] += $2; run[path[2]] += $3 }
   END {
     for (folder in lines) {
       printf "%-12s %5.1f %%  of %d lines\n", folder, 100 * run[folder] / lines[folder], lines[folder] | "sort"

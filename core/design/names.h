@@ -1,4 +1,6 @@
 #pragma once
+// The folders whose names these two use without saying whose they are.
+
 namespace weftlight {
 namespace draft {}
 namespace design {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 
+#include "../scarce_memory.h"
 #include "../scratch_fixture.h"
 #include "base/caught.h"
 #include "cloth/cloth.h"
@@ -15,7 +16,6 @@
 #include "design/edits.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
-#include "failing_new.h"
 #include "weaves/weaves.h"
 #include "wif/wif.h"
 

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <thread>
 
+#include "../scarce_memory.h"
 #include "../scratch_fixture.h"
 #include "draft/drawdown.h"
 #include "paths.h"
-#include "scarce_memory.h"
 #include "session/jobs/background_writer.h"
 #include "session/jobs/draft_thumbnails.h"
 #include "session/jobs/export_plan.h"

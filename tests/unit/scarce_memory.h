@@ -1,7 +1,18 @@
 #pragma once
-// The nth piece of memory that cannot be had.
+// Memory that cannot be had. A test program that links scarce_memory.cpp has its operator new.
+
+#include <cstddef>
 
 namespace weftlight {
+
+/// While it stands, no piece of memory above so many bytes is to be had, but by the thread that made it.
+class Scarce {
+ public:
+  explicit Scarce(size_t most);
+  ~Scarce();
+  Scarce(const Scarce&) = delete;
+  Scarce& operator=(const Scarce&) = delete;
+};
 
 /// While it stands, the nth call of operator new by this thread from here on fails; n counts from 1.
 class NthFails {

@@ -10,11 +10,14 @@ namespace {
 
 std::atomic<size_t> g_most{SIZE_MAX};
 std::atomic<std::thread::id> g_spared;
+// Of one thread: what others do meanwhile would make n another call at every run.
+thread_local int t_left = 0;
 
 }  // namespace
 
 // Of the whole program; in a file of their own, where the compiler sees both as one pair.
 void* operator new(size_t bytes) {
+  if (t_left > 0 && --t_left == 0) throw std::bad_alloc();
   if (bytes > g_most && g_spared.load() != std::this_thread::get_id()) throw std::bad_alloc();
   void* there = std::malloc(bytes > 0 ? bytes : 1);
   if (there == nullptr) throw std::bad_alloc();
@@ -30,5 +33,9 @@ Scarce::Scarce(size_t most) {
   g_most = most;
 }
 Scarce::~Scarce() { g_most = SIZE_MAX; }
+
+NthFails::NthFails(int n) { t_left = n; }
+NthFails::~NthFails() { t_left = 0; }
+bool NthFails::failed() { return t_left == 0; }
 
 }  // namespace weftlight

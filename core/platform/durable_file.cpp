@@ -50,9 +50,13 @@ std::error_code rename_for_good(const std::string& made, const std::string& targ
 
 std::error_code sync_all_in(const fs::path& folder) {
   std::error_code error;
-  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (at->is_symlink(error) || !(at->is_regular_file(error) || at->is_directory(error))) continue;
-    if (const std::error_code failed = sync(at->path().string())) return failed;
+  for (const std::string& name : names_in(folder.string(), error)) {
+    const fs::path at = folder / name;
+    const fs::file_status what = fs::symlink_status(at, error);
+    std::error_code failed;
+    if (fs::is_directory(what)) failed = sync_all_in(at);
+    if (fs::is_regular_file(what)) failed = sync(at.string());
+    if (failed) return failed;
   }
   return error ? error : sync(folder.string());
 }

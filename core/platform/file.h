@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace weftlight::platform {
 
@@ -64,6 +65,12 @@ class File {
 bool is_open_stream(const std::string& path);
 /// Why this program may not write the existing file, or make files in the existing folder. Nothing is written.
 std::error_code why_not_writable(const std::string& path);
+/// The names of what a folder holds, in any order, without "." and "..". Without memory it throws std::bad_alloc;
+/// libstdc++'s directory_iterator would end the program.
+std::vector<std::string> names_in(const std::string& folder, std::error_code& error);
+/// Removes a file, or a folder with all that it holds; a link goes, and what it leads to stays. No error if there is
+/// none.
+std::error_code remove_with_contents(const std::string& path);
 /// Waits until the content of the file is on the disk, or which files the folder holds.
 std::error_code sync(const std::string& path);
 /// Whether the error says that the user's share of the disk is used up, for which std::errc has no name.

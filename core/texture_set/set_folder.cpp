@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "platform/durable_file.h"
+#include "platform/file.h"
 #include "platform/unique_name.h"
 
 namespace weftlight::texture_set {
@@ -74,22 +75,18 @@ bool same(const SetIdentity& a, const SetIdentity& b) {
 /// The mark goes last, so that what is left of a removal that was cut short is known again.
 void remove_staged(const fs::path& made) {
   std::error_code ec;
-  std::vector<fs::path> within;
-  for (const fs::directory_entry& entry : fs::directory_iterator(made, ec))
-    if (entry.path().filename() != kStaged) within.push_back(entry.path());
-  for (const fs::path& path : within) fs::remove_all(path, ec);
-  fs::remove_all(made, ec);
+  for (const std::string& name : platform::names_in(made.string(), ec))
+    if (name != kStaged) platform::remove_with_contents((made / name).string());
+  platform::remove_with_contents(made.string());
 }
 
 void remove_stale_files(const fs::path& folder) {
   std::error_code ec;
   const fs::path beside = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(beside, ec)) {
-    const std::string name = entry.path().filename().string();
-    if (platform::is_temporary_of(folder.string(), name) && entry.is_directory(ec) && !entry.is_symlink(ec))
-      found.push_back(entry.path());
-  }
+  for (const std::string& name : platform::names_in(beside.string(), ec))
+    if (platform::is_temporary_of(folder.string(), name) && fs::is_directory(fs::symlink_status(beside / name, ec)))
+      found.push_back(beside / name);
   for (const fs::path& made : found) {
     const std::string mark = (made / kStaged).string();
     const FileLock lock = FileLock::take_existing(mark);
@@ -106,15 +103,18 @@ FileLock lock_place(const std::string& path) {
   }
 }
 
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::vector<std::string> out;
+/// Sorted, without the list.
+std::vector<std::string> files_in(const fs::path& folder) {
   std::error_code ec;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ec)) {
-    const std::string name = entry.path().filename().string();
-    if (name != kList && name != kStaged) out.push_back(name);
-  }
+  std::vector<std::string> out = platform::names_in(folder.string(), ec);
+  std::erase_if(out, [](const std::string& name) { return name == kList || name == kStaged; });
   std::sort(out.begin(), out.end());
   return out;
+}
+
+bool holds_nothing(const fs::path& folder) {
+  std::error_code ec;
+  return platform::names_in(folder.string(), ec).empty() && !ec;
 }
 
 /// Writes a list of the files of both sets, so that after a crash in between the next export still owns all of them.
@@ -122,7 +122,7 @@ std::string list_both(const fs::path& made, const fs::path& folder, const std::s
   std::optional<json> root = list_in(made);
   if (!root) return fill(tr("{file}: is missing"), arg("file", (made / kList).string()));
   std::set<std::string> all = old;
-  for (const std::string& name : names_in(made)) all.insert(name);
+  for (const std::string& name : files_in(made)) all.insert(name);
   (*root)["files"] = all;
   return write_file_atomically((folder / kList).string(),
                                root->dump(2, ' ', false, json::error_handler_t::replace) + "\n");
@@ -135,7 +135,7 @@ std::string moved(const fs::path& from, const fs::path& to) {
 
 std::string merge(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
   if (std::string problem = list_both(made, folder, old); !problem.empty()) return problem;
-  const std::vector<std::string> fresh = names_in(made);
+  const std::vector<std::string> fresh = files_in(made);
   for (const std::string& name : fresh) {
     if (std::string problem = moved(made / name, folder / name); !problem.empty()) return problem;
   }
@@ -161,7 +161,7 @@ std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
   std::error_code ec;
   if (!fs::exists(fs::symlink_status(folder, ec))) return {};
   if (!fs::is_directory(folder, ec)) return fill(tr("{folder}: is a file"), arg("folder", folder.string()));
-  if (fs::is_empty(folder, ec)) return {};
+  if (holds_nothing(folder)) return {};
   const std::optional<Listed> there = listed_in(folder);
   if (!there) return fill(tr("{folder}: there are other files"), arg("folder", folder.string()));
   if (same(there->identity, identity)) return {};
@@ -219,11 +219,11 @@ std::string put(const fs::path& made, const fs::path& folder, const SetIdentity&
   // Another's may have come since it was asked first.
   if (std::string problem = force ? std::string{} : refusal(folder, identity); !problem.empty()) return problem;
   fs::remove(made / kStaged, ec);
-  if (!fs::exists(folder, ec) || fs::is_empty(folder, ec)) return moved(made, folder);
+  if (!fs::exists(folder, ec) || holds_nothing(folder)) return moved(made, folder);
   const std::optional<Listed> there = listed_in(folder);
   const bool ours = there && same(there->identity, identity);
   const std::set<std::string> old = ours ? there->files : std::set<std::string>{};
-  for (const std::string& name : names_in(made)) {
+  for (const std::string& name : files_in(made)) {
     const fs::path at = folder / name;
     if (fs::is_directory(at, ec))
       return fill(tr("{file}: is a folder; choose another folder for the set"), arg("file", at.string()));
@@ -232,7 +232,7 @@ std::string put(const fs::path& made, const fs::path& folder, const SetIdentity&
                   arg("file", at.string()));
   }
   std::string problem = merge(made, folder, old);
-  fs::remove_all(made, ec);
+  platform::remove_with_contents(made.string());
   return problem;
 }
 

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
+#include "platform/file.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
@@ -53,11 +54,10 @@ std::string readme(const FaceSource& face, const TextureSetOptions& o) {
 
 /// The files of the set, without its list.
 std::vector<std::string> files_in(const std::string& folder) {
-  std::vector<std::string> out;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with('.')) out.push_back(name);
-  }
+  std::error_code error;
+  std::vector<std::string> out = platform::names_in(folder, error);
+  if (error) throw fs::filesystem_error("files of a set", folder, error);
+  std::erase_if(out, [](const std::string& name) { return name.starts_with('.'); });
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -378,8 +378,7 @@ std::string write_texture_set(const std::string& folder, const Design& design, c
     problem = base::words_of_thrown();
   }
   if (problem.empty()) problem = put_in_place(std::move(staging), folder, identity_of(folder, options), options.force);
-  std::error_code ec;
-  fs::remove_all(made, ec);
+  platform::remove_with_contents(made.string());
   return problem;
 }
 

@@ -1,5 +1,6 @@
 #include "platform/file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -7,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -126,6 +128,34 @@ std::error_code why_not_writable(const std::string& path) {
   const bool read_only = S_ISREG(info.st_mode) && (info.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
   if (read_only) return std::make_error_code(std::errc::permission_denied);
   return ::access(path.c_str(), W_OK) == 0 ? std::error_code() : last_error();
+}
+
+std::vector<std::string> names_in(const std::string& folder, std::error_code& error) {
+  error.clear();
+  std::vector<std::string> names;
+  const auto close = [](DIR* open) { ::closedir(open); };
+  const std::unique_ptr<DIR, decltype(close)> open(::opendir(folder.c_str()), close);
+  if (!open) return error = last_error(), names;
+  for (;;) {
+    errno = 0;
+    const dirent* entry = ::readdir(open.get());
+    if (entry == nullptr) break;
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
+  }
+  if (errno != 0) error = last_error();
+  return names;
+}
+
+std::error_code remove_with_contents(const std::string& path) {
+  struct stat info {};
+  if (::lstat(path.c_str(), &info) != 0) return errno == ENOENT ? std::error_code() : last_error();
+  if (!S_ISDIR(info.st_mode)) return ::unlink(path.c_str()) == 0 ? std::error_code() : last_error();
+  std::error_code error;
+  for (const std::string& name : names_in(path, error))
+    if (const std::error_code failed = remove_with_contents(path + "/" + name)) return failed;
+  if (error) return error;
+  return ::rmdir(path.c_str()) == 0 ? std::error_code() : last_error();
 }
 
 std::error_code sync(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "platform/file.h"
 #include "platform/file_lock.h"
 #include "platform/unique_name.h"
 
@@ -14,10 +15,9 @@ void remove_stale_files(const std::string& path) {
   const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::vector<std::string> found;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (platform::is_temporary_of(path, entry.path().filename().string()) && !entry.is_symlink(error) &&
-        entry.is_regular_file(error))
-      found.push_back(entry.path().string());
+  for (const std::string& name : platform::names_in(folder.string(), error))
+    if (platform::is_temporary_of(path, name) && fs::is_regular_file(fs::symlink_status(folder / name, error)))
+      found.push_back((folder / name).string());
   for (const std::string& left : found) {
     const auto lock = platform::FileLock::take_existing(left);
     // Keeps a file that was finished and renamed meanwhile.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "platform/file.h"
 #include "platform/unique_name.h"
 #include "wif/wif.h"
 
@@ -23,17 +24,16 @@ constexpr const char* kJournal = ".journal";
 std::vector<fs::path> sessions_in(const fs::path& root) {
   std::vector<fs::path> found;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(root, error))
-    if (platform::is_unique_name(entry.path().filename().string()) && entry.is_directory(error))
-      found.push_back(entry.path());
+  for (const std::string& name : platform::names_in(root.string(), error))
+    if (platform::is_unique_name(name) && fs::is_directory(root / name, error)) found.push_back(root / name);
   return found;
 }
 
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == kJournal) found.push_back(entry.path());
+  for (const std::string& name : platform::names_in(folder.string(), error))
+    if (const fs::path at = folder / name; at.extension() == kJournal) found.push_back(at);
   return found;
 }
 
@@ -79,26 +79,24 @@ FileLock make_session(const fs::path& folder, std::error_code& error) {
     fs::rename(making, folder, error);
     if (!error) return lock;
   }
-  std::error_code ignored;
-  fs::remove_all(making, ignored);
+  platform::remove_with_contents(making.string());
   return lock;
 }
 
 /// Removes what a session left that ended before its folder was made.
 void clear_half_made(const fs::path& root) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(root, error)) {
-    const fs::path& at = entry.path();
+  for (const std::string& name : platform::names_in(root.string(), error)) {
+    const fs::path at = root / name;
     if (at.extension() != kMaking || !platform::is_unique_name(at.stem().string())) continue;
     const FileLock lock = FileLock::take_existing((at / kLock).string());
-    if (lock.held() && lock.stands_at((at / kLock).string())) fs::remove_all(at, error);
+    if (lock.held() && lock.stands_at((at / kLock).string())) platform::remove_with_contents(at.string());
   }
 }
 
 /// Removes the folder and its contents unless it holds a journal.
 void remove_session(const fs::path& folder) {
-  std::error_code ignored;
-  if (journals_in(folder).empty()) fs::remove_all(folder, ignored);
+  if (journals_in(folder).empty()) platform::remove_with_contents(folder.string());
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // Wherever memory ends, what was begun gives an error or std::bad_alloc, which is caught at the border (base/caught.h):
-// no crash, no leak of locks, and no half-written file. What succeeds in spite of it is right. Not an export: it reads
-// folders, and where memory ends in that, libstdc++ 12 ends the program (its directory iterators are noexcept inside).
+// no crash, no leak of locks, and no half-written file. What succeeds in spite of it is right.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 
 #include "../scarce_memory.h"
 #include "../scratch_fixture.h"
@@ -16,6 +16,8 @@
 #include "design/edits.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
+#include "texture_set/targets.h"
+#include "texture_set/texture_set.h"
 #include "weaves/weaves.h"
 #include "wif/wif.h"
 
@@ -124,6 +126,37 @@ TEST_F(NthAllocation, MapsFailOrAreWhole) {
                                  }
                                }),
             20);
+}
+
+std::map<std::string, std::string> bytes_in(const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : fs::directory_iterator(folder))
+    all[entry.path().filename().string()] = base::read_file(entry.path().string()).bytes;
+  return all;
+}
+
+TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
+  texture_set::TextureSetOptions options;
+  options.target = &texture_set::targets::kGodot;
+  options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
+  const design::Design before = sample(), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
+  ASSERT_EQ(texture_set::write_texture_set(path("old"), before, {}, options), "");
+  ASSERT_EQ(texture_set::write_texture_set(path("new"), after, {}, options), "");
+  const auto old_set = bytes_in(path("old")), new_set = bytes_in(path("new"));
+  ASSERT_NE(old_set, new_set);
+  ASSERT_EQ(texture_set::write_texture_set(path("set"), before, {}, options), "");
+  const int failures = at_each_allocation(
+      [&] {
+        if (!texture_set::write_texture_set(path("set"), after, {}, options).empty()) throw std::bad_alloc();
+      },
+      [&](int n) {
+        const auto now = bytes_in(path("set"));
+        EXPECT_TRUE(now == old_set || now == new_set) << n;
+        size_t folders = 0;
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(dir_)) ++folders;
+        EXPECT_EQ(folders, 3u) << n << ": something is left beside the set";
+      });
+  EXPECT_GT(failures, 100);
 }
 
 }  // namespace

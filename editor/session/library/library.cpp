@@ -6,6 +6,7 @@
 
 #include "base/resources.h"
 #include "base/text.h"
+#include "platform/file.h"
 
 namespace weftlight::session {
 
@@ -66,11 +67,12 @@ std::vector<LibraryFile> library_files() {
   for (const bool cloth : {true, false}) {
     const auto first = static_cast<std::ptrdiff_t>(all.size());
     std::error_code missing;  // the library is then empty
-    for (const auto& entry :
-         std::filesystem::directory_iterator(presets_dir() + (cloth ? "/cloths" : "/drafts"), missing)) {
-      if (entry.path().extension() != ".wif") continue;
-      const std::string name = entry.path().stem().string();
-      all.push_back({entry.path().string(), (cloth ? "cloth." : "") + name, tr(spoken(name).c_str()), cloth});
+    const std::string folder = presets_dir() + (cloth ? "/cloths" : "/drafts");
+    for (const std::string& file : platform::names_in(folder, missing)) {
+      const std::filesystem::path path = std::filesystem::path(folder) / file;
+      if (path.extension() != ".wif") continue;
+      const std::string name = path.stem().string();
+      all.push_back({path.string(), (cloth ? "cloth." : "") + name, tr(spoken(name).c_str()), cloth});
     }
     std::sort(all.begin() + first, all.end(),
               [](const LibraryFile& a, const LibraryFile& b) { return a.path < b.path; });

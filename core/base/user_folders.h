@@ -14,7 +14,8 @@ std::string state_folder();
 std::string cache_folder();
 
 /// Removes all but the newest `max_files` files with that extension (".glb") from a folder. A missing folder is no
-/// error.
-void keep_newest(const std::string& folder, const std::string& extension, size_t max_files);
+/// error. `written`, just written, is the newest of them whatever the clock says: a file with a later time is from
+/// before the clock was set back, and goes first.
+void keep_newest(const std::string& folder, const std::string& extension, size_t max_files, const std::string& written);
 
 }  // namespace weftlight::base

@@ -93,7 +93,7 @@ Result<void> drape_cloth(const Design& design, const std::function<bool(double p
   const Mesh mesh = simulate_design_drape(design, keep_going);
   if (mesh.position_mm.empty()) return {};
   Result<void> kept = write_mesh(path, mesh, nullptr);
-  if (kept) keep_newest(folder.string(), ".glb", kMaxCached);
+  if (kept) keep_newest(folder.string(), ".glb", kMaxCached, path);
   return kept;
 }
 

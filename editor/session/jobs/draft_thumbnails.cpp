@@ -49,7 +49,7 @@ void keep_picture(const std::string& folder, const std::string& file, const Thum
   for (const uint32_t pixel : picture.pixels)
     for (const int shift : {0, 8, 16}) image.texels.push_back(static_cast<float>((pixel >> shift) & 255) / 255);
   files::write_image(file, image, files::PixelType::kU8);
-  keep_newest(folder, ".png", kMaxThumbnails);
+  keep_newest(folder, ".png", kMaxThumbnails, file);
 }
 
 }  // namespace

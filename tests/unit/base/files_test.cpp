@@ -45,12 +45,26 @@ TEST_F(FileTest, keep_newest_removes_the_oldest) {
   };
   for (int i = 0; i < 6; ++i) hours_ago("picture" + std::to_string(i) + ".png", i);
   hours_ago("words.txt", 9);
-  keep_newest(dir_.string(), ".png", 4);
+  keep_newest(dir_.string(), ".png", 4, path("picture0.png"));
   EXPECT_EQ(count(), 5);
   for (const char* name : {"picture4.png", "picture5.png"}) EXPECT_FALSE(fs::exists(path(name))) << name;
-  keep_newest(dir_.string(), ".png", 4);
-  keep_newest(path("no such folder"), ".png", 0);
+  keep_newest(dir_.string(), ".png", 4, path("picture0.png"));
+  keep_newest(path("no such folder"), ".png", 0, path("no such folder/a.png"));
   EXPECT_EQ(count(), 5);
+}
+
+TEST_F(FileTest, keep_newest_keeps_what_was_just_written_though_the_clock_went_back) {
+  const auto written_in = [&](const std::string& name, int hours) {
+    EXPECT_EQ(write_file_atomically(path(name), "x"), "");
+    fs::last_write_time(path(name), fs::file_time_type::clock::now() + std::chrono::hours(hours));
+  };
+  for (int i = 0; i < 4; ++i) written_in("before" + std::to_string(i) + ".glb", 24 + i);
+  written_in("one.glb", -1);
+  keep_newest(dir_.string(), ".glb", 4, path("one.glb"));
+  written_in("two.glb", 0);
+  keep_newest(dir_.string(), ".glb", 4, path("two.glb"));
+  for (const char* name : {"one.glb", "two.glb"}) EXPECT_TRUE(fs::exists(path(name))) << name;
+  EXPECT_EQ(count(), 4);
 }
 
 TEST_F(FileTest, permissions_stay) {

@@ -7,6 +7,7 @@
 
 #include <thread>
 
+#include "../heir.h"
 #include "../scratch_fixture.h"
 #include "session/document/bring_back.h"
 #include "session/recovery/journal.h"
@@ -81,6 +82,25 @@ TEST_F(RecoveryTest, ARunningSessionIsLeftAlone) {
   Recovery other(root());
   EXPECT_TRUE(other.left_behind().empty());
   EXPECT_TRUE(fs::exists(living.journal_path(1)));
+}
+
+TEST_F(RecoveryTest, ASessionInAnotherContainerIsLeftAloneWhateverTheClockSays) {
+  Heir heir([&](const auto& inherit) {
+    Recovery living(root());
+    EXPECT_EQ(living.open(), "");
+    EXPECT_EQ(write_file_atomically(living.journal_path(1), journal_start({{"", "Untitled", {}}, "text"})), "");
+    inherit(living.journal_path(1));
+  });
+  ASSERT_TRUE(fs::exists(heir.name()));
+  const fs::path folder = fs::path(heir.name()).parent_path();
+  for (const int years : {-60, 60}) {
+    const auto then = fs::file_time_type::clock::now() + std::chrono::hours(24 * 365 * years);
+    for (const fs::path& at : {fs::path(heir.name()), folder / "lock", folder}) fs::last_write_time(at, then);
+    EXPECT_TRUE(Recovery(root()).left_behind().empty()) << years;
+    EXPECT_TRUE(fs::exists(heir.name())) << years;
+  }
+  heir.kill();
+  EXPECT_EQ(names(Recovery(root()).left_behind()), Names{"Untitled"});
 }
 
 TEST_F(RecoveryTest, WaitsForNobodysLock) {

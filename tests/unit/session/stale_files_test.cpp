@@ -51,6 +51,19 @@ TEST_F(StaleFiles, FilesOfAnOwnerWithUnknownProcessIdGoAfterItsEnd) {
   EXPECT_EQ(std::distance(fs::directory_iterator(dir_), {}), 1);
 }
 
+TEST_F(StaleFiles, TheClockDecidesNothing) {
+  Heir heir(writer());
+  const std::string left = written("a.part-0123456789abcdef.wif", "half");
+  for (const int years : {-60, 60}) {
+    const auto then = fs::file_time_type::clock::now() + std::chrono::hours(24 * 365 * years);
+    fs::last_write_time(heir.name(), then);
+    if (fs::exists(left)) fs::last_write_time(left, then);
+    remove_stale_files(path("a.wif"));
+    EXPECT_TRUE(fs::exists(heir.name())) << years << ": it lives";
+    EXPECT_FALSE(fs::exists(left)) << years;
+  }
+}
+
 TEST_F(StaleFiles, FilesStayWhenAForkOfTheirOwnerEnds) {
   EXPECT_EQ(base::write_through(path("a.wif"),
                                 [&](const std::string& beside) {

@@ -1,10 +1,11 @@
 #include "app/app.h"
 
-#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "app/editor.h"
 #include "app/window.h"
+#include "base/caught.h"
 #include "base/text.h"
 #include "base/user_folders.h"
 #include "platform/file.h"
@@ -34,6 +35,23 @@ std::string refused_flag(const EditorOptions& o) {
   return refused;
 }
 
+/// After the window system went away. The work of the editor, if there is one yet, is on the disk first.
+[[noreturn]] void end_without_window(Editor* editor) {
+  int code = commands::kNoGraphics;
+  const std::string thrown = base::caught([&] {
+    bool unsaved = false;
+    const std::string problem = editor != nullptr ? editor->keep_work(unsaved) : std::string();
+    if (unsaved) code = commands::kNotWritten;
+    if (!problem.empty()) print_problem(problem);
+    print_problem(unsaved ? tr("the window system or its graphics driver has gone; the unsaved work is kept, and the "
+                               "next start offers it")
+                          : tr("the window system or its graphics driver has gone"));
+  });
+  if (!thrown.empty()) code = commands::kNotWritten;
+  // Without the ends of threads and libraries: those that draw would ask for the window system.
+  std::_Exit(code);
+}
+
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
@@ -43,7 +61,11 @@ int run_editor(const EditorOptions& options) {
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   const auto window = Window::open(settings.width, settings.height);
   if (!window) return fail(window.error());
-  Editor(**window, options).run();
+  Window::when_lost([] { end_without_window(nullptr); });
+  Editor editor(**window, options);
+  Window::when_lost([&editor] { end_without_window(&editor); });
+  editor.run();
+  Window::when_lost([] { end_without_window(nullptr); });
   return kDone;
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <variant>
 
@@ -23,8 +24,9 @@ namespace {
 
 constexpr double kCaretS = 0.4;  // blink of a text caret
 constexpr double kDialogPollS = 0.05;
-constexpr double kTroublePollS = 0.25;  // interval of the check for write errors
-constexpr double kInputS = 0.1;         // of waiting input is handled before a frame is drawn
+constexpr double kTroublePollS = 0.25;           // interval of the check for write errors
+constexpr std::chrono::seconds kLastWrites{10};  // to a slow disk, after the window system went away
+constexpr double kInputS = 0.1;                  // of waiting input is handled before a frame is drawn
 
 }  // namespace
 
@@ -121,6 +123,14 @@ void Editor::run() {
   window_.hide();
   save_settings(settings_);
   session_.forget_all();
+}
+
+std::string Editor::keep_work(bool& unsaved) {
+  unsaved = !session_.unsaved().empty();
+  tasks_.writing().wait_for(kLastWrites);
+  session_.settle_for(kLastWrites);
+  save_settings(settings_);
+  return session_.problem();
 }
 
 double Editor::sleep_s() {

@@ -41,6 +41,9 @@ class Editor {
  public:
   Editor(Window& window, const EditorOptions& options);
   void run();
+  /// Without the window system: waits until what is unsaved, and what is being saved, is on the disk, but not for ever.
+  /// Returns why not all of it is, and sets `unsaved` if the next start has something to offer.
+  std::string keep_work(bool& unsaved);
 
  private:
   Subjects subjects();

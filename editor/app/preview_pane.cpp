@@ -5,7 +5,6 @@
 
 #include "base/caught.h"
 #include "base/text.h"
-#include "gl/context.h"
 
 namespace weftlight::app {
 
@@ -17,6 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kAgainS = 1;  // delay before a failed picture is drawn again
+// A context that was lost is made anew, unless that happens time after time within a minute.
+constexpr double kLastsS = 60;
+constexpr int kMaxLost = 4;
 
 double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -89,46 +91,61 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
 
 void PreviewPane::work() {
   const std::string why = caught([this] {
-    Pipeline pipeline;
-    const std::shared_ptr<const Design> first = first_design(pipeline);
-    if (!first) return;
-    const auto context = HeadlessContext::create();
-    if (!context) return fail(message(context.error()));
-    PictureMaker maker(pipeline);
-    maker.follow(first);
-    if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
-      fail(thrown), failed_ = true;
-    draw_until_left(maker);
+    int lost = 0;
+    for (double begun = seconds(); work_in_context(); begun = seconds()) {
+      lost = seconds() - begun < kLastsS ? lost + 1 : 1;
+      if (lost == kMaxLost) return fail(tr("the graphics driver is reset again and again; update it"));
+      const std::lock_guard lock(mutex_);
+      new_design_ = true;
+      new_request_ = request_.has_value();
+    }
   });
   if (!why.empty()) fail(why);
 }
 
-void PreviewPane::draw_until_left(PictureMaker& maker) {
+bool PreviewPane::work_in_context() {
+  Pipeline pipeline;
+  const std::shared_ptr<const Design> first = first_design(pipeline);
+  if (!first) return false;
+  const auto context = HeadlessContext::create();
+  if (!context) return fail(message(context.error())), false;
+  PictureMaker maker(pipeline);
+  maker.follow(first);
+  if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
+    fail(thrown), failed_ = true;
+  return draw_while_there(maker, **context);
+}
+
+bool PreviewPane::draw_while_there(PictureMaker& maker, const HeadlessContext& context) {
   double next_s = 0;
   std::unique_lock lock(mutex_);
   while (!leaving_) {
     const auto asked = [this] { return leaving_ || new_design_ || new_request_; };
     if (next_s < 0) wake_.wait(lock, asked);
     else wake_.wait_for(lock, std::chrono::duration<double>(next_s), asked);
-    if (leaving_) return;
+    if (leaving_) return false;
     const std::shared_ptr<const Design> design = std::exchange(new_design_, false) ? design_ : nullptr;
     new_request_ = false;
-    const std::optional<PictureRequest> request = request_;
+    std::optional<PictureRequest> request;
+    std::string thrown = caught([&] { request = request_; });
     const bool moving = moving_;
     lock.unlock();
-    const std::string thrown = caught([&] {
-      if (design) maker.submit(design);
-      if (request) make(maker, *request, moving);
-      failed_ = false;
-      next_s = maker.next_s(seconds());
-    });
+    if (thrown.empty())
+      thrown = caught([&] {
+        if (design) maker.submit(design);
+        if (request) make(maker, *request, moving);
+        failed_ = false;
+        next_s = maker.next_s(seconds());
+      });
     if (!thrown.empty()) {
       fail(thrown);
       failed_ = true;
       next_s = kAgainS;
     }
+    if (context.is_lost()) return true;
     lock.lock();
   }
+  return false;
 }
 
 void PreviewPane::fail(const std::string& why) {

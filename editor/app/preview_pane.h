@@ -13,6 +13,7 @@
 
 #include "app/names.h"
 #include "app/picture_maker.h"
+#include "gl/context.h"
 #include "ui/pixel_texture.h"
 #include "views/cloth/preview_panel.h"
 
@@ -47,7 +48,10 @@ class PreviewPane {
 
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
-  void draw_until_left(class PictureMaker& maker);
+  /// Makes a context and draws in it. True if the context was lost, false if there is nothing more to do.
+  bool work_in_context();
+  /// True if the context was lost, false if the pane leaves.
+  bool draw_while_there(class PictureMaker& maker, const gl::HeadlessContext& context);
   /// Shows an exception in place of the picture; the next picture is drawn in full.
   void fail(const std::string& why);
   void make(PictureMaker& maker, const PictureRequest& request, bool moving);

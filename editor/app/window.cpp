@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "platform/display.h"
 #include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
@@ -99,6 +100,7 @@ GLFWwindow* make_window(int width, int height) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "weftlight");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "weftlight");
@@ -287,10 +289,12 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
   ImGui_ImplGlfw_InitForOpenGL(w->window_, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   w->redraw_ = std::make_unique<ui::Redraw>();
+  w->watch_.emplace();
   return w;
 }
 
 Window::~Window() {
+  platform::when_display_lost({});
   if (window_ != nullptr) {
     redraw_.reset();
     if (ImGui::GetCurrentContext() != nullptr) {
@@ -303,10 +307,14 @@ Window::~Window() {
   glfwTerminate();
 }
 
+// It stands in core/platform, because a thread of its own may have to call it.
+void Window::when_lost(std::function<void()> lost) { platform::when_display_lost(std::move(lost)); }
+
 bool Window::wait(double seconds) {
   if (seconds < 0) glfwWaitEvents();
   else if (seconds == 0) glfwPollEvents();
   else glfwWaitEventsTimeout(seconds);
+  if (platform::is_display_lost()) platform::display_lost();
   return std::exchange(inbox_->happened, false);
 }
 
@@ -356,6 +364,7 @@ void Window::end_frame(ImU32 background) {
   glfwGetFramebufferSize(window_, &width, &height);
   const bool exposed = std::exchange(inbox_->exposed, false);
   if (redraw_->draw(*ImGui::GetDrawData(), width, height, background, exposed)) glfwSwapBuffers(window_);
+  if (watch_->is_lost()) platform::display_lost();
 }
 
 void Window::drop_frame() { ImGui::EndFrame(); }

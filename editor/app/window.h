@@ -1,12 +1,15 @@
 #pragma once
 // The window with an OpenGL 3.3 core context and ImGui. It sleeps until an event comes.
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/names.h"
 #include "base/result.h"
+#include "gl/context.h"
 #include "ui/redraw.h"
 #include "ui/style.h"
 
@@ -22,6 +25,10 @@ class Window {
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
+
+  /// `lost` is called where the window system goes away, or the driver drops the window's context, on any thread and in
+  /// the middle of any of these functions. It ends the program, and calls none of them.
+  static void when_lost(std::function<void()> lost);
 
   /// Sleeps up to `seconds` (negative: until an event); true if there was an event.
   bool wait(double seconds);
@@ -66,6 +73,7 @@ class Window {
 
   std::unique_ptr<Inbox> inbox_;
   std::unique_ptr<ui::Redraw> redraw_;
+  std::optional<gl::ResetWatch> watch_;
   float fonts_for_ = 0;
   GLFWcursor* crosshair_ = nullptr;
 };

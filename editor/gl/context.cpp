@@ -49,13 +49,22 @@ EGLDisplay open_display() {
 EGLContext open_context(EGLDisplay display) {
   // Highest version first: some drivers give exactly the requested version.
   constexpr std::array<std::array<int, 2>, 3> kVersions{{{4, 5}, {4, 1}, {3, 3}}};
-  for (const auto& [major, minor] : kVersions) {
-    const EGLint attributes[] = {
-        EGL_CONTEXT_MAJOR_VERSION,           major,   EGL_CONTEXT_MINOR_VERSION, minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (context != EGL_NO_CONTEXT) return context;
-  }
+  // A driver that tells of its resets; otherwise some end the program with a reset.
+  for (const EGLint resets : {EGL_LOSE_CONTEXT_ON_RESET, EGL_NO_RESET_NOTIFICATION})
+    for (const auto& [major, minor] : kVersions) {
+      const bool told = resets == EGL_LOSE_CONTEXT_ON_RESET;
+      const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   major,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   minor,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   told ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
+                                   resets,
+                                   EGL_NONE};
+      const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+      if (context != EGL_NO_CONTEXT) return context;
+    }
   return EGL_NO_CONTEXT;
 }
 
@@ -78,8 +87,16 @@ base::Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
   made->context_ = context;
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
     return none(tr("the OpenGL context cannot be used without a window: update the graphics driver"));
+  made->watch_.emplace();
   return made;
 }
+
+bool HeadlessContext::is_lost() const { return watch_ && watch_->is_lost(); }
+
+// libepoxy ends the program where a function is called that the driver does not have.
+ResetWatch::ResetWatch() : can_ask_(epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness")) {}
+
+bool ResetWatch::is_lost() const { return can_ask_ && glGetGraphicsResetStatus() != GL_NO_ERROR; }
 
 HeadlessContext::~HeadlessContext() {
   if (!display_) return;

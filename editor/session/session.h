@@ -2,6 +2,7 @@
 // The open documents, each with its view and its journal, and the active one. No window and no dialogs: the caller has
 // asked before it closes an unsaved document.
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -96,6 +97,8 @@ class Session {
   std::string problem() const { return journal_.problem(); }
   bool busy() const { return journal_.busy(); }
   void settle() { journal_.settle(); }
+  /// Waits until the journal has everything on disk, or failed, but no longer.
+  void settle_for(std::chrono::milliseconds longest) { journal_.settle_for(longest); }
 
  private:
   static constexpr int kRevisionBits = 32;

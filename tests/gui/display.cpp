@@ -70,11 +70,14 @@ std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Process::Process(std::vector<std::string> words, std::vector<std::string> environment, int print_fd) {
+Process::Process(std::vector<std::string> words, std::vector<std::string> environment, int print_fd,
+                 const std::string& errors) {
   for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   if (print_fd >= 0) posix_spawn_file_actions_adddup2(&actions, print_fd, print_fd);
+  if (!errors.empty())
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   auto argv = pointers(words), env = pointers(environment);
   if (posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), env.data()) != 0) id_ = 0;
   posix_spawn_file_actions_destroy(&actions);
@@ -172,7 +175,7 @@ std::string Display::picture(Point where, Point size) const {
 }
 
 Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
-               const std::vector<std::string>& more)
+               const std::vector<std::string>& more, const std::string& errors)
     : map_(folder / "map.json"), live_(folder / "live.wif") {
   std::filesystem::remove(map_);
   std::filesystem::remove(live_);
@@ -184,7 +187,7 @@ Window::Window(const Display& display, const std::filesystem::path& folder, cons
                                       "XDG_STATE_HOME=" + own + "/state", "XDG_CONFIG_HOME=" + own + "/config",
                                       "XDG_CACHE_HOME=" + own + "/cache", std::string("LIBGL_ALWAYS_SOFTWARE=1")})
     environment.push_back(variable);
-  process_ = Process(std::move(words), std::move(environment));
+  process_ = Process(std::move(words), std::move(environment), -1, errors);
 }
 
 nlohmann::json Window::map() const { return nlohmann::json::parse(bytes_of(map_), nullptr, false); }

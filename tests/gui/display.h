@@ -23,7 +23,9 @@ class Process {
  public:
   Process() = default;
   /// `environment`: NAME=value, added to that of this process. `print_fd`: passed to the child with the same number.
-  Process(std::vector<std::string> words, std::vector<std::string> environment = {}, int print_fd = -1);
+  /// `errors`: file of its standard error; empty: that of this process.
+  Process(std::vector<std::string> words, std::vector<std::string> environment = {}, int print_fd = -1,
+          const std::string& errors = {});
   ~Process();
   Process(Process&& other) noexcept { *this = std::move(other); }
   Process& operator=(Process&& other) noexcept;
@@ -47,6 +49,8 @@ class Display {
  public:
   Display(int width, int height);
   bool is_up() const { return !name_.empty(); }
+  /// The server goes away under its windows.
+  void kill_now() { server_.kill_now(); }
   const std::string& name() const { return name_; }
   void move(Point to) const;
   void click(Point at) const;
@@ -76,9 +80,9 @@ class Display {
 /// The window with its --ui-map and --live-export.
 class Window {
  public:
-  /// `draft`: empty to open none. `more`: NAME=value for the environment.
+  /// `draft`: empty to open none. `more`: NAME=value for the environment. `errors`: file of its standard error.
   Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
-         const std::vector<std::string>& more = {});
+         const std::vector<std::string>& more = {}, const std::string& errors = {});
   bool is_ready() const;
   /// The number of the frame that last changed the layout.
   int frame() const;

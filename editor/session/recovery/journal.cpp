@@ -108,12 +108,19 @@ bool Journal::busy() const {
   return working_ || !waiting_.empty() || flushing_ || !unflushed_.empty();
 }
 
+bool Journal::settled() const {
+  const bool flushed = !flushing_ && unflushed_.empty();
+  return !working_ && flushed && (waiting_.empty() || !problems_.empty());
+}
+
 void Journal::settle() {
   std::unique_lock lock(mutex_);
-  settled_.wait(lock, [this] {
-    const bool flushed = !flushing_ && unflushed_.empty();
-    return !working_ && flushed && (waiting_.empty() || !problems_.empty());
-  });
+  settled_.wait(lock, [this] { return settled(); });
+}
+
+void Journal::settle_for(std::chrono::milliseconds longest) {
+  std::unique_lock lock(mutex_);
+  settled_.wait_for(lock, longest, [this] { return settled(); });
 }
 
 void Journal::flush() {

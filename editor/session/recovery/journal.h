@@ -44,6 +44,8 @@ class Journal {
   bool busy() const;
   /// Waits until everything is on disk or has failed.
   void settle();
+  /// The same for at most this time.
+  void settle_for(std::chrono::milliseconds longest);
 
  private:
   struct State {
@@ -67,6 +69,7 @@ class Journal {
   void try_again(std::map<uint64_t, Task>::node_type task, std::string problem);
   std::string perform(uint64_t document, const Task& task);
   std::string write(uint64_t document, const State& state);
+  bool settled() const;
 
   Recovery& recovery_;
   uint64_t documents_ = 0;

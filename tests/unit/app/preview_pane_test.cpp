@@ -2,11 +2,16 @@
 
 #include "app/preview_pane.h"
 
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -41,6 +46,83 @@ TEST(PreviewPaneTest, AnExceptionIsShownAndTheThreadContinues) {
   EXPECT_TRUE(says("the line broke"));
   EXPECT_TRUE(comes_true([&] { return pane.poll() && pane.picture().problem == "Weaving the cloth\xE2\x80\xA6"; }))
       << pane.picture().problem;
+}
+
+/// What the driver says of a context: those in `lost` were dropped.
+struct Driver {
+  static inline std::mutex mutex;
+  static inline std::set<EGLContext> seen, lost;
+  static inline bool drops_all = false;
+
+  static GLenum status() {
+    const std::lock_guard lock(mutex);
+    const EGLContext here = eglGetCurrentContext();
+    seen.insert(here);
+    if (drops_all) lost.insert(here);
+    return lost.contains(here) ? GL_GUILTY_CONTEXT_RESET : GL_NO_ERROR;
+  }
+  static size_t contexts() {
+    const std::lock_guard lock(mutex);
+    return seen.size();
+  }
+};
+
+class LostContext : public ::testing::Test {
+ protected:
+  LostContext() { epoxy_glGetGraphicsResetStatus = Driver::status; }
+  ~LostContext() override { epoxy_glGetGraphicsResetStatus = before_; }
+  /// A pane that has drawn in a context.
+  void begin(PreviewPane& pane) {
+    pane.submit(std::make_shared<const Design>(straight_draft(8)));
+    ASSERT_TRUE(comes_true([&] { return pane.poll() || Driver::contexts() > 0; }));
+    if (pane.picture().problem.find("cannot be shown") != std::string::npos)
+      GTEST_SKIP() << "no graphics: " << pane.picture().problem;
+  }
+  decltype(epoxy_glGetGraphicsResetStatus) before_ = epoxy_glGetGraphicsResetStatus;
+};
+
+TEST_F(LostContext, IsMadeAnew) {
+  Driver::seen.clear(), Driver::lost.clear(), Driver::drops_all = false;
+  PreviewPane pane([] {});
+  begin(pane);
+  if (IsSkipped()) return;
+  // Every request looks at the context, so one that is dropped now is noticed.
+  PictureRequest request;
+  const auto asks_until = [&](size_t contexts) {
+    return comes_true([&] {
+      request.budget_ms += 1;
+      pane.ask(request, false);
+      return Driver::contexts() >= contexts;
+    });
+  };
+  ASSERT_TRUE(asks_until(1));
+  {
+    const std::lock_guard lock(Driver::mutex);
+    Driver::lost = Driver::seen;
+    Driver::seen.clear();
+  }
+  EXPECT_TRUE(comes_true([&] {
+    request.budget_ms += 1;
+    pane.ask(request, false);
+    const std::lock_guard lock(Driver::mutex);
+    return std::ranges::any_of(Driver::seen, [](EGLContext one) { return !Driver::lost.contains(one); });
+  })) << "no other context was made";
+  EXPECT_TRUE(comes_true([&] { return pane.poll() && pane.picture().problem == "Weaving the cloth\xE2\x80\xA6"; }))
+      << pane.picture().problem;
+}
+
+TEST_F(LostContext, WithoutEndTheWindowGoesOnAndSaysSo) {
+  Driver::seen.clear(), Driver::lost.clear(), Driver::drops_all = true;
+  PreviewPane pane([] {});
+  begin(pane);
+  if (IsSkipped()) return;
+  PictureRequest request;
+  EXPECT_TRUE(comes_true([&] {
+    request.budget_ms += 1;
+    pane.ask(request, false);
+    pane.poll();
+    return pane.picture().problem.find("reset again and again") != std::string::npos;
+  })) << pane.picture().problem;
 }
 
 }  // namespace

@@ -26,7 +26,13 @@ base::Result<void> write_image(const std::string& path, const Image& image, Pixe
 /// Writes a tiled EXR with a mip chain; each level has half the size of the one before. `type`: kHalf or kFloat.
 base::Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
                                        const std::vector<std::string>& channels = {});
-/// `level`: of a mip chain; 0 for other images.
+struct ImageSize {
+  int width = 0, height = 0;  // pixels
+};
+/// Of the file's header; no pixel is read.
+base::Result<ImageSize> read_image_size(const std::string& path);
+/// `level`: of a mip chain; 0 for other images. An image that is too large, or larger than a file of this length can
+/// hold, is an error before memory is taken for it.
 base::Result<Image> read_image(const std::string& path, int level = 0);
 
 /// Reads the default scene of a .glb or .gltf: primitives are joined, node transforms applied, metres become

@@ -189,6 +189,19 @@ class DiskFile : public OIIO::Filesystem::IOProxy {
   bool whole_;
 };
 
+/// Bytes of the shortest file with such an image. Memory is taken for what the header says; a short file cannot mean
+/// it.
+uint64_t shortest_file(const std::string& format, const OIIO::ImageSpec& spec) {
+  // A byte of deflate holds at most 1032, one of PackBits 64. Others have no such limit.
+  const std::string packing = format == "png" ? "zip" : spec.get_string_attribute("compression");
+  const uint64_t ratio = packing == "none" ? 1 : packing == "packbits" ? 64 : packing == "zip" ? 1032 : 0;
+  if (ratio == 0 || (format != "png" && format != "tiff")) return 0;
+  const int bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(spec.format.size() * 8));
+  // Of a palette a pixel is one sample, whatever the colours have.
+  const uint64_t samples = static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height);
+  return samples * static_cast<uint64_t>(std::clamp(bits, 1, 64)) / 8 / ratio;
+}
+
 Result<Image> read_from(const std::string& path, int level) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -199,10 +212,16 @@ Result<Image> read_from(const std::string& path, int level) {
                    fill(tr("{file}: has no mip level {level}"), arg("file", path), arg("level", level)));
   const OIIO::ImageSpec& spec = in->spec();
   const int64_t values = int64_t{spec.width} * spec.height * spec.nchannels;
+  const auto with_size = [&](const char* text) {
+    return failure(ErrorKind::kInput,
+                   fill(text, arg("width", spec.width), arg("height", spec.height), arg("channels", spec.nchannels)),
+                   path);
+  };
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
-      spec.nchannels > kMaxChannels || values > kMaxValues || spec.depth > 1) {
-    return failure(ErrorKind::kInput, tr("an image of this size is not read; scale it down"), path);
-  }
+      spec.nchannels > kMaxChannels || values > kMaxValues || spec.depth > 1)
+    return with_size(tr("an image of {width} x {height} x {channels} channels is not read; scale it down"));
+  if (std::error_code ec; std::filesystem::file_size(path, ec) < shortest_file(in->format_name(), spec))
+    return with_size(tr("the file is too short for {width} x {height} pixels; copy or export it again"));
   Image image{spec.width, spec.height, spec.nchannels, std::vector<float>(static_cast<size_t>(values))};
   if (!in->read_image(0, level, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.texels.data())) {
     return failure(ErrorKind::kInput, in->geterror(), path);
@@ -317,6 +336,18 @@ Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Imag
   }
   return written(write_through(
       path, [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); }));
+}
+
+Result<ImageSize> read_image_size(const std::string& path) {
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(path, ec)) return failure(ErrorKind::kInput, tr("no such file"), path);
+  try {
+    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
+    if (!in) return failure(ErrorKind::kInput, OIIO::geterror());  // which names the file
+    return ImageSize{in->spec().width, in->spec().height};
+  } catch (...) {
+    return base::thrown(ErrorKind::kInput, path);
+  }
 }
 
 Result<Image> read_image(const std::string& path, int level) {

@@ -29,6 +29,7 @@ using nlohmann::json;
 constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 constexpr size_t kMaxVertices = 8'000'000, kMaxIndices = 48'000'000;
 constexpr int kMaxJsonDepth = 64;
+constexpr size_t kMaxJsonValues = 2'000'000;  // about 100 bytes of memory each
 constexpr size_t kMaxNodes = 100'000;
 constexpr float kMmPerMetre = 1000.0f;
 // Beyond a kilometre of cloth and ten kilometres of texture coordinates a float cannot resolve threads, and sums of
@@ -143,14 +144,37 @@ Chunks split(const std::string& bytes) {
   return chunks;
 }
 
+/// Before a value of the JSON takes memory: how deep it is nested, and how many values there are. nlohmann's own
+/// callback for this takes a time that grows with the square of a list of objects.
+void check_nesting(std::string_view text) {
+  int depth = 0;
+  size_t values = 1;
+  bool in_text = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_text) {
+      if (c == '\\') ++i;
+      else in_text = c != '"';
+    } else if (c == '"') {
+      in_text = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxJsonDepth)
+        refuse(fill(tr("its JSON is nested deeper than {most}"), arg("most", kMaxJsonDepth)));
+      ++values;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    } else if (c == ',') {
+      ++values;
+    }
+  }
+  if (values > kMaxJsonValues)
+    refuse(fill(tr("its JSON has {count} values; at most {most} are read; export a lighter mesh as .glb"),
+                arg("count", values), arg("most", kMaxJsonValues)));
+}
+
 json parse(std::string_view text) {
-  json root = json::parse(
-      text.begin(), text.end(),
-      [](int depth, json::parse_event_t, json&) {
-        if (depth > kMaxJsonDepth) refuse(tr("its JSON is nested too deeply"));
-        return true;
-      },
-      false);
+  check_nesting(text);
+  json root = json::parse(text.begin(), text.end(), nullptr, false);
   if (root.is_discarded()) refuse(tr("this is not glTF (its JSON does not parse); export it again as .glb"));
   if (!root.is_object()) refuse(tr("this is not glTF: its JSON is no object"));
   return root;
@@ -179,8 +203,10 @@ Needed reduced(const json& root) {
   for (const char* kind : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes"}) {
     const auto found = root.find(kind);
     if (found == root.end()) continue;
-    if (!found->is_array() || found->size() > kMaxNodes)
-      refuse(fill(tr("its {list} are not a list, or too many"), arg("list", kind)));
+    if (!found->is_array()) refuse(fill(tr("its {list} are not a list"), arg("list", kind)));
+    if (found->size() > kMaxNodes)
+      refuse(fill(tr("it has {count} {list}; at most {most} are read; export a lighter mesh"),
+                  arg("count", found->size()), arg("list", kind), arg("most", kMaxNodes)));
     json list = *found;
     for (json& item : list) {
       if (!item.is_object()) refuse(fill(tr("an entry of its {list} is not an object"), arg("list", kind)));
@@ -274,7 +300,8 @@ Elements elements(const tinygltf::Model& model, int index, int type, size_t most
   if (accessor.sparse.isSparse)
     refuse(tr("sparse accessors are not read; export without morph targets or sparse data"));
   if (accessor.count < 1 || accessor.count > most)
-    refuse(tr("it has too many vertices or none; export a lighter mesh"));
+    refuse(fill(tr("an accessor has {count} elements; 1 to {most} are read; export a lighter mesh"),
+                arg("count", accessor.count), arg("most", most)));
   const tinygltf::BufferView& view = item(model.bufferViews, accessor.bufferView, "buffer view");
   const tinygltf::Buffer& buffer = item(model.buffers, view.buffer, "buffer");
   const int component = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType));

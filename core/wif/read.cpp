@@ -361,8 +361,7 @@ void check_contents(const WifText& text, Diagnostics& diagnostics);
 void read_threads(const WifText& text, Diagnostics& diagnostics, WifDialect& dialect, Draft& draft, WifFile* info);
 
 std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnostics, WifFile* info) {
-  constexpr size_t kMaxBytes = size_t{1} << 28;
-  if (bytes.size() > kMaxBytes) {
+  if (bytes.size() > kMaxDraftBytes) {
     diagnostics.add(Severity::kError, -1, {}, tr("the file is larger than 256 MB"), tr("choose a WIF file"));
     return std::nullopt;
   }

@@ -13,6 +13,9 @@
 
 namespace weftlight::wif {
 
+/// Limit of a draft's file.
+inline constexpr uint64_t kMaxDraftBytes = uint64_t{1} << 28;
+
 enum class Severity { kNote, kWarning, kError };
 
 struct Diagnostic {

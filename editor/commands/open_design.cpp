@@ -61,7 +61,7 @@ int finish(const base::Result<void>& result) { return result ? kDone : fail(resu
 
 OpenedDesign open_design(const std::string& path, bool print_warnings, const files::PictureDraft& picture) {
   OpenedDesign result;
-  const FileBytes file = read_file(path);
+  const FileBytes file = read_file(path, is_picture(path) ? base::kMaxFileBytes : kMaxDraftBytes);
   if (!file.error.empty()) {
     fail({ErrorKind::kInput, fill(tr("{problem}; give the path of a draft"), arg("problem", file.error)), path});
     return result;

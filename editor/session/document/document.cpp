@@ -106,10 +106,11 @@ std::string name_of(const DocumentNote& note) { return note.name == kUntitled ? 
 OpenResult open_document(const std::string& path) {
   // Read before the bytes, so that a write in between is noticed.
   FileIdentity identity = facts_of(path);
-  FileBytes file = read_file(path);
+  const bool picture = files::is_picture(path);
+  FileBytes file = read_file(path, picture ? base::kMaxFileBytes : kMaxDraftBytes);
   if (!file.error.empty())
     return {{}, {{Severity::kError, 0, file.error, tr("Check the path, and that the file may be read.")}}};
-  WifRead read = files::is_picture(path) ? files::read_picture_draft(path) : read_draft(file.bytes);
+  WifRead read = picture ? files::read_picture_draft(path) : read_draft(file.bytes);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   identity.hash = content_hash(file.bytes);
   if (read.file->format == "wif")

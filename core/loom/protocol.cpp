@@ -7,8 +7,16 @@
 namespace weftlight::loom {
 namespace {
 
+/// A message as it may be shown: what is no printable ASCII becomes '?'.
+std::string shown(std::string_view line) {
+  std::string text(line);
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
+  return text;
+}
+
 LoomReport report_of(std::string_view line) {
-  LoomReport report{LoomReport::kUnknown, 0, false, std::string(line)};
+  LoomReport report{LoomReport::kUnknown, 0, false, shown(line)};
   if (line == "p") return {LoomReport::kPickWanted};
   if (line == "u0" || line == "u1") return {LoomReport::kDirection, 0, line == "u0"};
   if (line == "m0" || line == "m1") return {LoomReport::kMotion, 0, line == "m1"};
@@ -50,7 +58,10 @@ std::vector<LoomReport> LoomReader::parse(std::string_view bytes) {
   for (const char c : bytes) {
     if (c == '\r') continue;
     if (c != '\n') {
-      too_long_ = too_long_ || line_.size() >= kMaxLineBytes;
+      if (!too_long_ && line_.size() >= kMaxLineBytes) {
+        too_long_ = true;
+        reports.push_back({LoomReport::kUnknown, 0, false, shown(line_)});
+      }
       if (!too_long_) line_ += c;
       continue;
     }

@@ -28,10 +28,11 @@ struct LoomReport {
   enum Kind { kPickWanted, kShaftsRaised, kDirection, kMotion, kUnknown } kind = kUnknown;
   uint32_t shafts = 0;    // kShaftsRaised
   bool on = false;        // kDirection: weaving; kMotion: moving
-  std::string text = {};  // kUnknown: the message
+  std::string text = {};  // kUnknown: the message, in printable ASCII
 };
 
-/// Splits the received bytes into reports at line ends. A line longer than kMaxLineBytes is dropped.
+/// Splits the received bytes into reports at line ends. Of a line longer than kMaxLineBytes the start is reported at
+/// once, as unknown, and the rest dropped.
 class LoomReader {
  public:
   static constexpr size_t kMaxLineBytes = 64;

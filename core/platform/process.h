@@ -24,7 +24,7 @@ class Process {
   bool running() const { return id_ != 0; }
   /// After its end: whether it reported success.
   bool succeeded() const { return succeeded_; }
-  /// Its standard output so far.
+  /// Its standard output so far, at most a megabyte.
   const std::string& output() const { return output_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -28,13 +29,19 @@ pid_t spawn(std::vector<std::string> words, const posix_spawn_file_actions_t* ac
   return posix_spawnp(&child, argv[0], actions, nullptr, argv.data(), environ) == 0 ? child : 0;
 }
 
-/// Reads what is there; true at the end of the output.
+constexpr size_t kMaxOutput = size_t{1} << 20;  // what is printed beyond it is dropped
+
+/// Reads what is there, but not for ever; true at the end of the output.
 bool read_all(int from, std::string& text) {
   char buffer[4096];
   ssize_t n = 0;
-  while ((n = ::read(from, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR))
-    if (n > 0) text.append(buffer, static_cast<size_t>(n));
-  return n == 0 || errno != EAGAIN;
+  size_t all = 0;
+  while (all < kMaxOutput && ((n = ::read(from, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR))) {
+    if (n <= 0) continue;
+    all += static_cast<size_t>(n);
+    text.append(buffer, std::min(static_cast<size_t>(n), kMaxOutput - std::min(text.size(), kMaxOutput)));
+  }
+  return n == 0 || (n < 0 && errno != EAGAIN);
 }
 
 }  // namespace
@@ -82,7 +89,12 @@ void Process::look() {
   if (reading_ >= 0 && read_all(static_cast<int>(reading_), output_))
     ::close(static_cast<int>(std::exchange(reading_, -1)));
   int status = 0;
-  if (reading_ >= 0 || ::waitpid(static_cast<pid_t>(id_), &status, WNOHANG) == 0) return;
+  if (::waitpid(static_cast<pid_t>(id_), &status, WNOHANG) == 0) return;
+  // What it printed itself is there by now. A program that it started may hold the output open for as long as it likes.
+  if (reading_ >= 0) {
+    read_all(static_cast<int>(reading_), output_);
+    ::close(static_cast<int>(std::exchange(reading_, -1)));
+  }
   id_ = 0;
   succeeded_ = status == 0;
 }

@@ -42,8 +42,12 @@ TEST(Protocol, ReportsInPiecesAndUnknownMessages) {
   EXPECT_TRUE(reports[3].on);
   EXPECT_EQ(reports[4].kind, LoomReport::kUnknown);
   EXPECT_EQ(reports[4].text, "hello");
-  EXPECT_TRUE(reader.parse(std::string(5000, 'x')).empty());
-  EXPECT_TRUE(reader.parse("\n").empty()) << "a line that is too long is dropped";
+  reports = reader.parse(std::string(5000, 'x'));
+  ASSERT_EQ(reports.size(), 1u) << "a line without end is told while it comes, once";
+  EXPECT_EQ(reports[0].kind, LoomReport::kUnknown);
+  EXPECT_EQ(reports[0].text, std::string(LoomReader::kMaxLineBytes, 'x'));
+  EXPECT_TRUE(reader.parse("\n").empty());
+  EXPECT_EQ(reader.parse("\x1b[2J\xff\n").at(0).text, "?[2J?") << "it is shown as text";
   EXPECT_EQ(reader.parse("p\n").size(), 1u);
 }
 

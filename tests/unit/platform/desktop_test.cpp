@@ -88,6 +88,22 @@ TEST_F(FileDialogTest, WhatIsChosenComesAndWhatIsLeftDoesNot) {
   EXPECT_EQ(chosen.size(), 1u);
 }
 
+TEST_F(FileDialogTest, OneThatIsKilledAsksNoMore) {
+  FileDialog dialog;
+  // With a helper of its own that lives on and has its output open.
+  const std::string helper = scratch_ / "helper";
+  asks("sleep 100 & echo $! >'" + helper + "'\necho /drafts/half\nkill -9 $$\n");
+  dialog.ask({FileAsk::kOpen, "Open", "", {}}, [](const std::string&) { ADD_FAILURE() << "nobody chose"; });
+  ASSERT_TRUE(answered(dialog)) << "the window would ask for no other file";
+  pid_t left = 0;
+  if (std::ifstream(helper) >> left) ::kill(left, SIGKILL);
+  std::vector<std::string> chosen;
+  asks("echo /drafts/next.wif\n");
+  dialog.ask({FileAsk::kOpen, "Open", "", {}}, [&](const std::string& path) { chosen.push_back(path); });
+  ASSERT_TRUE(answered(dialog));
+  EXPECT_EQ(chosen, std::vector<std::string>{"/drafts/next.wif"});
+}
+
 TEST_F(FileDialogTest, WhoQuitsWhileItAsksDoesNotWait) {
   const std::string number = scratch_ / "number";
   asks("echo $$ >'" + number + "'\nexec sleep 30\n");

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <signal.h>
+
+#include <string>
 
 namespace weftlight::platform {
 namespace {
@@ -30,6 +33,21 @@ TEST(ProcessTest, a_failure_is_told_from_success) {
   moved = std::move(failing);
   wait_for_end(moved);
   EXPECT_FALSE(moved.running() || moved.succeeded());
+}
+
+TEST(ProcessTest, what_it_started_is_not_waited_for) {
+  Process program({"sh", "-c", "sleep 100 & echo $!; kill -9 $$"});
+  wait_for_end(program);
+  EXPECT_FALSE(program.running() || program.succeeded());
+  ASSERT_NE(program.output(), "");
+  ::kill(std::stoi(program.output()), SIGKILL);  // which still has the output open
+}
+
+TEST(ProcessTest, one_that_prints_without_end_is_not_hoarded) {
+  Process program({"sh", "-c", "exec cat /dev/zero"});
+  for (int i = 0; i < 20; ++i) program.look();
+  EXPECT_TRUE(program.running());
+  EXPECT_LE(program.output().size(), size_t{1} << 20);
 }
 
 TEST(ProcessTest, a_program_that_is_not_there_does_not_start) {

@@ -192,6 +192,62 @@ TEST(LoomLink, EndsWhileTheNameOfALoomIsLookedUp) {
   names.answer({});
 }
 
+TEST(LoomLink, WhatIsNoMessageMovesNoPickAndIsTold) {
+  const LoomPort port;
+  Weaver w;
+  w.link.connect(port.address());
+  const int loom = port.accepted();
+  const auto says = [&](const std::string& bytes) {
+    ASSERT_EQ(::write(loom, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+  };
+  const auto tells = [&](const std::string& words) {
+    return comes_true([&] {
+      w.poll();
+      return w.at.remark.find(words) != std::string::npos;
+    });
+  };
+  says("p\n");
+  ASSERT_TRUE(comes_true([&] {
+    w.poll();
+    return w.at.place.waiting;
+  }));
+  const loom::WeavingState before = w.at.place;
+  says(std::string("\x01\xff\xfe\0p!", 6) + "\n");
+  EXPECT_TRUE(tells("????p!")) << w.at.remark;
+  // A line without end, longer than all that lies between the two.
+  std::thread endless([loom] {
+    const std::string part(65536, 'p');
+    for (int i = 0; i < 256; ++i)
+      if (::write(loom, part.data(), part.size()) <= 0) return;
+  });
+  EXPECT_TRUE(tells(std::string(loom::LoomReader::kMaxLineBytes, 'p'))) << w.at.remark;
+  endless.join();
+  EXPECT_EQ(w.at.place, before) << "no pick was asked for";
+  // A message that comes byte by byte is still one.
+  says("\n");
+  for (const char* byte : {"p", "\r", "\n"}) {
+    says(byte);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    w.poll();
+  }
+  EXPECT_TRUE(comes_true([&] {
+    w.poll();
+    return w.at.place.woven == before.woven + 1;
+  }));
+  ::close(loom);
+}
+
+TEST(LoomLink, OneThatHangsUpAtOnceIsCalledAgainAndTold) {
+  const LoomPort port;
+  Weaver w;
+  w.link.connect(port.address());
+  for (int i = 0; i < 2; ++i) {
+    ::close(port.accepted());
+    ASSERT_TRUE(comes_true([&] { return !w.link.why().empty(); })) << "nobody says why";
+    EXPECT_EQ(w.at.place, loom::WeavingState{});
+  }
+}
+
 TEST(LoomLink, AFloodFromTheLoomIsNotHoarded) {
   const LoomPort port;
   LoomLink link([] {});

@@ -131,6 +131,16 @@ void TaskRunner::deliver(const Entry& entry, std::function<void()> result) {
   if (wake_) wake_();
 }
 
+/// Who asked waits for an answer, so a lack of memory only delays it.
+void TaskRunner::tell_failure(const Task& task, const std::string& why, const RunningTask& running) {
+  constexpr int kTries = 500;
+  constexpr std::chrono::milliseconds kPause{10};
+  for (int i = 0; i < kTries && !running.stopped(); ++i) {
+    if (caught([&] { task.failed(why, running); }).empty()) return;
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
 /// What the task holds goes before anyone is told that it is done.
 void TaskRunner::run(Entry& entry) noexcept {
   try {
@@ -144,7 +154,7 @@ void TaskRunner::run(Entry& entry) noexcept {
     } catch (...) {
       const std::string why = words_of_thrown();
       task.work = nullptr;  // perhaps there is memory then to say so
-      if (task.failed && !running.stopped()) task.failed(why, running);
+      if (task.failed) tell_failure(task, why, running);
     }
   } catch (...) {  // nobody is left to be told
   }

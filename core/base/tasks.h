@@ -113,6 +113,7 @@ class TaskRunner {
   bool idle() const { return waiting_.empty() && running_ == nullptr; }
   void work();
   void run(Entry& entry) noexcept;
+  static void tell_failure(const Task& task, const std::string& why, const RunningTask& running);
   void report(Entry& entry, float share, const std::string& sentence);
   void deliver(const Entry& entry, std::function<void()> result);
 

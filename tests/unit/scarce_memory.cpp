@@ -12,12 +12,20 @@ std::atomic<size_t> g_most{SIZE_MAX};
 std::atomic<std::thread::id> g_spared;
 // Of one thread: what others do meanwhile would make n another call at every run.
 thread_local int t_left = 0;
+// Of all threads but one.
+std::atomic<int> g_left_elsewhere{0};
+
+bool fails_here() {
+  if (t_left > 0 && --t_left == 0) return true;
+  if (g_left_elsewhere <= 0 || g_spared.load() == std::this_thread::get_id()) return false;
+  return --g_left_elsewhere == 0;
+}
 
 }  // namespace
 
 // Of the whole program; in a file of their own, where the compiler sees both as one pair.
 void* operator new(size_t bytes) {
-  if (t_left > 0 && --t_left == 0) throw std::bad_alloc();
+  if (fails_here()) throw std::bad_alloc();
   if (bytes > g_most && g_spared.load() != std::this_thread::get_id()) throw std::bad_alloc();
   void* there = std::malloc(bytes > 0 ? bytes : 1);
   if (there == nullptr) throw std::bad_alloc();
@@ -37,5 +45,12 @@ Scarce::~Scarce() { g_most = SIZE_MAX; }
 NthFails::NthFails(int n) { t_left = n; }
 NthFails::~NthFails() { t_left = 0; }
 bool NthFails::failed() { return t_left == 0; }
+
+NthFailsElsewhere::NthFailsElsewhere(int n) {
+  g_spared = std::this_thread::get_id();
+  g_left_elsewhere = n;
+}
+NthFailsElsewhere::~NthFailsElsewhere() { g_left_elsewhere = 0; }
+bool NthFailsElsewhere::failed() { return g_left_elsewhere <= 0; }
 
 }  // namespace weftlight

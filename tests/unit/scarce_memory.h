@@ -25,4 +25,15 @@ class NthFails {
   static bool failed();
 };
 
+/// While it stands, the nth call of operator new by any other thread from here on fails; n counts from 1.
+class NthFailsElsewhere {
+ public:
+  explicit NthFailsElsewhere(int n);
+  ~NthFailsElsewhere();
+  NthFailsElsewhere(const NthFailsElsewhere&) = delete;
+  NthFailsElsewhere& operator=(const NthFailsElsewhere&) = delete;
+  /// Whether so many pieces were asked for.
+  static bool failed();
+};
+
 }  // namespace weftlight

@@ -81,14 +81,14 @@ void LoomLink::work() {
   for (;;) {
     changed_.wait(lock, [this] { return leaving_ || !address_.empty(); });
     if (leaving_) return;
-    const std::string address = address_;
     const std::stop_token stop = wanted_.get_token();
+    std::string address, why;
+    std::string thrown = caught([&] { address = address_; });
     lock.unlock();
-    std::string why;
-    const std::string thrown = caught([&] { why = connect_once(address, stop); });
+    if (thrown.empty()) thrown = caught([&] { why = connect_once(address, stop); });
     lock.lock();
     if (stop.stop_requested()) continue;
-    why_ = thrown.empty() ? why : thrown;
+    why_ = std::move(thrown.empty() ? why : thrown);
     state_ = State::kConnecting;
     lock.unlock();
     wake_();

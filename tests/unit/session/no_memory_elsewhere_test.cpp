@@ -1,0 +1,207 @@
+// Wherever memory ends on a thread beside the window's, its job alone fails and says so; the next succeeds, and no
+// stroke is lost. The nth call of operator new on any of them fails, oneTBB's included.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <thread>
+
+#include "../scarce_memory.h"
+#include "../scratch_fixture.h"
+#include "base/caught.h"
+#include "base/loops.h"
+#include "base/tasks.h"
+#include "cloth/cloth.h"
+#include "cloth/maps.h"
+#include "draft/drawdown.h"
+#include "paths.h"
+#include "session/jobs/draft_thumbnails.h"
+#include "session/jobs/draper.h"
+#include "session/jobs/export_plan.h"
+#include "session/jobs/export_preview.h"
+#include "session/jobs/exporter.h"
+#include "session/jobs/reference_tracer.h"
+#include "session/loom/loom_link.h"
+#include "session/recovery/journal.h"
+#include "session/recovery/recovery.h"
+#include "session/report.h"
+#include "weaves/weaves.h"
+
+namespace weftlight::session {
+namespace {
+
+constexpr int kMost = 500;  // calls of operator new
+
+bool comes_true(const std::function<bool()>& holds) {
+  for (int i = 0; i < 30'000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+    if (holds()) return true;
+  return false;
+}
+
+/// Numbers from 1 to kMost, denser at the start, where a job is set up.
+std::vector<int> numbers() {
+  std::vector<int> all;
+  for (int n = 1; n <= kMost; n += 1 + n / 8) all.push_back(n);
+  return all;
+}
+
+class NoMemoryElsewhere : public ScratchTest {
+ protected:
+  const std::shared_ptr<const design::Design> design_ =
+      std::make_shared<const design::Design>(weaves::twill({2, 2}, weaves::Lean::kRight, {8, 8}));
+};
+
+TEST_F(NoMemoryElsewhere, ATaskIsAnsweredInAnyCase) {
+  for (const int n : numbers()) {
+    int answers = 0;
+    base::TaskRunner runner;
+    {
+      const NthFailsElsewhere fails(n);
+      base::Task task =
+          base::task_with_result([](const base::RunningTask&) { return std::string(100, 'x'); },
+                                 [&](const std::string&) { ++answers; }, [&](const std::string&) { ++answers; });
+      task.finishes = true;
+      runner.start(std::move(task));
+      ASSERT_TRUE(comes_true([&] { return runner.take(); })) << n << ": nobody is told";
+    }
+    EXPECT_EQ(answers, 1) << n;
+  }
+}
+
+TEST_F(NoMemoryElsewhere, TwoTasksThatCannotSpeakAreAnsweredWhenMemoryIsBack) {
+  // The work fails and so does every answer, for a while.
+  std::optional<Scarce> scarce(std::in_place, 1);
+  base::TaskRunner runner;
+  int answers = 0;
+  for (const char* kind : {"a", "b"}) {
+    base::Task task = base::task_with_result([](const base::RunningTask&) { return std::string(100, 'x'); },
+                                             [&](const std::string&) { ADD_FAILURE() << "it had no memory"; },
+                                             [&](const std::string&) { ++answers; });
+    task.kind = kind;
+    runner.start(std::move(task));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(answers, 0);
+  scarce.reset();
+  EXPECT_TRUE(comes_true([&] { return runner.take(), answers == 2; }));
+}
+
+TEST_F(NoMemoryElsewhere, ALoopFailsWhereItWasCalled) {
+  const draft::BitMatrix cells = drawdown(design_->draft);
+  const auto baked = [&] {
+    return cloth::bake(cloth::lay_out(*design_, cells, draft::Face::kFront, cloth::Period::kRepeat), {64, 64, 8});
+  };
+  const cloth::Maps whole = baked();
+  for (const int n : numbers()) {
+    std::optional<cloth::Maps> maps;
+    std::string thrown;
+    {
+      const NthFailsElsewhere fails(n);
+      thrown = base::caught([&] { maps = baked(); });
+    }
+    EXPECT_EQ(maps.has_value(), thrown.empty());
+    if (maps) {
+      EXPECT_EQ(maps->height_mm.at_, whole.height_mm.at_) << n;
+    }
+  }
+}
+
+TEST_F(NoMemoryElsewhere, TheJournalHasEveryStroke) {
+  Recovery recovery(path("recovery"));
+  Journal journal(recovery);
+  std::map<uint64_t, std::string> newest;
+  // A lost entry is tried again after a second, so many documents fail side by side.
+  for (const int n : numbers()) {
+    const NthFailsElsewhere fails(n);
+    for (int i = 0; i < 4; ++i) {
+      const uint64_t document = journal.new_document();
+      const std::string text = std::string(1000, 'a') + std::to_string(document);
+      journal.keep(document, {path("a.wif"), "a draft with a long name", {}}, [text] { return text; });
+      newest[document] = text;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  }
+  ASSERT_TRUE(comes_true([&] { return !journal.busy() && journal.problem().empty(); })) << journal.problem();
+  for (const auto& [document, text] : newest) {
+    const auto entry = read_left({recovery.journal_path(document), {}, 0});
+    ASSERT_TRUE(entry) << document;
+    EXPECT_EQ(entry->text, text);
+  }
+}
+
+TEST_F(NoMemoryElsewhere, AnAnalysisSaysSo) {
+  const draft::BitMatrix cells = drawdown(design_->draft);
+  uint64_t revision = 0;
+  Reporter reporter;
+  for (const int n : numbers()) {
+    {
+      const NthFailsElsewhere fails(n);
+      reporter.on(design_, cells, ++revision, 5);
+      ASSERT_TRUE(comes_true([&] { return reporter.poll(); })) << n;
+    }
+    const bool there = reporter.on(design_, cells, revision, 5) != nullptr;
+    EXPECT_NE(there, !reporter.take_problem().empty()) << n;
+  }
+  reporter.on(design_, cells, ++revision, 5);
+  EXPECT_TRUE(comes_true([&] { return reporter.on(design_, cells, revision, 5) != nullptr; }));
+}
+
+TEST_F(NoMemoryElsewhere, AnExportPreviewSaysSo) {
+  ExportPreviewer previewer(design_, [] {});
+  TextureSetOptions options;
+  options.name = "x", options.size = 16;
+  std::optional<ExportPreview> made;
+  const auto comes = [&] { return comes_true([&] { return (made = previewer.take()).has_value(); }); };
+  for (const int n : numbers()) {
+    options.size = 16 + n % 2;  // another one than before
+    const NthFailsElsewhere fails(n);
+    previewer.ask(Face::kFront, options, {});
+    ASSERT_TRUE(comes()) << n;
+    EXPECT_NE(made->problem.empty(), made->images.empty()) << n;
+  }
+}
+
+TEST_F(NoMemoryElsewhere, AnExportLeavesNothingHalfDone) {
+  ExportPlan plan;
+  plan.targets = {&targets::kGodot}, plan.size = 16;
+  for (const int n : numbers()) {
+    plan.folder = path("out" + std::to_string(n));
+    Exporter exporter([] {});
+    {
+      const NthFailsElsewhere fails(n);
+      exporter.start(jobs_of(plan, *design_, "x.wif", "1"), design_);
+      ASSERT_TRUE(comes_true([&] { return !exporter.busy(); })) << n;
+    }
+    const bool written = exporter.state().written.size() == 1;
+    EXPECT_NE(written, !std::filesystem::exists(plan.folder) || std::filesystem::is_empty(plan.folder)) << n;
+    EXPECT_NE(exporter.take_message(), "") << n;
+  }
+}
+
+TEST_F(NoMemoryElsewhere, AThumbnailIsThereOrUnreadable) {
+  const std::string file = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/drafts/starter.wif";
+  for (const int n : numbers()) {
+    DraftThumbnails looks(path("cache"), [] {});
+    std::vector<std::pair<std::string, DraftThumbnail>> made;
+    {
+      const NthFailsElsewhere fails(n);
+      looks.ask(file);
+      ASSERT_TRUE(comes_true([&] { return !(made = looks.take()).empty(); })) << n;
+    }
+    EXPECT_NE(made[0].second.state, DraftThumbnail::State::kMissing) << n;
+  }
+}
+
+TEST_F(NoMemoryElsewhere, ALoomIsCalledAgain) {
+  for (int n = 1; n <= 24; n += 1) {
+    LoomLink link([] {});
+    const NthFailsElsewhere fails(n);
+    link.connect("tcp:127.0.0.1:1 a long address");
+    ASSERT_TRUE(comes_true([&] { return !link.why().empty(); })) << n;
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::session

@@ -105,4 +105,15 @@ std::error_code put_in_place(const std::string& made, const std::string& target)
   return rename_for_good(made, target);
 }
 
+std::error_code make_folders(const std::string& folder) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  const std::string above = fs::path(folder).parent_path().string();
+  if (above != folder)
+    if (const std::error_code failed = make_folders(above)) return failed;
+  fs::create_directory(folder, error);
+  if (!error) sync(folder_of(folder));
+  return error;
+}
+
 }  // namespace weftlight::platform

@@ -43,4 +43,8 @@ std::error_code why_not_replaced(const std::string& path);
 /// replaces a file, a folder an empty folder or none.
 std::error_code put_in_place(const std::string& made, const std::string& target);
 
+/// Makes a folder, and those above it that are missing. Each is on the disk under its name, where its folder can be
+/// synced: a file in it would be lost with it, even if synced itself.
+std::error_code make_folders(const std::string& folder);
+
 }  // namespace weftlight::platform

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -66,9 +65,9 @@ std::string LiveExport::write(std::string_view bytes) {
   // Recorded before the write, together with the present hash: whenever the process ends, one of the two is right.
   std::error_code ignored;
   fs::create_directories(fs::path(record_).parent_path(), ignored);
-  const std::string beside = record_ + ".new";
-  std::ofstream(beside) << std::hex << now << "\n" << (last_ != 0 ? last_ : identify(path_).hash) << "\n";
-  fs::rename(beside, record_, ignored);
+  std::ostringstream record;
+  record << std::hex << now << "\n" << (last_ != 0 ? last_ : identify(path_).hash) << "\n";
+  write_file_atomically(record_, record.str());
   std::string problem = write_file_atomically(path_, bytes);
   if (problem.empty()) last_ = now;
   return problem;

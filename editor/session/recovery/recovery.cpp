@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "platform/durable_file.h"
 #include "platform/file.h"
 #include "platform/unique_name.h"
 #include "wif/wif.h"
@@ -63,6 +64,14 @@ bool stands_saved(const JournalEntry& last) {
   return identify(last.note.path).hash == content_hash(last.text);
 }
 
+/// Drafts are nobody else's business, nor are their names.
+std::error_code keep_to_user(const fs::path& folder) {
+  std::error_code error;
+  fs::permissions(folder, fs::perms::owner_all, error);
+  // Where a file system has no such rights, the folder is as any other.
+  return error == std::errc::operation_not_permitted || error == std::errc::not_supported ? std::error_code() : error;
+}
+
 /// A folder with its lock appears at once, under its own name: one without would be taken for that of a crashed
 /// session. Nobody is waited for. The lock is not held if that failed.
 FileLock make_session(const fs::path& folder, std::error_code& error) {
@@ -72,11 +81,13 @@ FileLock make_session(const fs::path& folder, std::error_code& error) {
   FileLock lock;
   for (int i = 0; i < kMaxTries; ++i) {
     fs::create_directories(making, error);
+    if (!error) error = keep_to_user(making);
     if (error) return lock;
     lock = FileLock::take((making / kLock).string());
     if (lock.answer() == platform::LockAnswer::kNoLocks) break;
     if (!lock.held() || !lock.stands_at((making / kLock).string())) continue;
     fs::rename(making, folder, error);
+    if (!error) platform::sync(folder.parent_path().string());
     if (!error) return lock;
   }
   platform::remove_with_contents(making.string());
@@ -113,7 +124,8 @@ std::string Recovery::open() {
   const std::string path = (fs::path(folder_) / kLock).string();
   if (lock_.stands_at(path)) return {};
   std::error_code error;
-  fs::create_directories(root_, error);
+  error = platform::make_folders(root_);
+  if (!error) error = keep_to_user(root_);
   if (!error) lock_ = make_session(folder_, error);
   if (error) return folder_ + ": " + error.message();
   return lock_.held() ? std::string() : path + ": " + lock_.cause().message();

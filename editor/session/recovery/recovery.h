@@ -33,7 +33,8 @@ class Recovery {
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
-  /// Creates the folder of the session and its lock, again if they were removed. Returns the error, or empty.
+  /// Creates the folder of the session, which its user alone can read, and its lock, again if they were removed.
+  /// Returns the error, or empty.
   std::string open();
   std::string journal_path(uint64_t document) const;
 

@@ -3,6 +3,7 @@
 #include "session/recovery/recovery.h"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <thread>
@@ -101,6 +102,19 @@ TEST_F(RecoveryTest, ASessionInAnotherContainerIsLeftAloneWhateverTheClockSays) 
   }
   heir.kill();
   EXPECT_EQ(names(Recovery(root()).left_behind()), Names{"Untitled"});
+}
+
+TEST_F(RecoveryTest, ItsUserAloneCanReadIt) {
+  const mode_t before = ::umask(0);
+  Recovery recovery(root());
+  Journal journal(recovery);
+  journal.keep(1, {"", "a", {}}, [] { return "text"; });
+  journal.settle();
+  ::umask(before);
+  const fs::path file = recovery.journal_path(1);
+  for (const fs::path& folder : {fs::path(root()), file.parent_path()})
+    EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all) << folder;
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
 TEST_F(RecoveryTest, WaitsForNobodysLock) {

@@ -9,9 +9,10 @@
 
 #include "base/files.h"
 #include "design/design.h"
-#include "wif/names.h"
 
 namespace weftlight::wif {
+
+using design::Design;
 
 /// Limit of a draft's file.
 inline constexpr uint64_t kMaxDraftBytes = uint64_t{1} << 28;

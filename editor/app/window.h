@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/names.h"
 #include "base/result.h"
 #include "gl/context.h"
 #include "ui/redraw.h"
@@ -17,6 +16,8 @@ struct GLFWwindow;
 struct GLFWcursor;
 
 namespace weftlight::app {
+
+using ui::Style;
 
 class Window {
  public:

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/result.h"
-#include "gl/names.h"
 
 namespace weftlight::gl {
 

@@ -18,6 +18,9 @@
 #include "../straight_draft.h"
 
 namespace weftlight::app {
+
+using design::Design;
+
 namespace {
 
 template <class Holds>

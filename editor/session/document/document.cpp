@@ -13,7 +13,7 @@ namespace weftlight::session {
 
 using base::FileBytes, base::content_hash, base::mark, base::read_file, base::tr;
 using draft::drawdown, draft::update_drawdown;
-using wif::Severity, wif::WifRead, wif::read_draft, wif::write_new_wif, wif::write_wif;
+using wif::Severity, wif::WifRead, wif::kMaxDraftBytes, wif::read_draft, wif::write_new_wif, wif::write_wif;
 
 namespace {
 

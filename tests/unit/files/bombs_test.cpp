@@ -156,7 +156,7 @@ class Bombs : public ScratchTest {
     SCOPED_TRACE(name + ", " + std::to_string(bytes.size()) + " bytes");
     expect_refused(
         [&] {
-          const base::Result<Mesh> read = read_mesh(at);
+          const base::Result<drape::Mesh> read = read_mesh(at);
           return read ? "it was read" : message(read.error());
         },
         wanted);

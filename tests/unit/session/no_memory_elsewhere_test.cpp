@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <thread>
 
@@ -150,14 +152,14 @@ TEST_F(NoMemoryElsewhere, AnAnalysisSaysSo) {
 
 TEST_F(NoMemoryElsewhere, AnExportPreviewSaysSo) {
   ExportPreviewer previewer(design_, [] {});
-  TextureSetOptions options;
+  texture_set::TextureSetOptions options;
   options.name = "x", options.size = 16;
   std::optional<ExportPreview> made;
   const auto comes = [&] { return comes_true([&] { return (made = previewer.take()).has_value(); }); };
   for (const int n : numbers()) {
     options.size = 16 + n % 2;  // another one than before
     const NthFailsElsewhere fails(n);
-    previewer.ask(Face::kFront, options, {});
+    previewer.ask(draft::Face::kFront, options, {});
     ASSERT_TRUE(comes()) << n;
     EXPECT_NE(made->problem.empty(), made->images.empty()) << n;
   }
@@ -165,7 +167,7 @@ TEST_F(NoMemoryElsewhere, AnExportPreviewSaysSo) {
 
 TEST_F(NoMemoryElsewhere, AnExportLeavesNothingHalfDone) {
   ExportPlan plan;
-  plan.targets = {&targets::kGodot}, plan.size = 16;
+  plan.targets = {&texture_set::targets::kGodot}, plan.size = 16;
   for (const int n : numbers()) {
     plan.folder = path("out" + std::to_string(n));
     Exporter exporter([] {});

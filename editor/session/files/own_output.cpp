@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "platform/durable_file.h"
 #include "session/files/file_identity.h"
 #include "wif/wif.h"
 
@@ -62,8 +63,7 @@ std::string LiveExport::rejected_edit(const std::string& draft) const {
 std::string LiveExport::write(std::string_view bytes) {
   const uint64_t now = content_hash(bytes);
   // Recorded before the write, together with the present hash: whenever the process ends, one of the two is right.
-  std::error_code ignored;
-  fs::create_directories(fs::path(record_).parent_path(), ignored);
+  platform::make_folders(fs::path(record_).parent_path().string());  // an error is that of the record
   std::ostringstream record;
   record << std::hex << now << "\n" << (last_ != 0 ? last_ : identify(path_).hash) << "\n";
   write_file_atomically(record_, record.str());

@@ -30,11 +30,16 @@ std::vector<fs::path> sessions_in(const fs::path& root) {
   return found;
 }
 
+/// "NUMBER.journal", and not what is written to replace one.
+bool is_journal(const fs::path& name) {
+  return name.extension() == kJournal && name.stem().string().find_first_not_of("0123456789") == std::string::npos;
+}
+
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
   for (const std::string& name : platform::names_in(folder.string(), error))
-    if (const fs::path at = folder / name; at.extension() == kJournal) found.push_back(at);
+    if (is_journal(name)) found.push_back(folder / name);
   return found;
 }
 

@@ -90,13 +90,20 @@ void Disk::wrote(const std::string& path) {
 }
 
 void Disk::synced(const std::string& path) {
+  if (node_at(path) < 0) made(path, fs::is_directory(path));  // by a library, unseen
   const int node = node_at(path);
-  if (node < 0) return;
   if (!folders_[static_cast<size_t>(node)]) wrote(path);
   calls_.push_back({Call::Kind::kSync, node, 0, 0, {}, {}, {}, 0});
 }
 
-void Disk::about_to_rename(const std::string& from) {
+void Disk::about_to_go(const std::string& path) {
+  struct stat info {};
+  if (::lstat(path.c_str(), &info) == 0 && (info.st_nlink == 1 || S_ISDIR(info.st_mode)))
+    by_number_.erase({info.st_dev, info.st_ino});
+}
+
+void Disk::about_to_rename(const std::string& from, const std::string& to) {
+  about_to_go(to);
   if (node_at(from) < 0) made(from, fs::is_directory(from));
   if (!fs::is_directory(from)) wrote(from);
 }
@@ -226,6 +233,13 @@ std::string path_of(int file) {
   return g_recording->holds(path) ? path : "";
 }
 
+/// Notes that a file is about to go.
+void note_end(const char* path) {
+  if (g_recording == nullptr || !g_recording->holds(path)) return;
+  const std::lock_guard hold(g_recording->lock());
+  g_recording->about_to_go(path);
+}
+
 /// Runs a call on a path, and records it if it succeeded.
 int recorded(const char* path, const auto& call, const auto& record) {
   if (g_recording == nullptr || !g_recording->holds(path)) return call();
@@ -285,7 +299,7 @@ int rename(const char* from, const char* to) {
   static auto* const real = next<int(const char*, const char*)>("rename");
   if (weftlight::g_recording != nullptr && weftlight::g_recording->holds(from)) {
     const std::lock_guard hold(weftlight::g_recording->lock());
-    weftlight::g_recording->about_to_rename(from);
+    weftlight::g_recording->about_to_rename(from, to);
   }
   return recorded(
       from, [&] { return real(from, to); }, [&] { weftlight::g_recording->renamed(from, to); });
@@ -293,18 +307,21 @@ int rename(const char* from, const char* to) {
 
 int unlink(const char* path) {
   static auto* const real = next<int(const char*)>("unlink");
+  weftlight::note_end(path);
   return recorded(
       path, [&] { return real(path); }, [&] { weftlight::g_recording->removed(path); });
 }
 
 int remove(const char* path) {
   static auto* const real = next<int(const char*)>("remove");
+  weftlight::note_end(path);
   return recorded(
       path, [&] { return real(path); }, [&] { weftlight::g_recording->removed(path); });
 }
 
 int rmdir(const char* path) {
   static auto* const real = next<int(const char*)>("rmdir");
+  weftlight::note_end(path);
   return recorded(
       path, [&] { return real(path); }, [&] { weftlight::g_recording->removed(path); });
 }

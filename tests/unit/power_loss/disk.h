@@ -40,8 +40,10 @@ class Disk {
   void made(const std::string& path, bool folder);
   void wrote(const std::string& path);
   void synced(const std::string& path);
+  /// Before the call. Its number may be given to another file.
+  void about_to_go(const std::string& path);
   /// Before the call: a file that a library made unseen is noticed.
-  void about_to_rename(const std::string& from);
+  void about_to_rename(const std::string& from, const std::string& to);
   void renamed(const std::string& from, const std::string& to);
   void removed(const std::string& path);
 

@@ -12,6 +12,12 @@
 #include "drape/stiffness.h"
 
 namespace weftlight::files {
+
+using base::Result, base::cache_folder, base::cause_of, base::failure, base::fill, base::keep_newest, base::presets_dir,
+    base::tr;
+using drape::DrapeParameters, drape::Vec2, drape::drape_file, drape::drape_names, drape::drape_parameters,
+    drape::drape_stiffness_of, drape::simulate_drape;
+
 namespace {
 
 namespace fs = std::filesystem;

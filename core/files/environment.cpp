@@ -13,6 +13,9 @@
 #include "base/text.h"
 
 namespace weftlight::files {
+
+using base::Result, base::failed, base::failure, base::fill, base::tr, base::tr_n;
+
 namespace {
 
 using base::arg;

@@ -18,6 +18,10 @@
 #include "files/written.h"
 
 namespace weftlight::files {
+
+using base::Result, base::cause_of, base::failure, base::fill, base::tr, base::write_file_atomically,
+    base::write_through;
+
 namespace {
 
 using base::arg;

@@ -19,6 +19,10 @@
 #include "files/files.h"
 
 namespace weftlight::files {
+
+using base::FileBytes, base::fill, base::message, base::read_file, base::tr;
+using drape::Mesh, drape::Vec2, drape::Vec3, drape::compute_frames;
+
 namespace {
 
 using base::arg;

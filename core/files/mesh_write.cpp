@@ -23,6 +23,11 @@
 #include "files/written.h"
 
 namespace weftlight::files {
+
+using base::Result, base::cause_of, base::failure, base::fill, base::tr, base::write_file_atomically,
+    base::write_through;
+using drape::Mesh, drape::Vec2, drape::Vec3;
+
 namespace {
 
 using base::arg;

@@ -15,6 +15,9 @@
 #include "base/text.h"
 
 namespace weftlight::files {
+
+using base::Result, base::cause_of, base::failure, base::fill, base::tr;
+
 namespace {
 
 using base::arg;

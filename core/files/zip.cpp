@@ -17,6 +17,9 @@
 #include "files/written.h"
 
 namespace weftlight::files {
+
+using base::cause_of, base::fill, base::tr, base::write_through;
+
 namespace {
 
 using base::arg;

@@ -8,6 +8,10 @@
 #include "cloth/srgb_table.h"
 
 namespace weftlight::texture_set {
+
+using base::for_each_job, base::mark;
+using cloth::SrgbTable;
+
 namespace {
 
 using base::mark;

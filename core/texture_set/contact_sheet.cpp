@@ -8,6 +8,12 @@
 #include "base/text.h"
 
 namespace weftlight::texture_set {
+
+using base::for_each_job, base::tr;
+using cloth::Linear, cloth::Plane, cloth::srgb_from_linear;
+using draft::Rgb;
+using files::draw_text;
+
 namespace {
 
 using base::tr;

@@ -13,6 +13,9 @@
 #include "platform/unique_name.h"
 
 namespace weftlight::texture_set {
+
+using base::fill, base::tr, base::write_file_atomically;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,6 +9,10 @@
 #include "texture_set/material_files.h"
 
 namespace weftlight::texture_set {
+
+using base::tr;
+using files::PixelType, files::encode_png;
+
 namespace {
 
 using base::tr;

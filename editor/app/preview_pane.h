@@ -11,13 +11,16 @@
 #include <thread>
 #include <vector>
 
-#include "app/names.h"
 #include "app/picture_maker.h"
 #include "gl/context.h"
 #include "ui/pixel_texture.h"
 #include "views/cloth/preview_panel.h"
 
 namespace weftlight::app {
+
+using design::Design;
+using ui::PixelTexture;
+using views::PreviewPicture;
 
 class PreviewPane {
  public:

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/names.h"
 #include "base/result.h"
 #include "ui/redraw.h"
 #include "ui/style.h"
@@ -18,6 +17,8 @@ class WindowSystem;
 }
 
 namespace weftlight::app {
+
+using ui::Style;
 
 class Window {
  public:

@@ -17,6 +17,9 @@
 #include "commands/verbs.h"
 
 namespace weftlight::commands {
+
+using base::cause_of, base::fill, base::tr;
+
 namespace {
 
 using base::arg;

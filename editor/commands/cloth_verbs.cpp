@@ -17,6 +17,13 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::commands {
+
+using base::fill, base::mark, base::tr;
+using chart::ChartScene, chart::ChartSelection, chart::kChartFootprints, chart::kChartScenes, chart::kChartViews;
+using design::LightingPreset, design::MethodFacts, design::kLightingPresets, design::kMethods;
+using drape::drape_names;
+using texture_set::ExportTarget, texture_set::kTargets;
+
 namespace {
 
 using base::arg;

@@ -11,6 +11,14 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
+
+using base::fill, base::tr, base::tr_n, base::write_file_atomically;
+using design::Design, design::to_liftplan, design::to_treadling;
+using draft::Factored, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown, draft::kMaxShafts,
+    draft::within_loom;
+using files::is_picture;
+using wif::PlainShedControl, wif::WifFile, wif::write_plain_wif, wif::write_wif;
+
 namespace {
 
 using base::arg;

@@ -11,6 +11,10 @@
 #include "commands/verbs.h"
 
 namespace weftlight::commands {
+
+using base::mark, base::tr;
+using draft::kMaxShafts, draft::kMaxThreads;
+
 namespace {
 
 using base::mark;

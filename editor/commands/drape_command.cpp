@@ -14,6 +14,14 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
+
+using base::cause_of, base::fill, base::tr, base::why_not_writable;
+using design::Design;
+using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
+    drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
+using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh,
+    files::written;
+
 namespace {
 
 using base::arg;

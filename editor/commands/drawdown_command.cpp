@@ -12,6 +12,10 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
+
+using base::fill, base::tr, base::write_file_atomically;
+using draft::BitMatrix, draft::Draft, draft::Face, draft::complement, draft::drawdown;
+
 namespace {
 
 using base::arg;

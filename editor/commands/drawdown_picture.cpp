@@ -12,6 +12,11 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
+
+using base::fill, base::tr, base::write_through;
+using draft::Rgb;
+using files::Image, files::PixelType, files::write_image;
+
 namespace {
 
 using base::arg;

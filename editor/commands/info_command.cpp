@@ -9,6 +9,13 @@
 #include "design/repeat.h"
 
 namespace weftlight::commands {
+
+using analysis::LongestFloats, analysis::longest_floats;
+using base::fill, base::mark, base::tr;
+using design::Repeat, design::design_repeat;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::drawdown;
+using wif::Diagnostic, wif::Severity;
+
 namespace {
 
 using base::arg;

@@ -7,10 +7,14 @@
 
 #include "base/text.h"
 #include "base/utf8.h"
-#include "commands/names.h"
 #include "design/lights.h"
 
 namespace weftlight::commands {
+
+using base::as_utf8, base::cut_utf8, base::fill, base::tr;
+using design::is_environment;
+using draft::Face;
+
 namespace {
 
 using base::arg;

@@ -13,6 +13,13 @@
 #include "wif/wif.h"
 
 namespace weftlight::commands {
+
+using base::fill, base::tr, base::write_file_atomically;
+using design::Look, design::Method, design::Scene, design::method_name;
+using files::written;
+using gl::Frame, gl::FrameStats;
+using render_data::kCoarsestTolerance;
+
 namespace {
 
 using base::arg;

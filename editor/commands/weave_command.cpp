@@ -10,6 +10,12 @@
 #include "weaves/table.h"
 
 namespace weftlight::commands {
+
+using base::fill, base::tr, base::write_file_atomically;
+using weaves::GeneratedWeave, weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues,
+    weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
+using wif::write_new_wif;
+
 namespace {
 
 using base::arg;

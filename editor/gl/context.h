@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "base/result.h"
-#include "gl/names.h"
 
 namespace weftlight::gl {
 

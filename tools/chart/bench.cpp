@@ -28,6 +28,17 @@
 #include "wif/other_formats.h"
 
 namespace weftlight::chart {
+
+using base::fill, base::message, base::presets_dir, base::read_file, base::shaders_dir, base::tr;
+using cloth::lay_out;
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using reference::FlatPicture, reference::TubeOptions, reference::trace_flat;
+using render_data::HalfCrossing, render_data::PackedFace, render_data::PackedTexture, render_data::StageResult,
+    render_data::Stages, render_data::choose_period, render_data::shipped_lod_table;
+using scene::kKeyIrradiance, scene::kKeyRadius;
+using wif::WifRead, wif::read_draft;
+
 namespace {
 
 using base::arg;

@@ -11,7 +11,7 @@
 
 namespace weftlight::session {
 
-using base::tr;
+using base::FileBytes, base::content_hash, base::read_file, base::tr;
 
 namespace {
 

@@ -14,6 +14,9 @@
 #include "../variable.h"
 
 namespace weftlight::app {
+
+using design::Design;
+
 namespace {
 
 template <class Holds>

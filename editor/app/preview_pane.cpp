@@ -10,7 +10,7 @@
 namespace weftlight::app {
 
 using base::arg, base::caught, base::fill, base::message, base::tr;
-using gl::HeadlessContext, gl::Pipeline;
+using gl::Pipeline;
 using session::Compare, session::PictureComparison;
 
 namespace {

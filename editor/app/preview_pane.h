@@ -19,6 +19,7 @@
 namespace weftlight::app {
 
 using design::Design;
+using gl::HeadlessContext;
 using ui::PixelTexture;
 using views::PreviewPicture;
 

@@ -10,9 +10,7 @@
 
 namespace weftlight::gl {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 

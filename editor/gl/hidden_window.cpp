@@ -13,9 +13,7 @@
 
 namespace weftlight::gl {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 

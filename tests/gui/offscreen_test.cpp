@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSameCloth = 0.01;  // RMS of 1; how many passes a picture has goes by the clock
+constexpr double kSameCloth = 0.02;  // RMS of 1; how many passes a picture has goes by the clock
 
 class Offscreen : public OnDisplay {
  protected:
@@ -22,13 +22,14 @@ class Offscreen : public OnDisplay {
 #endif
     OnDisplay::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
+    put(draft_, straight_draft(8));  // an edit of one end is seen
     put(folder_ / "config/weftlight/settings.json", R"({"width": 1280, "height": 800, "toured": true})");
   }
 
   /// The exit code of a picture drawn with these variables.
   int render(const std::string& variables, const fs::path& out) const {
     const std::string command = "env LIBGL_ALWAYS_SOFTWARE=1 " + variables + " '" WEFTLIGHT_BINARY "' render '" +
-                                draft_.string() + "' -o '" + out.string() + "' --size 160x120 2>'" +
+                                draft_.string() + "' -o '" + out.string() + "' --method yarn --size 160x120 2>'" +
                                 (folder_ / "said").string() + "'";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

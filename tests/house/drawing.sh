@@ -24,7 +24,7 @@ if ((code == 4)); then
   echo "This program draws nothing here: $(cat "$work/said")"
 fi
 if ((${#tests[@]})); then
-  printf '\n%s\n' "${#tests[@]} tests could not draw when they last ran:"
+  printf '\nTests that could not draw when they last ran: %d\n' "${#tests[@]}"
   # One paragraph a suite, its name first.
   printf '%s\n' "${tests[@]##*/}" | LC_ALL=C sort |
     awk -F. '{ name = $NF; sub(/\.[^.]*$/, ""); if ($0 != suite) printf "%s%s:", (NR > 1 ? "\n" : ""), $0; suite = $0

@@ -5,12 +5,12 @@
 
 #include "base/caught.h"
 #include "base/text.h"
-#include "gl/context.h"
+#include "gl/hidden_window.h"
 
 namespace weftlight::app {
 
 using base::arg, base::caught, base::fill, base::message, base::tr;
-using gl::HeadlessContext, gl::Pipeline;
+using gl::Pipeline;
 using session::Compare, session::PictureComparison;
 
 namespace {
@@ -54,7 +54,33 @@ void PreviewPane::ask(const PictureRequest& request, bool moving) {
   wake_.notify_one();
 }
 
+void PreviewPane::open_hidden_window_if_asked() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(asks_for_window_, false)) return;
+  }
+  HeadlessContext::Opened opened = gl::open_hidden_window();
+  {
+    const std::lock_guard lock(mutex_);
+    hidden_window_ = std::move(opened);
+  }
+  wake_.notify_one();
+}
+
+HeadlessContext::Opened PreviewPane::ask_for_hidden_window() {
+  {
+    const std::lock_guard lock(mutex_);
+    asks_for_window_ = true;
+  }
+  wake_window_();
+  std::unique_lock lock(mutex_);
+  wake_.wait(lock, [this] { return leaving_ || hidden_window_; });
+  if (!hidden_window_) return base::failure(base::ErrorKind::kCancelled, tr("the window was closed"));
+  return *std::exchange(hidden_window_, std::nullopt);
+}
+
 bool PreviewPane::poll() {
+  open_hidden_window_if_asked();
   std::optional<News> news;
   {
     const std::lock_guard lock(mutex_);
@@ -88,19 +114,23 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
 }
 
 void PreviewPane::work() {
-  const std::string why = caught([this] {
-    Pipeline pipeline;
-    const std::shared_ptr<const Design> first = first_design(pipeline);
-    if (!first) return;
-    const auto context = HeadlessContext::create();
-    if (!context) return fail(message(context.error()));
-    PictureMaker maker(pipeline);
-    maker.follow(first);
-    if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
-      fail(thrown), failed_ = true;
-    draw_until_left(maker);
-  });
+  const std::string why = caught([this] { weave_and_draw(); });
+  if (context_) context_->release();
   if (!why.empty()) fail(why);
+}
+
+void PreviewPane::weave_and_draw() {
+  Pipeline pipeline;
+  const std::shared_ptr<const Design> first = first_design(pipeline);
+  if (!first) return;
+  auto opened = HeadlessContext::create([this] { return ask_for_hidden_window(); });
+  if (!opened) return fail(message(opened.error()));
+  context_ = std::move(*opened);
+  PictureMaker maker(pipeline);
+  maker.follow(first);
+  if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
+    fail(thrown), failed_ = true;
+  draw_until_left(maker);
 }
 
 void PreviewPane::draw_until_left(PictureMaker& maker) {

@@ -9,7 +9,6 @@ cd "$1"
 # Folders and files that may, and why. A line goes when its reason does.
 exceptions=(
   core/platform/             # this is the place
-  editor/gl/context.cpp      # drawing without a window: EGL, which core/platform does not know
   core/base/loops.cpp        # tells the thread sanitizer of oneTBB's ordering; no system
   core/light/measure_response.cpp core/light/thread_shadows.cpp core/light/yarn_batch.cpp  # chooses vectors of the processor
 )

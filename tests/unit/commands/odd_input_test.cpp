@@ -172,11 +172,12 @@ TEST_F(OddInput, a_broken_lod_table_is_reported_and_replaced) {
   }
 }
 
-TEST_F(OddInput, no_egl_is_no_graphics) {
+TEST_F(OddInput, neither_egl_nor_a_display_is_no_graphics) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "a library put before the sanitizer's cannot be loaded";
 #endif
-  const std::string preload = "LD_PRELOAD='" WEFTLIGHT_TESTS_BINARY_DIR "/libno_egl.so'";
+  const std::string preload =
+      "DISPLAY= WAYLAND_DISPLAY= WEFTLIGHT_OFFSCREEN= LD_PRELOAD='" WEFTLIGHT_TESTS_BINARY_DIR "/libno_egl.so'";
   const std::string line = "render '" + draft() + "' --size 32x24 -o '" + path("a.png") + "'";
   EXPECT_EQ(shell(preload, line, ">/dev/null 2>'" + path("said") + "'"), kNoGraphics);
   EXPECT_NE(read_file(path("said")).bytes.find("libEGL.so.1"), std::string::npos);

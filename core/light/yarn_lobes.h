@@ -8,6 +8,7 @@
 #include "design/yarn.h"
 #include "light/formulas.h"
 #include "light/names.h"
+#include "platform/vectors.h"
 
 namespace weftlight::light {
 
@@ -36,9 +37,7 @@ inline float channel_mean(const glm::vec3& c) { return (c.r + c.g + c.b) / 3; }
 /// Weights of the channels, of sum 1, in the light of a yarn's body: for means of what only that light meets.
 glm::vec3 body_weights(const formulas::YarnLobes& lobes);
 
-/// Vector instructions of a batch: the compiler's baseline, or AVX2 with FMA where available.
-enum class Vectors { kBaseline, kAvx2 };
-Vectors widest_vectors();
+using platform::Vectors, platform::widest_vectors;
 
 /// out[k] = yarn_reflect(yarn, wi[k], wo[k]) up to rounding (relative 1e-4); all three have the same length. `vectors`
 /// must be supported: at most widest_vectors().

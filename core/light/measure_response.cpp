@@ -19,6 +19,10 @@
 #include "platform/vectors.h"
 
 namespace weftlight::light {
+
+using base::for_each_job;
+using cloth::Linear, cloth::Slope;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

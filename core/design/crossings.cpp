@@ -10,8 +10,8 @@
 namespace weftlight::design {
 
 using base::tr;
-using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown, draft::lifts, draft::transposed,
-    draft::with_drawdown, draft::with_lifts;
+using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown_columns, draft::for_each_bit,
+    draft::lifts, draft::transposed, draft::with_columns, draft::with_lifts;
 
 namespace {
 

@@ -14,8 +14,8 @@
 
 namespace weftlight::design {
 
-using draft::BitGrid, draft::BitMatrix, draft::Selection, draft::ShedControl, draft::Write, draft::blank_draft,
-    draft::drawdown, draft::whole_grid;
+using draft::BitGrid, draft::BitMatrix, draft::Factored, draft::Selection, draft::ShedControl, draft::Write,
+    draft::blank_draft, draft::drawdown, draft::whole_grid;
 
 namespace {
 

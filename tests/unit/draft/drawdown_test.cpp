@@ -8,7 +8,8 @@
 namespace weftlight::design {
 
 using draft::BitMatrix, draft::CellRect, draft::Draft, draft::ShedControl, draft::System, draft::blank_draft,
-    draft::complement, draft::drawdown, draft::transposed, draft::update_drawdown;
+    draft::complement, draft::differences, draft::drawdown, draft::drawdown_columns, draft::transposed,
+    draft::update_drawdown;
 
 namespace {
 

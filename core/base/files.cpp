@@ -96,7 +96,7 @@ std::string cause_of(const std::error_code& error) {
 
 std::string cause_of(int error_number) { return cause_of(std::error_code(error_number, std::generic_category())); }
 
-FileBytes read_file(const std::string& path, uint64_t max_bytes) {
+FileBytes read_file(const std::string& path, uint64_t max_bytes, const std::stop_token& stop) {
   File file(path, File::Open::kRead);
   if (file.error() == std::errc::no_such_file_or_directory) return {{}, tr("there is no such file")};
   if (file.error()) return {{}, fill(tr("cannot be opened: {cause}"), arg("cause", cause_of(file.error())))};
@@ -110,6 +110,7 @@ FileBytes read_file(const std::string& path, uint64_t max_bytes) {
   char buffer[65536];
   std::error_code error;
   while (const size_t got = file.read(buffer, sizeof buffer, error)) {
+    if (stop.stop_requested()) return {{}, tr("was not read to its end")};
     result.bytes.append(buffer, got);
     if (result.bytes.size() > max_bytes) return {{}, too_large};
   }

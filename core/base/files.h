@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -16,8 +17,9 @@ inline constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 struct FileBytes {
   std::string bytes, error;  // the error does not name the file
 };
-/// Reads a regular file. Pipes, devices and files larger than `max_bytes` are errors; it never waits.
-FileBytes read_file(const std::string& path, uint64_t max_bytes = kMaxFileBytes);
+/// Reads a regular file. Pipes, devices and files larger than `max_bytes` are errors; it never waits for a writer. A
+/// request to stop is one, too, once the system gives the bytes asked for last: a share may keep them for ever.
+FileBytes read_file(const std::string& path, uint64_t max_bytes = kMaxFileBytes, const std::stop_token& stop = {});
 
 /// Follows symbolic links, keeps the permissions of the old file, and fails on read-only files. Devices, pipes and the
 /// standard streams are written directly.

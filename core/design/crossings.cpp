@@ -10,8 +10,8 @@
 namespace weftlight::design {
 
 using base::tr;
-using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown, draft::lifts, draft::transposed,
-    draft::with_drawdown, draft::with_lifts;
+using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown_columns, draft::for_each_bit,
+    draft::lifts, draft::transposed, draft::with_columns, draft::with_lifts;
 
 namespace {
 
@@ -28,15 +28,31 @@ bool lift_end(std::span<uint64_t> lift, std::span<const uint64_t> shafts, bool n
   return true;
 }
 
+// Crossings that the block does not set stay as they are.
+bool leaves_unset(Write write) { return write == Write::kAdd || write == Write::kErase; }
+
 // Each crossing of the block that is to be written, as write(end, pick, up).
 template <class Visit>
 void for_each_crossing(const Selection& s, int a, int b, const BitMatrix& cells, Write write, Visit visit) {
-  for (int pick = s.b0; pick < s.b1; ++pick)
-    for (int end = s.a0; end < s.a1; ++end) {
-      const bool up = cells.get(pick - b, end - a);
-      const bool leaves = write == Write::kAdd || write == Write::kErase;
-      if (up || !leaves) visit(end, pick, up && write != Write::kErase);
+  for (int pick = s.b0; pick < s.b1; ++pick) {
+    if (leaves_unset(write)) {
+      for_each_bit(cells.row(pick - b), [&](int column) {
+        if (const int end = column + a; end >= s.a0 && end < s.a1) visit(end, pick, write == Write::kAdd);
+      });
+    } else {
+      for (int end = s.a0; end < s.a1; ++end) visit(end, pick, cells.get(pick - b, end - a));
     }
+  }
+}
+
+// The ends of those crossings, ascending.
+std::vector<int> written_ends(const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+  std::vector<char> written(static_cast<size_t>(s.a1), leaves_unset(write) ? 0 : 1);
+  if (leaves_unset(write)) for_each_crossing(s, a, b, cells, write, [&](int end, int, bool) { written[end] = 1; });
+  std::vector<int> ends;
+  for (int end = s.a0; end < s.a1; ++end)
+    if (written[end]) ends.push_back(end);
+  return ends;
 }
 
 Painted taken(Design design, Factored factored) {
@@ -48,7 +64,7 @@ Painted taken(Design design, Factored factored) {
 /// Of ends on one shaft each, a pick's last one on a shaft has the last word on it: those ends, in order. Empty where
 /// an end hangs on several shafts or on none, or some crossings are left as they are: then all count.
 std::vector<int> last_of_each_shaft(const BitMatrix& threading, const Selection& s, Write write) {
-  if (write == Write::kAdd || write == Write::kErase) return {};
+  if (leaves_unset(write)) return {};
   std::vector<int> last(static_cast<size_t>(threading.cols()), -1);
   for (int end = s.a0; end < s.a1; ++end) {
     if (threading.count(end) != 1) return {};
@@ -97,7 +113,7 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
     else changed |= lift_end(lift.row(pick), d.threading.row(end), up == d.rising);
   };
   const bool whole_rows = a == 0 && s.a0 == 0 && s.a1 == d.ends() && cells.cols() == d.ends();
-  if (whole_rows && (write == Write::kAdd || write == Write::kErase) && !has_several_shafts(d.threading)) {
+  if (whole_rows && leaves_unset(write) && !has_several_shafts(d.threading)) {
     changed = lift_rows(lift, d, s, b, cells, write == Write::kAdd);
     bare = !changed && write == Write::kAdd && asks_bare_end(d, s, b, cells);
   } else if (const std::vector<int> ends = last_of_each_shaft(d.threading, s, write); ends.empty()) {
@@ -112,14 +128,17 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
 }
 
 Painted woven(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
-  BitMatrix all = drawdown(design.draft);
+  const std::vector<int> ends = written_ends(s, a, b, cells, write);
+  std::vector<int> row_of(static_cast<size_t>(s.a1), -1);
+  for (size_t i = 0; i < ends.size(); ++i) row_of[ends[i]] = static_cast<int>(i);
+  BitMatrix columns = drawdown_columns(design.draft, ends);
   bool changed = false;
   for_each_crossing(s, a, b, cells, write, [&](int end, int pick, bool up) {
-    changed |= all.get(pick, end) != up;
-    all.set(pick, end, up);
+    changed |= columns.get(row_of[end], pick) != up;
+    columns.set(row_of[end], pick, up);
   });
   if (!changed) return {std::move(design), {}};
-  Factored factored = with_drawdown(design.draft, all, loom_size(design));
+  Factored factored = with_columns(design.draft, ends, columns, loom_size(design));
   return taken(std::move(design), std::move(factored));
 }
 

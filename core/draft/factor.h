@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "draft/draft.h"
@@ -33,9 +34,13 @@ Factored with_lifts(const Draft& base, const BitMatrix& lifts, int most_treadles
 /// to a free one, or to a new one, up to `most`; then as with_lifts.
 Factored with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most);
 
-/// The same, with wrong crossings if the loom is too small: greedily, the column (row) that costs the fewest crossings
-/// is woven as the most similar other one. Each step is optimal, their sequence need not be. Takes up to seconds; asked
-/// to stop, it soon returns some draft that the loom can weave, or `base`, with a reason.
+/// The same for the drawdown of `base` with other columns of some ends: for each of `ends`, in ascending order, a row
+/// of picks. It costs the shafts and these ends, not the whole drawdown.
+Factored with_columns(const Draft& base, const std::vector<int>& ends, const BitMatrix& columns, LoomSize most);
+
+/// with_drawdown, with wrong crossings if the loom is too small: greedily, the column (row) that costs the fewest
+/// crossings is woven as the most similar other one. Each step is optimal, their sequence need not be. Takes up to
+/// seconds; asked to stop, it soon returns some draft that the loom can weave, or `base`, with a reason.
 Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
                           const base::TaskProgress& progress = {});
 

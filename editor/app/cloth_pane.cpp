@@ -137,6 +137,7 @@ void ClothPane::choose_environment() {
             },
             [this](const std::string& why) { messages_.say(why); });
         task.kind = "environment";
+        task.may_be_left = true;
         task.name = fill(tr("Opening {file}"), arg("file", std::filesystem::path(path).filename().string()));
         tasks_.reading().start(std::move(task));
       },

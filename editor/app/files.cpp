@@ -93,9 +93,9 @@ void Files::open_copy(const std::string& path) {
 
 void Files::read(const std::string& path, std::function<void(OpenResult)> then) {
   base::Task task = base::task_with_result(
-      [path](const base::RunningTask&) {
+      [path](const base::RunningTask& running) {
         remove_stale_files(path);
-        return open_document(path);
+        return open_document(path, running.stop());
       },
       [this, then = std::move(then)](OpenResult result) {
         then(std::move(result));
@@ -107,6 +107,7 @@ void Files::read(const std::string& path, std::function<void(OpenResult)> then) 
       });
   task.kind = "read:" + path;
   task.name = fill(tr("Opening {file}"), arg("file", file_name(path)));
+  task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 
@@ -253,6 +254,7 @@ void Files::look_at_file() {
         if (look.change == FileChange::kContent && !dialogs_.any()) ask_about_change(false, nullptr);
       });
   task.kind = "look";
+  task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 

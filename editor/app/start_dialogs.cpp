@@ -106,6 +106,7 @@ void StartDialogs::bring_back(size_t chosen) {
                                            });
   task.kind = "left:" + left.journal;
   task.name = fill(tr("Recovering {draft}"), arg("draft", name));
+  task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 

@@ -104,10 +104,10 @@ std::function<std::string()> Document::writer() const {
 
 std::string name_of(const DocumentNote& note) { return note.name == kUntitled ? tr(kUntitled) : note.name; }
 
-OpenResult open_document(const std::string& path) {
+OpenResult open_document(const std::string& path, const std::stop_token& stop) {
   // Read before the bytes, so that a write in between is noticed.
   FileIdentity identity = facts_of(path);
-  FileBytes file = read_file(path);
+  FileBytes file = read_file(path, base::kMaxFileBytes, stop);
   if (!file.error.empty())
     return {{}, {{Severity::kError, 0, file.error, tr("Check the path, and that the file may be read.")}}};
   WifRead read = files::is_picture(path) ? files::read_picture_draft(path) : read_draft(file.bytes);

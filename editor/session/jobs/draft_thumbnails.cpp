@@ -58,7 +58,7 @@ void keep_picture(const std::string& folder, const std::string& file, const Thum
 
 }  // namespace
 
-DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder) {
+DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder, const std::stop_token& stop) {
   DraftThumbnail look;
   const FileIdentity facts = facts_of(path);
   if (!facts.there) return look;
@@ -66,7 +66,7 @@ DraftThumbnail look_of_file(const std::string& path, const std::string& cache_fo
   const std::string kept = cache_folder.empty() ? "" : cache_folder + "/" + name_in_cache(path, facts);
   if (std::error_code error; !kept.empty() && fs::exists(kept, error)) look.picture = kept_picture(kept);
   if (look.picture.pixels.empty()) {
-    const FileBytes file = read_file(path, kMaxBytes);
+    const FileBytes file = read_file(path, kMaxBytes, stop);
     const WifRead read = !file.error.empty()       ? WifRead{}
                          : files::is_picture(path) ? files::read_picture_draft(path)
                                                    : read_draft(file.bytes);
@@ -83,11 +83,15 @@ DraftThumbnails::DraftThumbnails(std::string cache_folder, std::function<void()>
 void DraftThumbnails::ask(const std::string& path) {
   const auto made = [this, path](DraftThumbnail look) { news_.emplace_back(path, std::move(look)); };
   base::Task task = base::task_with_result(
-      [path, folder = cache_folder_](const base::RunningTask&) { return look_of_file(path, folder); }, made,
+      [path, folder = cache_folder_](const base::RunningTask& running) {
+        return look_of_file(path, folder, running.stop());
+      },
+      made,
       [made](const std::string&) {
         made({DraftThumbnail::State::kUnreadable, 0, {}});
       });
   task.kind = path;
+  task.may_be_left = true;
   runner_.start(std::move(task));
 }
 

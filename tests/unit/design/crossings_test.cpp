@@ -6,14 +6,16 @@
 
 #include <random>
 
+#include "../hand_drafts.h"
 #include "design/edits.h"
+#include "design/loom.h"
 #include "design/selection_edits.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::design {
 
-using draft::BitGrid, draft::BitMatrix, draft::Selection, draft::ShedControl, draft::Write, draft::blank_draft,
-    draft::drawdown, draft::whole_grid;
+using draft::BitGrid, draft::BitMatrix, draft::Factored, draft::Selection, draft::ShedControl, draft::Write,
+    draft::blank_draft, draft::drawdown, draft::whole_grid;
 
 namespace {
 
@@ -42,6 +44,46 @@ TEST(Crossings, ABlockEqualsItsCellsPaintedInOrder) {
         one_by_one = painted_cell(std::move(one_by_one), e, p, block.get(p - s.b0, e - s.a0)).design;
     const Design at_once = painted_crossings(before, s, s.a0, s.b0, block, Write::kInside).design;
     EXPECT_EQ(drawdown(at_once.draft), drawdown(one_by_one.draft)) << rising;
+  }
+}
+
+/// The block over the whole drawdown.
+BitMatrix written(BitMatrix cells, const Selection& s, const BitMatrix& block, Write write) {
+  for (int p = s.b0; p < s.b1; ++p)
+    for (int e = s.a0; e < s.a1; ++e) {
+      const bool on = block.get(p - s.b0, e - s.a0);
+      if (write == Write::kInside || on) cells.set(p, e, on && write != Write::kErase);
+    }
+  return cells;
+}
+
+TEST(Crossings, APaintedBlockIsFactoredAsTheWholeDrawdownIs) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 600; ++round) {
+    Design before;
+    before.draft = random_draft(random, 40, 30, 6, 7);
+    before.loom.leading = Leading::kDrawdown;
+    if (random() % 4 == 0) before.loom.shafts = before.loom.treadles = 8;
+    const int end = static_cast<int>(random() % 40), pick = static_cast<int>(random() % 30);
+    const Selection s = clipped({BitGrid::kDrawdown, end, end + 1 + static_cast<int>(random() % 9), pick,
+                                 pick + 1 + static_cast<int>(random() % 9)},
+                                before.draft);
+    BitMatrix block(s.rows(), s.columns());
+    fill_randomly(block, random, 0.4);
+    for (const Write write : {Write::kInside, Write::kAdd, Write::kErase}) {
+      const Painted painted = painted_crossings(before, s, s.a0, s.b0, block, write);
+      const BitMatrix cells = drawdown(before.draft), wanted = written(cells, s, block, write);
+      if (wanted == cells) {
+        ASSERT_EQ(painted.design.draft, before.draft) << round;
+        continue;
+      }
+      const Factored whole = with_drawdown(before.draft, wanted, loom_size(before));
+      ASSERT_EQ(painted.design.draft, whole.draft) << round;
+      ASSERT_EQ(painted.why, whole.why) << round;
+      if (whole.done()) {
+        ASSERT_EQ(drawdown(painted.design.draft), wanted) << round;
+      }
+    }
   }
 }
 

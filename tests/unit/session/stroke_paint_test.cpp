@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <random>
+#include <thread>
 
 #include "../hand_drafts.h"
+#include "../scarce_memory.h"
 #include "../scratch.h"
 #include "design/crossings.h"
 #include "design/edits.h"
@@ -22,10 +25,10 @@ using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::LoomSize, draft::Se
 
 namespace {
 
-Design twill(Leading leading) {
+Design twill(Leading leading, int size = 48) {
   Design d;
-  d.draft = blank_draft(48, 48, 4, 4);
-  for (int i = 0; i < 48; ++i) {
+  d.draft = blank_draft(size, size, 4, 4);
+  for (int i = 0; i < size; ++i) {
     d.draft.threading.set(i, i % 4, true);
     d.draft.treadling.set(i, i % 4, true);
   }
@@ -163,6 +166,37 @@ TEST_F(StrokeTest, AStrokeInAnyDraftGivesTheRequestedCells) {
       ASSERT_EQ(now(), before) << "one step of undo";
       session_.redo();
     }
+  }
+}
+
+TEST_F(StrokeTest, PaintingNeverNeedsAWholeDrawdown) {
+  constexpr int kSize = 4000;
+  constexpr size_t kDrawdown = size_t{kSize} * kSize / 8;  // bytes
+  for (const Leading leading : {Leading::kDrawdown, Leading::kThreading}) {
+    open(twill(leading, kSize));
+    BitMatrix wanted = cells();
+    bool enough = true;
+    {
+      const Scarce scarce(kDrawdown / 8);
+      std::thread window([&] {
+        try {
+          ++stroke_;
+          commit(begin_stroke(view(), now(), GridId::kDrawdown, {100, 3000}, true, true));
+          for (int i = 1; i < 20; ++i) commit(go_on_with_stroke(view(), now(), {100 + i, 3000 + i}, true));
+        } catch (const std::bad_alloc&) {
+          enough = false;
+        }
+      });
+      window.join();
+    }
+    ASSERT_TRUE(enough) << "work on every crossing";
+    for (int i = 0; i < 20; ++i) wanted.set(3000 + i, 100 + i, true);
+    if (leading == Leading::kDrawdown) {
+      EXPECT_EQ(cells(), wanted);
+    }
+    EXPECT_EQ(session_.active().document.cells(), cells());
+    EXPECT_TRUE(now().draft != twill(leading, kSize).draft);
+    view().drawing.stroke = {};
   }
 }
 

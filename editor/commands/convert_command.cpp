@@ -8,7 +8,6 @@
 #include "commands/commands.h"
 #include "design/edits.h"
 #include "draft/factor.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
@@ -76,7 +75,7 @@ int convert_command(const ConvertOptions& options) {
   Design design = opened.design;
   if (const int code = set_shed_control(design, options); code != kDone) return code;
   if (const int code = fit(design, options); code != kDone) return code;
-  return finish(files::written(write_file_atomically(options.out, converted(opened.file, design, options))));
+  return finish(write_file_atomically(options.out, converted(opened.file, design, options)));
 }
 
 }  // namespace weftlight::commands

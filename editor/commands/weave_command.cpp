@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/edits.h"
-#include "files/written.h"
 #include "weaves/table.h"
 
 namespace weftlight::commands {
@@ -75,7 +74,7 @@ int weave_command(const WeaveOptions& options) {
         fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", generated.why));
     std::fprintf(stderr, "%s\n", line.c_str());
   }
-  return finish(files::written(write_file_atomically(options.out, write_new_wif(generated.design))));
+  return finish(write_file_atomically(options.out, write_new_wif(generated.design)));
 }
 
 }  // namespace weftlight::commands

@@ -45,21 +45,23 @@ int set_shed_control(Design& design, const ConvertOptions& options) {
 /// Makes the draft fit the loom. Returns an exit code; the problem is printed.
 int fit(Design& design, const ConvertOptions& options) {
   if (!asks_for_loom(options)) return kDone;
-  Factored fitted = within_loom(design.draft, options.loom);
-  if (!fitted.done() && !options.nearest) {
-    return fail({ErrorKind::kInput,
-                 fill(tr("{problem}; --nearest gives the closest weave for that loom"), arg("problem", fitted.why)),
-                 options.in});
+  base::Result<Draft> fitted = within_loom(design.draft, options.loom);
+  if (!fitted && !options.nearest) {
+    return fail(
+        {ErrorKind::kInput,
+         fill(tr("{problem}; --nearest gives the closest weave for that loom"), arg("problem", fitted.error().text)),
+         options.in});
   }
-  if (!fitted.done()) {
-    fitted = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
+  if (!fitted) {
+    ClosestDraft closest = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
     const long long all = static_cast<long long>(design.draft.ends()) * design.draft.picks();
     const std::string line =
-        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", fitted.wrong),
-             arg("count", fitted.wrong), arg("all", all));
+        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", closest.wrong),
+             arg("count", closest.wrong), arg("all", all));
     std::printf("%s\n", line.c_str());
+    fitted = std::move(closest.draft);
   }
-  design.draft = std::move(fitted.draft);
+  design.draft = std::move(*fitted);
   return kDone;
 }
 

@@ -96,15 +96,15 @@ TEST_F(NthAllocation, EditsAndFactorsFailOrAreRight) {
                 }),
             2);
   const draft::BitMatrix cells = drawdown(edited.draft);
-  const draft::Factored whole = draft::with_drawdown(design.draft, cells, {8, 8});
-  std::optional<draft::Factored> factored;
+  const draft::Draft whole = draft::with_drawdown(design.draft, cells, {8, 8}).value();
+  std::optional<draft::Draft> factored;
   EXPECT_GT(at_each_allocation(
                 [&] {
-                  factored.reset(), factored = draft::with_drawdown(design.draft, cells, {8, 8});
+                  factored.reset(), factored = draft::with_drawdown(design.draft, cells, {8, 8}).value();
                 },
                 [&](int n) {
                   if (factored) {
-                    EXPECT_EQ(drawdown(factored->draft), drawdown(whole.draft)) << n;
+                    EXPECT_EQ(drawdown(*factored), drawdown(whole)) << n;
                   }
                 }),
             2);

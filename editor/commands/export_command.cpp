@@ -19,6 +19,7 @@
 #include "files/files.h"
 #include "files/zip.h"
 #include "platform/clock.h"
+#include "platform/files_below.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
@@ -61,12 +62,11 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
       out.push_back(path);
       continue;
     }
-    std::vector<std::string> within;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, ec)) {
-      if (is_draft_name(entry.path().string()) && entry.is_regular_file(ec)) within.push_back(entry.path().string());
-    }
-    std::sort(within.begin(), within.end());
-    out.insert(out.end(), within.begin(), within.end());
+    platform::FilesBelow within = platform::files_below(path);
+    std::erase_if(within.files, [](const std::string& file) { return !is_draft_name(file); });
+    out.insert(out.end(), within.files.begin(), within.files.end());
+    for (const std::string& folder : within.unread)
+      print_problem(fill(tr("{folder}: the folder cannot be read; its drafts are left out"), arg("folder", folder)));
   }
   return out;
 }

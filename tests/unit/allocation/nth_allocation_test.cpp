@@ -16,6 +16,7 @@
 #include "design/edits.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
+#include "platform/files_below.h"
 #include "texture_set/targets.h"
 #include "texture_set/texture_set.h"
 #include "weaves/weaves.h"
@@ -49,6 +50,20 @@ int at_each_allocation(const std::function<void()>& job, const std::function<voi
 design::Design sample() { return weaves::twill({2, 2}, weaves::Lean::kRight, {8, 8}); }
 
 class NthAllocation : public ScratchTest {};
+
+TEST_F(NthAllocation, AllFilesBelowAFolderAreFoundOrNone) {
+  fs::create_directories(path("drafts/deep/deeper"));
+  written("drafts/a.wif", "a"), written("drafts/deep/b.wif", "b"), written("drafts/deep/deeper/c.wif", "c");
+  std::optional<platform::FilesBelow> found;
+  EXPECT_GT(at_each_allocation([&] { found.reset(), found = platform::files_below(path("drafts")); },
+                               [&](int n) {
+                                 if (found) {
+                                   EXPECT_EQ(found->files.size(), 3u) << n;
+                                   EXPECT_TRUE(found->unread.empty()) << n;
+                                 }
+                               }),
+            5);
+}
 
 TEST_F(NthAllocation, OpeningFailsOrReadsTheDraft) {
   const std::string text = wif::write_new_wif(sample());

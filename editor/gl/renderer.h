@@ -53,7 +53,7 @@ struct FrameStats {
   size_t flyaways = 0;                    // number of flyaway fibres
   float estimated_error = 0;              // by the LOD table, at the mean footprint
   float exposure_ev = 0;                  // exposure of the picture; a scene-linear one has only that of the look
-  std::string problem;                    // why the cloth is missing; empty: it is drawn
+  base::Result<void> cloth;               // or why it is not drawn
 };
 
 class Renderer {

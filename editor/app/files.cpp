@@ -176,7 +176,9 @@ void Files::save_for_others() {
 
 void Files::write(const std::string& path, std::function<std::string()> make) {
   base::Task task = base::task_with_result(
-      [path, make = std::move(make)](const base::RunningTask&) { return write_file_atomically(path, make()); },
+      [path, make = std::move(make)](const base::RunningTask&) {
+        return problem_of(write_file_atomically(path, make()));
+      },
       [this, path](const std::string& problem) {
         messages_.say(problem.empty() ? fill(tr("Wrote {file}"), arg("file", file_name(path))) : problem);
       },

@@ -54,7 +54,7 @@ class PictureMaker {
   const session::PictureComparison& comparison() const { return comparison_; }
   /// Why there is no picture, or an error of the mesh.
   std::string problem() const {
-    return !problem_.empty() ? problem_ : !stats_.problem.empty() ? stats_.problem : pipeline_.problem();
+    return !problem_.empty() ? problem_ : !stats_.cloth ? problem_of(stats_.cloth) : problem_of(pipeline_.made());
   }
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// True while the newest design is being processed.

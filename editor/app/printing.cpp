@@ -43,7 +43,8 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
           std::string problem = problem_of(printed);
           for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i) {
             running.report(static_cast<float>(i) / static_cast<float>(printed->files.size()));
-            problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
+            problem =
+                problem_of(write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]));
           }
           return problem;
         },

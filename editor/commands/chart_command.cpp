@@ -109,24 +109,25 @@ class ChartRun {
   }
 
   int save() const {
-    std::string error = write_file_atomically(dir_ + "/chart.csv", chart_csv(in_order()));
-    if (error.empty() && rows_.size() == 1) error = write_file_atomically(dir_ + "/chart.state", bench_.fingerprint());
+    std::string error = problem_of(write_file_atomically(dir_ + "/chart.csv", chart_csv(in_order())));
+    if (error.empty() && rows_.size() == 1)
+      error = problem_of(write_file_atomically(dir_ + "/chart.state", bench_.fingerprint()));
     return error.empty() ? kDone : fail({base::ErrorKind::kOutput, error});
   }
 
   int finish() {
     if (platform::errors_go_to_terminal()) std::fprintf(stderr, "\r%-78s\n", "drawing");
     const std::vector<ChartRow> rows = in_order();
-    std::string error = write_file_atomically(dir_ + "/lod_table.csv", lod_table_csv(lod_table_of(rows)));
+    std::string error = problem_of(write_file_atomically(dir_ + "/lod_table.csv", lod_table_csv(lod_table_of(rows))));
     const std::vector<Brightness> brightness = albedo(error);
     const std::vector<TruthNoise> noise = truth_noise(error);
     if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);
     const std::string light = error.empty() ? other_lights(error) : "";
-    if (error.empty()) error = write_file_atomically(dir_ + "/light.csv", light);
+    if (error.empty()) error = problem_of(write_file_atomically(dir_ + "/light.csv", light));
     const std::vector<DrapeRow> draped = error.empty() ? drapes(error) : std::vector<DrapeRow>{};
-    if (error.empty()) error = write_file_atomically(dir_ + "/drapes.csv", drapes_csv(draped));
+    if (error.empty()) error = problem_of(write_file_atomically(dir_ + "/drapes.csv", drapes_csv(draped)));
     const std::string frame_times = error.empty() ? frames(error) : "";
-    if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", frame_times);
+    if (error.empty()) error = problem_of(write_file_atomically(dir_ + "/frames.csv", frame_times));
     return error.empty() ? kDone : fail({base::ErrorKind::kOutput, error});
   }
 

@@ -14,7 +14,7 @@ SaveResult write(const SaveJob& job) {
     if (result.changed) return result;
   }
   const std::string bytes = job.text();
-  result.problem = write_file_atomically(job.path, bytes);
+  result.problem = problem_of(write_file_atomically(job.path, bytes));
   if (result.problem.empty()) result.file = identify(job.path, bytes);
   return result;
 }

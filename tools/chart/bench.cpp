@@ -159,7 +159,7 @@ std::string ChartBench::fingerprint() const {
 ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   std::unique_ptr<Loaded>& slot = loaded_[scene];
   if (slot) return slot.get();
-  const WifRead read = read_draft(read_file(presets_dir() + "/drafts/" + kChartScenes[scene].preset).bytes);
+  const WifRead read = read_draft(read_file(presets_dir() + "/drafts/" + kChartScenes[scene].preset).value_or(""));
   if (!read.file) {
     error = fill(tr("{file}: the preset cannot be read"), arg("file", kChartScenes[scene].preset));
     return nullptr;

@@ -286,8 +286,8 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
   const std::array<std::function<std::string()>, 11> steps{
       [&] { return write_figure(cost_figure(rows, device), dir + "/error_cost"); },
       [&] {
-        return write_file_atomically(dir + "/error_cost.csv",
-                                     part_csv(rows, "ns_per_pixel", &ChartRow::ns_per_pixel, true));
+        return problem_of(write_file_atomically(dir + "/error_cost.csv",
+                                                part_csv(rows, "ns_per_pixel", &ChartRow::ns_per_pixel, true)));
       },
       [&] {
         return write_figure(footprint_figure(rows, &ChartRow::model_error, "Error against footprint",
@@ -295,8 +295,8 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
                             dir + "/error_footprint");
       },
       [&] {
-        return write_file_atomically(dir + "/error_footprint.csv",
-                                     part_csv(rows, "rel_rmse_model", &ChartRow::model_error, false));
+        return problem_of(write_file_atomically(dir + "/error_footprint.csv",
+                                                part_csv(rows, "rel_rmse_model", &ChartRow::model_error, false)));
       },
       [&] {
         return write_figure(
@@ -306,14 +306,14 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
             dir + "/filtering_footprint");
       },
       [&] {
-        return write_file_atomically(dir + "/filtering_footprint.csv",
-                                     part_csv(rows, "rel_rmse_filtering", &ChartRow::filtering_error, false));
+        return problem_of(write_file_atomically(
+            dir + "/filtering_footprint.csv", part_csv(rows, "rel_rmse_filtering", &ChartRow::filtering_error, false)));
       },
       [&] { return write_figure(albedo_figure(brightness), dir + "/albedo"); },
-      [&] { return write_file_atomically(dir + "/albedo.csv", albedo_csv(brightness)); },
+      [&] { return problem_of(write_file_atomically(dir + "/albedo.csv", albedo_csv(brightness))); },
       [&] { return write_figure(memory_figure(memory, rows), dir + "/memory"); },
-      [&] { return write_file_atomically(dir + "/memory.csv", memory_csv(memory)); },
-      [&] { return write_file_atomically(dir + "/truth_noise.csv", noise_csv(noise)); },
+      [&] { return problem_of(write_file_atomically(dir + "/memory.csv", memory_csv(memory))); },
+      [&] { return problem_of(write_file_atomically(dir + "/truth_noise.csv", noise_csv(noise))); },
   };
   for (const auto& step : steps) {
     if (std::string problem = step(); !problem.empty()) return problem;

@@ -282,17 +282,17 @@ std::string finish(cairo_t* c, cairo_surface_t* sheet) {
 }
 
 std::string write_svg(const Figure& figure, const std::string& path) {
-  return write_through(path, [&figure](const std::string& beside) {
+  return problem_of(write_through(path, [&figure](const std::string& beside) {
     const Size size = size_of(figure);
     const Sheet sheet(cairo_svg_surface_create(beside.c_str(), size.width, size.height), cairo_surface_destroy);
     const Pen pen(cairo_create(sheet.get()), cairo_destroy);
     draw_figure(pen.get(), figure);
-    return finish(pen.get(), sheet.get());
-  });
+    return base::written_unless(finish(pen.get(), sheet.get()));
+  }));
 }
 
 std::string write_png(const Figure& figure, const std::string& path) {
-  return write_through(path, [&figure](const std::string& beside) -> std::string {
+  return problem_of(write_through(path, [&figure](const std::string& beside) {
     const Size size = size_of(figure);
     const Sheet sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width * kPngScale),
                                                  static_cast<int>(size.height * kPngScale)),
@@ -302,8 +302,9 @@ std::string write_png(const Figure& figure, const std::string& path) {
     draw_figure(pen.get(), figure);
     cairo_surface_flush(sheet.get());
     const cairo_status_t status = cairo_surface_write_to_png(sheet.get(), beside.c_str());
-    return status == CAIRO_STATUS_SUCCESS ? finish(pen.get(), sheet.get()) : cairo_status_to_string(status);
-  });
+    return base::written_unless(status == CAIRO_STATUS_SUCCESS ? finish(pen.get(), sheet.get())
+                                                               : cairo_status_to_string(status));
+  }));
 }
 
 }  // namespace

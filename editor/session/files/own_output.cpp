@@ -32,7 +32,7 @@ constexpr const char* kIsTheDraft = mark("it is the draft to open; give another 
 /// The hashes in a record; empty if there is no record.
 std::vector<uint64_t> hashes_in(const std::string& record) {
   std::vector<uint64_t> hashes;
-  std::istringstream lines(read_file(record).bytes);
+  std::istringstream lines(read_file(record).value_or(""));
   for (uint64_t hash = 0; lines >> std::hex >> hash;) hashes.push_back(hash);
   return hashes;
 }
@@ -68,7 +68,7 @@ std::string LiveExport::write(std::string_view bytes) {
   const std::string beside = record_ + ".new";
   std::ofstream(beside) << std::hex << now << "\n" << (last_ != 0 ? last_ : identify(path_).hash) << "\n";
   fs::rename(beside, record_, ignored);
-  std::string problem = write_file_atomically(path_, bytes);
+  std::string problem = problem_of(write_file_atomically(path_, bytes));
   if (problem.empty()) last_ = now;
   return problem;
 }
@@ -76,7 +76,7 @@ std::string LiveExport::write(std::string_view bytes) {
 std::string ui_map_refusal(const std::string& path, const std::string& draft) {
   if (same_file(path, draft)) return tr(kIsTheDraft);
   if (is_free(path)) return {};
-  const nlohmann::json json = nlohmann::json::parse(read_file(path).bytes, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(read_file(path).value_or(""), nullptr, false);
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};
   return tr("the file there is no map of the window; remove it or give another name");
 }

@@ -215,7 +215,7 @@ std::string Journal::write(uint64_t document, const State& state) {
     if (!problem.empty())
       return fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name), arg("problem", problem));
     const std::string start = journal_start({state.note, text});
-    if (!append(path, start, File::Open::kCreate).empty()) problem = write_file_atomically(path, start);
+    if (!append(path, start, File::Open::kCreate).empty()) problem = problem_of(write_file_atomically(path, start));
     if (!problem.empty())
       return fill(tr("No recovery copy of {draft} ({file}): {problem}"), arg("draft", state.note.name),
                   arg("file", path), arg("problem", problem));

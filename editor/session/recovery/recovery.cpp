@@ -11,7 +11,7 @@
 
 namespace weftlight::session {
 
-using base::FileBytes, base::content_hash, base::read_file, base::tr;
+using base::content_hash, base::read_file, base::tr;
 using platform::FileLock;
 
 namespace {
@@ -44,9 +44,9 @@ struct ReadEntry {
 
 ReadEntry read_entry(const std::string& journal) {
   if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, tr("it is larger than any journal")};
-  const FileBytes file = read_file(journal);
-  if (!file.error.empty()) return {{}, file.error};
-  ReadEntry read{read_journal(file.bytes), {}};
+  const base::Result<std::string> file = read_file(journal);
+  if (!file) return {{}, file.error().text};
+  ReadEntry read{read_journal(*file), {}};
   if (!read.last) read.problem = tr("it is damaged before the end of its first entry");
   return read;
 }

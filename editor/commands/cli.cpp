@@ -12,6 +12,7 @@
 #include "base/caught.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "commands/built_commit.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
@@ -196,13 +197,13 @@ CommandLine run_command_line(int argc, char** argv) {
   CLI::App app{tr("Weftlight: paint a draft and see the real cloth, lit and draped, at once")};
   app.name("weftlight");
   translate_help(app);
-  app.set_version_flag("--version", "weftlight " WEFTLIGHT_VERSION, tr("The version of the program"));
+  app.set_version_flag("--version", "weftlight " + version_and_commit(), tr("The version of the program"));
   app.require_subcommand(0, 1);
   app.failure_message(failure_message);
   add_editor_options(app, result.editor);
   add_language(app);
   std::vector<std::pair<const char*, RunVerb>> runs;
-  for (const std::span<const Verb> verbs : {draft_verbs(), cloth_verbs()})
+  for (const std::span<const Verb> verbs : {draft_verbs(), cloth_verbs(), shell_verbs()})
     for (const Verb& verb : verbs) runs.emplace_back(verb.name, add_verb(app, verb));
 
   if (refuse_mistyped_verb(app, first_word(argc, argv))) {

@@ -14,6 +14,7 @@
 #include "base/caught.h"
 #include "base/loops.h"
 #include "base/text.h"
+#include "base/version.h"
 #include "commands/commands.h"
 #include "files/design_drape.h"
 #include "files/files.h"
@@ -135,7 +136,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
     for (const ExportTarget* target : targets) {
       TextureSetOptions o;
       o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
-      o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
+      o.program_version = base::version(), o.size = options.size, o.force = options.force;
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
       o.modified = changed(file);

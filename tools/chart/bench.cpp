@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "base/version.h"
 #include "chart/flip.h"
 #include "chart/methods.h"
 #include "draft/drawdown.h"
@@ -150,7 +151,7 @@ std::string ChartBench::fingerprint() const {
     text += std::string(std::istreambuf_iterator<char>(in), {});
   }
   std::ostringstream out;
-  out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << base::content_hash(text) << std::dec
+  out << "weftlight " << base::version() << "\nshaders " << std::hex << base::content_hash(text) << std::dec
       << "\ndevice " << renderer_->device() << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples
       << '\n';
   return out.str();

@@ -55,16 +55,17 @@ void PreviewPane::ask(const PictureRequest& request, bool moving) {
 }
 
 bool PreviewPane::poll() {
-  std::optional<News> news;
+  std::optional<Drawn> drawn;
   {
     const std::lock_guard lock(mutex_);
-    news = std::exchange(news_, std::nullopt);
+    drawn = std::exchange(drawn_, std::nullopt);
   }
-  if (!news) return false;
-  if (!news->pixels.empty()) texture_.set(news->width, news->height, news->pixels);
-  if (!news->reference.empty()) reference_texture_.set(news->reference_width, news->reference_height, news->reference);
-  picture_ = std::move(news->picture);
-  shown_ = std::move(news->made);
+  if (!drawn) return false;
+  if (!drawn->pixels.empty()) texture_.set(drawn->width, drawn->height, drawn->pixels);
+  if (!drawn->reference.empty())
+    reference_texture_.set(drawn->reference_width, drawn->reference_height, drawn->reference);
+  picture_ = std::move(drawn->picture);
+  shown_ = std::move(drawn->made);
   return true;
 }
 
@@ -135,8 +136,8 @@ void PreviewPane::fail(const std::string& why) {
   caught([&] {
     {
       const std::lock_guard lock(mutex_);
-      news_ = News{};
-      news_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
+      drawn_ = Drawn{};
+      drawn_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
     }
     wake_window_();
   });
@@ -148,7 +149,7 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 }
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
-  News made;
+  Drawn made;
   if (drawn) maker.read(made.width, made.height, made.pixels);
   const PictureComparison& c = maker.comparison();
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
@@ -165,9 +166,9 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   {
     const std::lock_guard lock(mutex_);
     // Pixels that were not taken yet and are not replaced stay valid.
-    if (news_ && made.pixels.empty())
-      made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height;
-    news_ = std::move(made);
+    if (drawn_ && made.pixels.empty())
+      made.pixels = std::move(drawn_->pixels), made.width = drawn_->width, made.height = drawn_->height;
+    drawn_ = std::move(made);
   }
   wake_window_();
 }

@@ -36,7 +36,7 @@ class PreviewPane {
 
  private:
   /// A result of the drawing thread. Unchanged pixels are left out.
-  struct News {
+  struct Drawn {
     int width = 0, height = 0;
     std::vector<uint32_t> pixels;
     std::vector<uint32_t> reference;  // of the shown comparison
@@ -60,7 +60,7 @@ class PreviewPane {
   std::shared_ptr<const Design> design_;
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
-  std::optional<News> news_;
+  std::optional<Drawn> drawn_;
   bool failed_ = false;  // used by the drawing thread: the last picture was not handed over
   // Used by the window's thread.
   std::shared_ptr<const Design> submitted_, shown_;

@@ -47,9 +47,9 @@ int set_shed_control(Design& design, const ConvertOptions& options) {
 int fit(Design& design, const ConvertOptions& options) {
   if (!asks_for_loom(options)) return kDone;
   Factored fitted = within_loom(design.draft, options.loom);
-  if (!fitted.done() && !options.nearest) {
+  if (!fitted.done() && !options.closest) {
     return fail({ErrorKind::kInput,
-                 fill(tr("{problem}; --nearest gives the closest weave for that loom"), arg("problem", fitted.why)),
+                 fill(tr("{problem}; --closest gives the closest weave for that loom"), arg("problem", fitted.why)),
                  options.in});
   }
   if (!fitted.done()) {

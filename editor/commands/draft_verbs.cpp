@@ -179,11 +179,12 @@ RunVerb add_convert(CLI::App& verb) {
   auto* treadles = verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has"))
                        ->check(whole_number(1, kMaxShafts))
                        ->excludes(liftplan);
-  verb.add_flag("--nearest", o.nearest, tr("Closest weave for the loom, where the draft itself does not fit it"));
+  verb.add_flag("--closest", o.closest, tr("Closest weave for the loom, where the draft itself does not fit it"));
+  verb.add_flag("--nearest", o.closest)->group("");  // the earlier name
   add_picture_draft_options(verb, o.picture);
   return [options, shafts, treadles] {
-    if (!options->nearest || shafts->count() + treadles->count() > 0) return convert_command(*options);
-    return refuse(tr("--nearest: give the loom's --shafts or --treadles with it"));
+    if (!options->closest || shafts->count() + treadles->count() > 0) return convert_command(*options);
+    return refuse(tr("--closest: give the loom's --shafts or --treadles with it"));
   };
 }
 

@@ -17,12 +17,12 @@ constexpr const char* kClosest = "closest weave";
 
 void SlowEdits::start(const SlowEdit& edit) {
   const State of{session_.active().id, session_.active().document.snapshot(), nullptr};
-  base::Task task =
-      base::task_with_result([edit, of](const base::RunningTask& running) { return edit.apply(*of.design, running); },
-                             [this, edit, of](const Design& made) { take(edit, of, made); },
-                             [this, edit](const std::string& why) {
-                               news_.said = fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", why));
-                             });
+  base::Task task = base::task_with_result(
+      [edit, of](const base::RunningTask& running) { return edit.apply(*of.design, running); },
+      [this, edit, of](const Design& made) { take(edit, of, made); },
+      [this, edit](const std::string& why) {
+        outcome_.said = fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", why));
+      });
   task.kind = kEdit;
   task.name = edit.doing;
   runner_.start(std::move(task));
@@ -32,12 +32,12 @@ void SlowEdits::take(const SlowEdit& edit, const State& of, const Design& made) 
   OpenDocument* open = session_.find(of.document);
   if (open == nullptr) return;
   if (open->document.snapshot() != of.design) {
-    news_.said = fill(tr("{edit}: not applied, because the draft has changed meanwhile"), arg("edit", edit.label));
+    outcome_.said = fill(tr("{edit}: not applied, because the draft has changed meanwhile"), arg("edit", edit.label));
     return;
   }
   const bool changed = session_.commit(*open, {edit.label, [&made](const Design&) { return made; }}, 0);
-  if (!changed) news_.said = edit.no_change;
-  news_.edited |= changed && open == &session_.active();
+  if (!changed) outcome_.said = edit.no_change;
+  outcome_.edited |= changed && open == &session_.active();
 }
 
 void SlowEdits::find_closest_weave() {
@@ -56,7 +56,7 @@ void SlowEdits::find_closest_weave() {
       [this, of](std::shared_ptr<const ClosestWeave> found) { take(of, std::move(found)); },
       [this, of](const std::string& why) {
         take(of, nullptr);
-        news_.said = fill(tr("The closest weave was not found: {problem}"), arg("problem", why));
+        outcome_.said = fill(tr("The closest weave was not found: {problem}"), arg("problem", why));
       });
   task.kind = kClosest;
   task.name = tr("Searching for the closest weave");

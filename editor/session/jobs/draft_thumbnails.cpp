@@ -77,7 +77,7 @@ DraftThumbnails::DraftThumbnails(std::string cache_folder, std::function<void()>
     : cache_folder_(std::move(cache_folder)), runner_(std::move(wake)) {}
 
 void DraftThumbnails::ask(const std::string& path) {
-  const auto made = [this, path](DraftThumbnail look) { news_.emplace_back(path, std::move(look)); };
+  const auto made = [this, path](DraftThumbnail look) { made_.emplace_back(path, std::move(look)); };
   base::Task task = base::task_with_result(
       [path, folder = cache_folder_](const base::RunningTask&) { return look_of_file(path, folder); }, made,
       [made](const std::string&) {
@@ -89,7 +89,7 @@ void DraftThumbnails::ask(const std::string& path) {
 
 std::vector<std::pair<std::string, DraftThumbnail>> DraftThumbnails::take() {
   runner_.take();
-  return std::exchange(news_, {});
+  return std::exchange(made_, {});
 }
 
 }  // namespace weftlight::session

@@ -35,7 +35,7 @@ class Exporter {
   /// True if a set was ever started.
   bool began() const;
   /// True if state() changed since the last call.
-  bool take_news();
+  bool take_change();
   /// The message of an export that ended since the last call; empty if none did.
   std::string take_message();
 
@@ -48,9 +48,9 @@ class Exporter {
   void end();
 
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // guards state_, news_ and message_
+  mutable std::mutex mutex_;  // guards state_, changed_ and message_
   State state_;
-  bool news_ = false;
+  bool changed_ = false;
   std::string message_;
   std::string mesh_name_;  // used by its tasks only, as is mesh_
   Mesh mesh_;

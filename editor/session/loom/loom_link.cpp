@@ -40,7 +40,7 @@ void LoomLink::connect(const std::string& address) {
     address_ = address;
     to_send_.clear();
     why_.clear();
-    news_ = {};
+    received_ = {};
     state_ = address.empty() ? State::kOff : State::kConnecting;
   }
   changed_.notify_all();
@@ -56,14 +56,14 @@ void LoomLink::send(const std::string& bytes) {
   changed_.notify_all();
 }
 
-LoomLink::News LoomLink::take() {
-  News news;
+LoomLink::Received LoomLink::take() {
+  Received received;
   {
     const std::lock_guard lock(mutex_);
-    std::swap(news, news_);
+    std::swap(received, received_);
   }
   changed_.notify_all();
-  return news;
+  return received;
 }
 
 LoomLink::State LoomLink::state() const {
@@ -111,7 +111,7 @@ void LoomLink::talk(platform::Line& line, const std::stop_token& stop) {
     state_ = State::kConnected;
     why_.clear();
     to_send_.clear();
-    news_.connected = true;
+    received_.connected = true;
   }
   wake_();
   loom::LoomReader reader;
@@ -124,7 +124,7 @@ bool LoomLink::exchange_once(platform::Line& line, loom::LoomReader& reader, con
   bool room = false;
   {
     std::unique_lock lock(mutex_);
-    const auto has_room = [this] { return news_.reports.size() < kMaxReports; };
+    const auto has_room = [this] { return received_.reports.size() < kMaxReports; };
     changed_.wait(lock, stop, [&] { return has_room() || !to_send_.empty(); });
     out = std::exchange(to_send_, {});
     room = has_room();
@@ -136,7 +136,7 @@ bool LoomLink::exchange_once(platform::Line& line, loom::LoomReader& reader, con
   {
     const std::lock_guard lock(mutex_);
     if (stop.stop_requested()) return false;
-    std::move(said.begin(), said.end(), std::back_inserter(news_.reports));
+    std::move(said.begin(), said.end(), std::back_inserter(received_.reports));
   }
   wake_();
   return true;

@@ -36,11 +36,11 @@ class LoomLink {
 
   /// While this many reports are not yet taken, nothing more is read from the loom.
   static constexpr size_t kMaxReports = 256;
-  struct News {
+  struct Received {
     bool connected = false;  // connected or reconnected since the last call
     std::vector<loom::LoomReport> reports;
   };
-  News take();
+  Received take();
   State state() const;
   /// Why the connection failed; empty while it stands or is being tried.
   std::string why() const;
@@ -61,7 +61,7 @@ class LoomLink {
   std::string address_, to_send_, why_;  // an empty address means disconnected
   std::stop_source wanted_;              // stopped when the address changes
   State state_ = State::kOff;
-  News news_;
+  Received received_;
   bool leaving_ = false;
   std::thread thread_;
 };

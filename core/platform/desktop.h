@@ -4,12 +4,16 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 namespace weftlight::platform {
 
-/// Shows a folder in the file manager, without waiting for it. Returns what is missing for that, or empty.
-std::string show_folder(const std::string& folder);
+struct MissingProgram {
+  std::string program;  // its name
+};
+/// Shows a folder in the file manager, without waiting for it.
+tl::expected<void, MissingProgram> show_folder(const std::string& folder);
 
 enum class FileAsk { kOpen, kSave, kFolder };
 

@@ -89,19 +89,19 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
 }
 
 void PreviewPane::work() {
-  const std::string why = caught([this] {
+  const base::Result<void> ended = caught([this] {
     Pipeline pipeline;
     const std::shared_ptr<const Design> first = first_design(pipeline);
     if (!first) return;
     const auto context = HeadlessContext::create();
-    if (!context) return fail(message(context.error()));
+    if (!context) return fail(context.error());
     PictureMaker maker(pipeline);
     maker.follow(first);
-    if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
-      fail(thrown), failed_ = true;
+    if (const base::Result<void> done = caught([&] { hand_over(maker, {}, false); }); !done)
+      fail(done.error()), failed_ = true;
     draw_until_left(maker);
   });
-  if (!why.empty()) fail(why);
+  if (!ended) fail(ended.error());
 }
 
 void PreviewPane::draw_until_left(PictureMaker& maker) {
@@ -117,14 +117,14 @@ void PreviewPane::draw_until_left(PictureMaker& maker) {
     const std::optional<PictureRequest> request = request_;
     const bool moving = moving_;
     lock.unlock();
-    const std::string thrown = caught([&] {
+    const base::Result<void> done = caught([&] {
       if (design) maker.submit(design);
       if (request) make(maker, *request, moving);
       failed_ = false;
       next_s = maker.next_s(seconds());
     });
-    if (!thrown.empty()) {
-      fail(thrown);
+    if (!done) {
+      fail(done.error());
       failed_ = true;
       next_s = kAgainS;
     }
@@ -132,12 +132,12 @@ void PreviewPane::draw_until_left(PictureMaker& maker) {
   }
 }
 
-void PreviewPane::fail(const std::string& why) {
+void PreviewPane::fail(const base::Error& error) {
   caught([&] {
     {
       const std::lock_guard lock(mutex_);
       drawn_ = Drawn{};
-      drawn_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
+      drawn_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(error)));
     }
     wake_window_();
   });
@@ -151,7 +151,8 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
   Drawn made;
   if (drawn) maker.read(made.width, made.height, made.pixels);
-  const PictureComparison& c = maker.comparison();
+  const base::Result<PictureComparison>& traced = maker.comparison();
+  const PictureComparison c = traced.value_or(PictureComparison{});
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
   if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
   made.reference_width = c.width, made.reference_height = c.height;
@@ -161,7 +162,10 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   made.picture.problem = maker.problem();
   made.picture.busy = maker.busy();
   made.picture.refining = maker.can_refine();
-  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, c.problem};
+  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, {}};
+  if (!traced)
+    made.picture.reference.problem =
+        fill(tr("No ray-traced picture: {problem}"), arg("problem", message(traced.error())));
   if (!made.picture.busy) made.made = maker.design();
   {
     const std::lock_guard lock(mutex_);

@@ -49,7 +49,7 @@ class PreviewPane {
   void work();
   void draw_until_left(class PictureMaker& maker);
   /// Shows an exception in place of the picture; the next picture is drawn in full.
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void make(PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
 

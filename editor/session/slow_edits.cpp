@@ -19,9 +19,9 @@ void SlowEdits::start(const SlowEdit& edit) {
   const State of{session_.active().id, session_.active().document.snapshot(), nullptr};
   base::Task task = base::task_with_result(
       [edit, of](const base::RunningTask& running) { return edit.apply(*of.design, running); },
-      [this, edit, of](const Design& made) { take(edit, of, made); },
-      [this, edit](const std::string& why) {
-        outcome_.said = fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", why));
+      [this, edit, of](const base::Result<Design>& made) {
+        if (made) return take(edit, of, *made);
+        outcome_.said = fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", message(made.error())));
       });
   task.kind = kEdit;
   task.name = edit.doing;
@@ -53,10 +53,11 @@ void SlowEdits::find_closest_weave() {
   searched_ = of;
   base::Task task = base::task_with_result(
       [of](const base::RunningTask& running) { return closest_weave_to(*of.design, *of.requested, running); },
-      [this, of](std::shared_ptr<const ClosestWeave> found) { take(of, std::move(found)); },
-      [this, of](const std::string& why) {
-        take(of, nullptr);
-        outcome_.said = fill(tr("The closest weave was not found: {problem}"), arg("problem", why));
+      [this, of](const base::Result<std::shared_ptr<const ClosestWeave>>& found) {
+        take(of, found.value_or(nullptr));
+        if (!found)
+          outcome_.said =
+              fill(tr("The closest weave was not found: {problem}"), arg("problem", message(found.error())));
       });
   task.kind = kClosest;
   task.name = tr("Searching for the closest weave");

@@ -77,11 +77,11 @@ DraftThumbnails::DraftThumbnails(std::string cache_folder, std::function<void()>
     : cache_folder_(std::move(cache_folder)), runner_(std::move(wake)) {}
 
 void DraftThumbnails::ask(const std::string& path) {
-  const auto made = [this, path](DraftThumbnail look) { made_.emplace_back(path, std::move(look)); };
   base::Task task = base::task_with_result(
-      [path, folder = cache_folder_](const base::RunningTask&) { return look_of_file(path, folder); }, made,
-      [made](const std::string&) {
-        made({DraftThumbnail::State::kUnreadable, 0, {}});
+      [path, folder = cache_folder_](const base::RunningTask&) { return look_of_file(path, folder); },
+      [this, path](base::Result<DraftThumbnail> look) {
+        DraftThumbnail unreadable{DraftThumbnail::State::kUnreadable, 0, {}};
+        made_.emplace_back(path, std::move(look).value_or(std::move(unreadable)));
       });
   task.kind = path;
   runner_.start(std::move(task));

@@ -4,15 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/text.h"
 #include "cloth/srgb.h"
 #include "texture_set/set_preview.h"
 
 namespace weftlight::session {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 namespace {
 
@@ -156,20 +151,13 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
       [design = design_, face, small, sizes](const base::RunningTask& running) {
         return export_preview(*design, face, small, sizes, running.stop());
       },
-      [this](ExportPreview made) { show(std::move(made)); },
-      [this](const std::string& why) {
-        ExportPreview none;
-        none.problem = fill(tr("No preview: {problem}"), arg("problem", why));
-        show(std::move(none));
+      [this](base::Result<ExportPreview> made) {
+        made_ = std::move(made);
+        busy_ = false;
       }));
 }
 
-void ExportPreviewer::show(ExportPreview made) {
-  made_ = std::move(made);
-  busy_ = false;
-}
-
-std::optional<ExportPreview> ExportPreviewer::take() {
+std::optional<base::Result<ExportPreview>> ExportPreviewer::take() {
   runner_.take();
   return std::exchange(made_, std::nullopt);
 }

@@ -32,7 +32,7 @@ void Exporter::start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> 
   task.work = [this, jobs = std::move(jobs), design = std::move(design)](const base::RunningTask& running) {
     run(jobs, *design, running.stop());
   };
-  task.failed = [this](const std::string& why, const base::RunningTask&) { fail(why); };
+  task.failed = [this](const base::Error& error, const base::RunningTask&) { fail(error); };
   runner_.start(std::move(task));
 }
 
@@ -106,10 +106,10 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
 }
 
 /// Handles exceptions outside of write_texture_set(), which reports its own.
-void Exporter::fail(const std::string& why) {
+void Exporter::fail(const base::Error& error) {
   {
     const std::lock_guard lock(mutex_);
-    state_.problems.push_back(why);
+    state_.problems.push_back(message(error));
   }
   end();
 }

@@ -44,7 +44,7 @@ class Exporter {
   /// Loads the mesh if a target needs it. On failure adds a problem and returns false.
   bool use_mesh(const std::vector<ExportJob>& jobs, const Design& design);
   void tell(size_t set, size_t sets, float share);
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void end();
 
   std::function<void()> wake_;

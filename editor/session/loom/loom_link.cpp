@@ -84,11 +84,10 @@ void LoomLink::work() {
     const std::string address = address_;
     const std::stop_token stop = wanted_.get_token();
     lock.unlock();
-    std::string why;
-    const std::string thrown = caught([&] { why = connect_once(address, stop); });
+    const base::Result<void> ended = caught([&]() -> base::Result<void> { return connect_once(address, stop); });
     lock.lock();
     if (stop.stop_requested()) continue;
-    why_ = thrown.empty() ? why : thrown;
+    why_ = problem_of(ended);
     state_ = State::kConnecting;
     lock.unlock();
     wake_();
@@ -97,11 +96,11 @@ void LoomLink::work() {
   }
 }
 
-std::string LoomLink::connect_once(const std::string& address, const std::stop_token& stop) {
-  const loom::LineOpened opened = loom::open_line(connector_, address, kConnect, stop);
-  if (!opened.line) return opened.why;
-  talk(*opened.line, stop);
-  return tr("the connection was lost");
+base::Failure LoomLink::connect_once(const std::string& address, const std::stop_token& stop) {
+  const auto line = loom::open_line(connector_, address, kConnect, stop);
+  if (!line) return failed(line);
+  talk(**line, stop);
+  return base::failure(base::ErrorKind::kOutput, tr("the connection was lost"));
 }
 
 void LoomLink::talk(platform::Line& line, const std::stop_token& stop) {

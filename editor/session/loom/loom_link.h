@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/result.h"
 #include "loom/line.h"
 #include "loom/protocol.h"
 #include "platform/line.h"
@@ -47,8 +48,8 @@ class LoomLink {
 
  private:
   void work();
-  /// One attempt: why it failed or ended. `stop`: the connection is no longer wanted.
-  std::string connect_once(const std::string& address, const std::stop_token& stop);
+  /// One attempt, until the connection ends; never without an error. `stop`: the connection is no longer wanted.
+  base::Failure connect_once(const std::string& address, const std::stop_token& stop);
   /// Sends and receives until the connection breaks or is no longer wanted.
   void talk(platform::Line& line, const std::stop_token& stop);
   /// Sends what waits and hears what came. False if the line takes no more.

@@ -22,9 +22,10 @@ using base::tr;
 using base::tr_n;
 
 bool ExportStage::poll() {
-  std::optional<ExportPreview> finished = preview.take();
+  std::optional<base::Result<ExportPreview>> finished = preview.take();
   if (!finished) return false;
-  shown = std::move(*finished);
+  problem = *finished ? "" : fill(tr("No preview: {problem}"), arg("problem", message(finished->error())));
+  shown = std::move(*finished).value_or(ExportPreview{});
   if (!shown.pixels.empty()) texture.set(shown.width, shown.height, std::exchange(shown.pixels, {}));
   return true;
 }
@@ -291,9 +292,9 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const DialogSizes& room) {
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + size.x, from.y + size.y}, c.style.color.window,
                                               c.style.px(3));
     ImGui::Dummy(size);
-    muted_text(c, p.stage->preview.busy()       ? tr("Rendering the images\xE2\x80\xA6")
-                  : stage.shown.problem.empty() ? tr("There is no cloth to show.")
-                                                : stage.shown.problem.c_str());
+    muted_text(c, p.stage->preview.busy() ? tr("Rendering the images\xE2\x80\xA6")
+                  : stage.problem.empty() ? tr("There is no cloth to show.")
+                                          : stage.problem.c_str());
   }
   ImGui::EndChild();
   PreviewSizes sizes;

@@ -5,7 +5,8 @@
 #include <memory>
 #include <string>
 #include <tl/expected.hpp>
-#include <vector>
+
+#include "platform/file_question.h"
 
 namespace weftlight::platform {
 
@@ -14,19 +15,6 @@ struct MissingProgram {
 };
 /// Shows a folder in the file manager, without waiting for it.
 tl::expected<void, MissingProgram> show_folder(const std::string& folder);
-
-enum class FileAsk { kOpen, kSave, kFolder };
-
-/// Files of one kind: what the user reads, and the endings' patterns such as "*.wif *.WIF".
-struct FileFilter {
-  std::string name, patterns;
-};
-struct FileQuestion {
-  FileAsk what = FileAsk::kOpen;
-  std::string title;
-  std::string start;                // the file or folder that is proposed; empty: none
-  std::vector<FileFilter> filters;  // the first is in force at the start; none for a folder
-};
 
 /// The desktop's own dialog for a file or a folder. It asks before it gives an existing file to save to.
 class FileDialog {

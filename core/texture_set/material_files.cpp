@@ -81,8 +81,8 @@ Mesh scale_quad() {
   return mesh;
 }
 
-std::string write_scale_quad(const SetFacts& set) {
-  return problem_of(write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr));
+base::Result<void> write_scale_quad(const SetFacts& set) {
+  return write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr);
 }
 
 }  // namespace weftlight::texture_set

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "files/written.h"
 #include "platform/desktop.h"
 #include "session/files/stale_files.h"
 #include "weaves/table.h"
@@ -171,9 +170,7 @@ void Files::save_for_others() {
 
 void Files::write(const std::string& path, std::function<std::string()> make) {
   base::Task task = base::task_with_result(
-      [path, make = std::move(make)](const base::RunningTask&) {
-        return files::written(write_file_atomically(path, make()));
-      },
+      [path, make = std::move(make)](const base::RunningTask&) { return write_file_atomically(path, make()); },
       [this, path](const base::Result<void>& written) {
         messages_.say(written ? fill(tr("Wrote {file}"), arg("file", file_name(path)))
                               : fill(tr("Not written: {problem}"), arg("problem", message(written.error()))));

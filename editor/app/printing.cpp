@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/window.h"
+#include "base/files.h"
 #include "base/text.h"
-#include "files/written.h"
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
@@ -25,7 +25,7 @@ base::Result<void> print_to(const std::string& path, const Design& design, const
   for (size_t i = 0; i < sheets; ++i) {
     progress.report(static_cast<float>(i) / static_cast<float>(sheets));
     const std::string file = print::sheet_file(path, i, sheets);
-    if (const auto done = files::written(write_file_atomically(file, printed->files[i])); !done) return done;
+    if (const auto done = write_file_atomically(file, printed->files[i]); !done) return done;
   }
   return {};
 }

@@ -8,7 +8,6 @@
 #include "commands/commands.h"
 #include "design/edits.h"
 #include "draft/factor.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
@@ -46,21 +45,23 @@ int set_shed_control(Design& design, const ConvertOptions& options) {
 /// Makes the draft fit the loom. Returns an exit code; the problem is printed.
 int fit(Design& design, const ConvertOptions& options) {
   if (!asks_for_loom(options)) return kDone;
-  Factored fitted = within_loom(design.draft, options.loom);
-  if (!fitted.done() && !options.closest) {
-    return fail({ErrorKind::kInput,
-                 fill(tr("{problem}; --closest gives the closest weave for that loom"), arg("problem", fitted.why)),
-                 options.in});
+  base::Result<Draft> fitted = within_loom(design.draft, options.loom);
+  if (!fitted && !options.closest) {
+    return fail(
+        {ErrorKind::kInput,
+         fill(tr("{problem}; --closest gives the closest weave for that loom"), arg("problem", fitted.error().text)),
+         options.in});
   }
-  if (!fitted.done()) {
-    fitted = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
+  if (!fitted) {
+    ClosestDraft closest = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
     const long long all = static_cast<long long>(design.draft.ends()) * design.draft.picks();
     const std::string line =
-        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", fitted.wrong),
-             arg("count", fitted.wrong), arg("all", all));
+        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", closest.wrong),
+             arg("count", closest.wrong), arg("all", all));
     std::printf("%s\n", line.c_str());
+    fitted = std::move(closest.draft);
   }
-  design.draft = std::move(fitted.draft);
+  design.draft = std::move(*fitted);
   return kDone;
 }
 
@@ -76,7 +77,7 @@ int convert_command(const ConvertOptions& options) {
   Design design = opened.design;
   if (const int code = set_shed_control(design, options); code != kDone) return code;
   if (const int code = fit(design, options); code != kDone) return code;
-  return finish(files::written(write_file_atomically(options.out, converted(opened.file, design, options))));
+  return finish(write_file_atomically(options.out, converted(opened.file, design, options)));
 }
 
 }  // namespace weftlight::commands

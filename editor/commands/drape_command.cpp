@@ -11,7 +11,6 @@
 #include "drape/stiffness.h"
 #include "files/design_drape.h"
 #include "files/files.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 namespace {
@@ -81,7 +80,7 @@ int write_design_drape(const DrapeOptions& options) {
   if (!can_drape(design))
     return refuse(fill(tr("{file}: the mesh of its scene, {mesh}, cannot be simulated; give --mesh"),
                        arg("file", options.name), arg("mesh", design.scene.mesh)));
-  if (const auto place = written(why_not_writable(options.out)); !place) return fail(place.error());
+  if (const auto place = base::check_writable(options.out); !place) return fail(place.error());
   return write_drape(design.scene.mesh, simulated_mesh(design), options.out);
 }
 

@@ -8,7 +8,6 @@
 #include "design/lights.h"
 #include "files/design_drape.h"
 #include "files/files.h"
-#include "files/written.h"
 #include "gl/pipeline.h"
 #include "light/lod_table.h"
 #include "scene/named_views.h"
@@ -64,7 +63,7 @@ int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
     return refuse(fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
   }
-  if (const auto place = o.turntable > 0 ? written({}) : written(why_not_writable(o.out)); !place)
+  if (const auto place = o.turntable > 0 ? base::Result<void>() : base::check_writable(o.out); !place)
     return fail(place.error());
   status.show(fill(tr("reading {file}"), arg("file", o.file)));
   OpenedDesign opened = open_design(o.file);
@@ -82,7 +81,7 @@ int PictureSetup::open(const PictureOptions& o) {
   apply_options(design, o);
   drape(design, status);
   if (const int code = open_graphics(); code != kDone) return code;
-  if (const std::string& problem = renderer->lod_table_problem(); !problem.empty()) print_problem(problem);
+  if (const auto& read = renderer->lod_table_read(); !read) print_problem(problem_of(read));
   const Draft& d = design.draft;
   status.show(fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks())));
   const base::Result<void> shown = upload_once(std::make_shared<const Design>(design), *renderer);

@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "commands/picture_setup.h"
-#include "files/written.h"
 #include "light/lod_table.h"
 #include "render_data/method_weights.h"
 #include "wif/wif.h"
@@ -32,7 +31,7 @@ base::Result<void> write_stats(const std::string& path, const FrameStats& stats,
                             {"bytes", stats.texture_bytes},
                             {"width", o.width},
                             {"height", o.height}};
-  return written(write_file_atomically(path, json.dump(2) + "\n"));
+  return write_file_atomically(path, json.dump(2) + "\n");
 }
 
 /// "picture_001.png" from "picture.png" and 1.

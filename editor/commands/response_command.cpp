@@ -11,7 +11,6 @@
 #include "commands/picture_setup.h"
 #include "design/methods.h"
 #include "files/files.h"
-#include "files/written.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
@@ -148,7 +147,7 @@ std::string as_csv(const std::vector<Directions>& directions, const Radiances& r
 }  // namespace
 
 int response_command(const ResponseOptions& o) {
-  if (const auto place = written(why_not_writable(o.out)); !place) return fail(place.error());
+  if (const auto place = base::check_writable(o.out); !place) return fail(place.error());
   const OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
@@ -159,7 +158,7 @@ int response_command(const ResponseOptions& o) {
                                       : o.method == "reference" ? traced(one_face(opened.design, o.face), o, directions)
                                                                 : drawn(opened.design, o, directions);
   if (!radiances) return fail(radiances.error());
-  return finish(written(write_file_atomically(o.out, as_csv(directions, *radiances))));
+  return finish(write_file_atomically(o.out, as_csv(directions, *radiances)));
 }
 
 }  // namespace weftlight::commands

@@ -551,7 +551,7 @@ VisiblePart Renderer::visible_part() const {
 }
 
 bool Renderer::is_software() const { return parts_->software; }
-const std::string& Renderer::lod_table_problem() const { return parts_->shipped.problem; }
+const base::Result<void>& Renderer::lod_table_read() const { return parts_->shipped.read; }
 
 std::string Renderer::device() const {
   return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +

@@ -96,8 +96,8 @@ class Renderer {
   VisiblePart visible_part() const;
   /// Software rendering (Mesa's llvmpipe).
   bool is_software() const;
-  /// Problem of the shipped LOD table; the built-in one is then used.
-  const std::string& lod_table_problem() const;
+  /// Whether the shipped LOD table was read; without it the built-in one is used.
+  const base::Result<void>& lod_table_read() const;
   /// Graphics card and driver.
   std::string device() const;
 

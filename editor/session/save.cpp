@@ -1,6 +1,5 @@
 #include "session/save.h"
 
-#include "files/written.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
@@ -11,7 +10,7 @@ SaveResult write(const SaveJob& job) {
     if (changed_since(job.path, known) == FileChange::kContent) return Saved{true, {}};
   }
   const std::string bytes = job.text();
-  if (const auto written = files::written(write_file_atomically(job.path, bytes)); !written) return failed(written);
+  if (const auto written = write_file_atomically(job.path, bytes); !written) return failed(written);
   return Saved{false, identify(job.path, bytes)};
 }
 

@@ -161,7 +161,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.by_painting = *bits == BitGrid::kDrawdown;
   edit.anew = drawn_on;
-  edit.why = [bits](const Design& d) { return why_locked(d, *bits); };
+  edit.why = [bits](const Design& d) { return problem_of(may_paint(d, *bits)); };
   return edit;
 }
 

@@ -28,8 +28,8 @@ FileIdentity identify(const std::string& path, std::string_view bytes) {
 
 FileIdentity identify(const std::string& path) {
   if (!facts_of(path).there) return {};
-  const FileBytes file = read_file(path);
-  return file.error.empty() ? identify(path, file.bytes) : FileIdentity{};
+  const base::Result<std::string> bytes = read_file(path);
+  return bytes ? identify(path, *bytes) : FileIdentity{};
 }
 
 FileChange changed_since(const std::string& path, FileIdentity& known) {

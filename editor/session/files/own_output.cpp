@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "files/written.h"
 #include "session/files/file_identity.h"
 #include "wif/wif.h"
 
@@ -38,7 +37,7 @@ constexpr const char* kIsTheDraft = mark("it is the draft to open; give another 
 /// The hashes in a record; empty if there is no record.
 std::vector<uint64_t> hashes_in(const std::string& record) {
   std::vector<uint64_t> hashes;
-  std::istringstream lines(read_file(record).bytes);
+  std::istringstream lines(read_file(record).value_or(""));
   for (uint64_t hash = 0; lines >> std::hex >> hash;) hashes.push_back(hash);
   return hashes;
 }
@@ -74,7 +73,7 @@ base::Result<void> LiveExport::write(std::string_view bytes) {
   const std::string beside = record_ + ".new";
   std::ofstream(beside) << std::hex << now << "\n" << (last_ != 0 ? last_ : identify(path_).hash) << "\n";
   fs::rename(beside, record_, ignored);
-  base::Result<void> written = files::written(write_file_atomically(path_, bytes));
+  base::Result<void> written = write_file_atomically(path_, bytes);
   if (written) last_ = now;
   return written;
 }
@@ -82,7 +81,7 @@ base::Result<void> LiveExport::write(std::string_view bytes) {
 base::Result<void> check_ui_map(const std::string& path, const std::string& draft) {
   if (same_file(path, draft)) return refused(path, tr(kIsTheDraft));
   if (is_free(path)) return {};
-  const nlohmann::json json = nlohmann::json::parse(read_file(path).bytes, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(read_file(path).value_or(""), nullptr, false);
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};
   return refused(path, tr("the file there is no map of the window; remove it or give another name"));
 }

@@ -82,7 +82,7 @@ std::map<std::string, float> writable(const std::map<std::string, float>& prices
 
 }  // namespace
 
-Settings load_settings() { return settings_from(read_file(settings_path().string(), kMaxBytes).bytes); }
+Settings load_settings() { return settings_from(read_file(settings_path().string(), kMaxBytes).value_or("")); }
 
 Settings settings_from(std::string_view text) {
   Settings s;

@@ -62,11 +62,10 @@ DraftThumbnail look_of_file(const std::string& path, const std::string& cache_fo
   const std::string kept = cache_folder.empty() ? "" : cache_folder + "/" + name_in_cache(path, facts);
   if (std::error_code error; !kept.empty() && fs::exists(kept, error)) look.picture = kept_picture(kept);
   if (look.picture.pixels.empty()) {
-    const FileBytes file = read_file(path, kMaxBytes);
-    const WifRead read = !file.error.empty()       ? WifRead{}
-                         : files::is_picture(path) ? files::read_picture_draft(path)
-                                                   : read_draft(file.bytes);
-    if (read.file) look.picture = thumbnail_of(read.file->design.draft, kThumbnailWidth, kThumbnailHeight);
+    const base::Result<WifFile> file = read_file(path, kMaxBytes).and_then([&path](const std::string& bytes) {
+      return (files::is_picture(path) ? files::read_picture_draft(path) : read_draft(bytes)).file;
+    });
+    if (file) look.picture = thumbnail_of(file->design.draft, kThumbnailWidth, kThumbnailHeight);
     if (!kept.empty() && !look.picture.pixels.empty()) keep_picture(cache_folder, kept, look.picture);
   }
   look.state = look.picture.pixels.empty() ? DraftThumbnail::State::kUnreadable : DraftThumbnail::State::kThere;

@@ -55,7 +55,7 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
 std::vector<std::string> in_the_way(const std::vector<ExportJob>& jobs) {
   std::vector<std::string> out;
   for (const ExportJob& job : jobs) {
-    std::string there = existing_files_problem(job.folder, job.options);
+    std::string there = problem_of(check_set_folder(job.folder, job.options));
     if (!there.empty()) out.push_back(std::move(there));
   }
   return out;

@@ -97,10 +97,11 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
   for (size_t i = 0; ready && i < jobs.size() && !stop.stop_requested(); ++i) {
     tell(i, jobs.size(), 0);
     const ExportProgress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
-    std::string problem = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
-    if (problem == kStopped) return;  // stop() has set the message, or a newer run will
+    const base::Result<void> done = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
+    // If it was stopped, stop() has set the message, or a newer run will.
+    if (!done && done.error().kind == base::ErrorKind::kCancelled) return;
     const std::lock_guard lock(mutex_);
-    (problem.empty() ? state_.written : state_.problems).push_back(problem.empty() ? jobs[i].folder : problem);
+    (done ? state_.written : state_.problems).push_back(done ? jobs[i].folder : problem_of(done));
   }
   if (!stop.stop_requested()) end();
 }

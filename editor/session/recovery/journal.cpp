@@ -5,7 +5,6 @@
 
 #include "base/caught.h"
 #include "base/text.h"
-#include "files/written.h"
 #include "platform/file.h"
 #include "wif/wif.h"
 
@@ -223,7 +222,7 @@ base::Result<void> Journal::write(uint64_t document, const State& state) {
     if (const base::Result<void> opened = recovery_.open(); !opened) return no_copy(opened.error());
     const std::string start = journal_start({state.note, text});
     base::Result<void> begun = append(path, start, File::Open::kCreate);
-    if (!begun) begun = files::written(write_file_atomically(path, start));
+    if (!begun) begun = write_file_atomically(path, start);
     if (!begun) return no_copy(begun.error());
     written = {state.note, {}, 0, 0, true};
   }

@@ -42,9 +42,9 @@ base::Result<JournalEntry> last_entry(const std::string& journal) {
     return base::failure(base::ErrorKind::kInput, std::move(why), journal);
   };
   if (facts_of(journal).size > 2 * kMaxJournalText) return unreadable(tr("it is larger than any journal"));
-  const FileBytes file = read_file(journal);
-  if (!file.error.empty()) return unreadable(file.error);
-  std::optional<JournalEntry> last = read_journal(file.bytes);
+  const base::Result<std::string> bytes = read_file(journal);
+  if (!bytes) return failed(bytes);
+  std::optional<JournalEntry> last = read_journal(*bytes);
   if (!last) return unreadable(tr("it is damaged before the end of its first entry"));
   return std::move(*last);
 }

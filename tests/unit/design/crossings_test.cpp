@@ -35,8 +35,8 @@ TEST(Crossings, ABlockEqualsItsCellsPaintedInOrder) {
     Design one_by_one = before;
     for (int p = s.b0; p < s.b1; ++p)
       for (int e = s.a0; e < s.a1; ++e)
-        one_by_one = painted_cell(std::move(one_by_one), e, p, block.get(p - s.b0, e - s.a0)).design;
-    const Design at_once = painted_crossings(before, s, s.a0, s.b0, block, Write::kInside).design;
+        one_by_one = with_drawdown_cell(std::move(one_by_one), e, p, block.get(p - s.b0, e - s.a0));
+    const Design at_once = painted_crossings(before, s, s.a0, s.b0, block, Write::kInside).value_or(before);
     EXPECT_EQ(drawdown(at_once.draft), drawdown(one_by_one.draft)) << rising;
   }
 }

@@ -169,7 +169,7 @@ Mesh fold(float radius_mm, float height_mm, uint32_t sides) {
 // silhouettes.
 TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
   const wif::WifRead satin =
-      wif::read_wif(base::read_file(presets_dir() + "/cloths/polyester_satin_charmeuse.wif").bytes);
+      wif::read_wif(base::read_file(presets_dir() + "/cloths/polyester_satin_charmeuse.wif").value_or(""));
   ASSERT_TRUE(satin.file);
   upload(satin.file->design, fold(4, 100, 64));
   renderer->set_lights(load_light_rig("overcast").value());

@@ -252,7 +252,8 @@ TEST(Stages, APictureOfLightThatCannotBeReadIsToldAndTheOldLightStays) {
   EXPECT_TRUE(first.lights && first.problem.empty()) << first.problem;
   for (const char* size : {"-Y 64 +X 64", "-Y 30000 +X 60000", "-Y 64 +X 128"}) {  // square, huge, empty
     const std::string path = scratch / "light.hdr";
-    ASSERT_EQ(base::write_file_atomically(path, std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + size + "\n"),
+    ASSERT_EQ(problem_of(base::write_file_atomically(
+                  path, std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + size + "\n")),
               "");
     d.scene.lights = path;
     const StageResult broken = update();

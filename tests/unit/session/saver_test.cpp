@@ -187,7 +187,7 @@ TEST_F(SaverTest, AnotherProgramsChangeIsNoticedAndOurOwnIsNot) {
   proceed();
   ASSERT_TRUE(*three) << problem_of(*three);
   EXPECT_TRUE((*three)->changed);
-  EXPECT_EQ(read_file(file_).bytes, "theirs");
+  EXPECT_EQ(read_file(file_).value_or(""), "theirs");
   EXPECT_FALSE(document().is_saved());
   hold_up();
   saver_->save(id_, file_, true, note(three));

@@ -9,12 +9,12 @@
 #include "platform/unique_name.h"
 
 namespace weftlight::base {
+
 namespace fs = std::filesystem;
 
-namespace {
+using platform::File, platform::FileKind;
 
-using platform::File;
-using platform::FileKind;
+namespace {
 
 Failure not_read(const std::string& path, std::string text) {
   return failure(ErrorKind::kInput, std::move(text), path);

@@ -7,6 +7,8 @@
 
 namespace weftlight::design {
 
+using draft::BitMatrix, draft::Selection, draft::Write;
+
 /// Where the threading (or liftplan) rules, an end takes along every end on its shafts, as on the loom, and where
 /// a block asks such ends for different things, the last end has its way; ends on no shaft stay down. Where the
 /// drawdown rules, the crossings change alone and ends move to other shafts. A treadled draft stays treadled:

@@ -16,14 +16,10 @@
 #include "base/text.h"
 
 namespace weftlight::files {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
+using base::cause_of, base::ErrorKind, base::failure, base::Result, base::tr, base::write_through;
+
+namespace {
 
 constexpr uint16_t kVersion = 20, kMadeBy = 63;  // FAT in the upper byte
 constexpr uint16_t kUtf8Names = 1u << 11;

@@ -9,15 +9,8 @@
 
 namespace weftlight::loom {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::tr;
-using platform::LineAddress;
-using platform::LineProblem;
-using platform::SerialAddress;
-using platform::TcpAddress;
+using base::arg, base::ErrorKind, base::failure, base::fill, base::tr;
+using platform::LineAddress, platform::LineProblem, platform::SerialAddress, platform::TcpAddress;
 
 namespace {
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/result.h"
-#include "loom/names.h"
 #include "platform/line.h"
 
 namespace weftlight::loom {

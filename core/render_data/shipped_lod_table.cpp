@@ -6,9 +6,8 @@
 
 namespace weftlight::render_data {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::presets_dir, base::read_file, base::tr;
+using light::default_lod_table, light::read_lod_table;
 
 namespace {
 

@@ -3,9 +3,10 @@
 
 #include "base/result.h"
 #include "light/lod_table.h"
-#include "render_data/names.h"
 
 namespace weftlight::render_data {
+
+using light::LodTable;
 
 struct ShippedLodTable {
   LodTable lod_table;

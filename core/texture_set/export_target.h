@@ -8,9 +8,10 @@
 #include "base/result.h"
 #include "light/engine_fit.h"
 #include "texture_set/channels.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using light::EngineModel;
 
 struct SetFacts;
 

@@ -8,7 +8,6 @@
 
 #include "base/result.h"
 #include "platform/file_lock.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
 

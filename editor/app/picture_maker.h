@@ -8,13 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "app/names.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
 #include "session/files/user_files.h"
 #include "session/jobs/reference_tracer.h"
 
 namespace weftlight::app {
+
+using design::Design, design::Look, design::Scene;
+using gl::Frame, gl::FrameStats, gl::Pipeline, gl::Renderer;
+using session::Compare, session::ReferenceTracer, session::TraceJob;
 
 /// The picture that the window requests.
 struct PictureRequest {
@@ -51,7 +54,7 @@ class PictureMaker {
   const base::Result<session::PictureComparison>& comparison() const { return comparison_; }
   /// Why there is no picture, or an error of the mesh.
   std::string problem() const {
-    return !problem_.empty() ? problem_ : !stats_.problem.empty() ? stats_.problem : pipeline_.problem();
+    return !problem_.empty() ? problem_ : !stats_.cloth ? problem_of(stats_.cloth) : problem_of(pipeline_.made());
   }
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// True while the newest design is being processed.

@@ -10,10 +10,10 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr, base::write_file_atomically;
+using design::Design;
+using session::Document;
+using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::plan_of;
 
 namespace {
 

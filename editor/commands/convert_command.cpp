@@ -10,13 +10,15 @@
 #include "draft/factor.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
+using design::Design, design::to_liftplan, design::to_treadling;
+using draft::ClosestDraft, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
+    draft::kMaxShafts, draft::within_loom, draft::Draft;
+using files::is_picture;
+using wif::PlainShedControl, wif::WifFile, wif::write_plain_wif, wif::write_wif;
+
+namespace {
 
 bool asks_for_loom(const ConvertOptions& o) { return o.loom != LoomSize{}; }
 

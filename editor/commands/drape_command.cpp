@@ -13,11 +13,14 @@
 #include "files/files.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cause_of, base::fill, base::tr;
+using design::Design;
+using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
+    drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
+using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh;
+
+namespace {
 
 int write_one(const Mesh& mesh, const std::string& path) {
   if (const auto saved = write_mesh(path, mesh, nullptr); !saved) return fail(saved.error());

@@ -12,11 +12,13 @@
 #include "wif/wif.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using design::Look, design::Method, design::Scene, design::method_name;
+using gl::Frame, gl::FrameStats;
+using render_data::kCoarsestTolerance;
+
+namespace {
 
 base::Result<void> write_stats(const std::string& path, const FrameStats& stats, float tolerance,
                                const PictureOptions& o) {
@@ -52,9 +54,9 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
     scene.view_azimuth =
         std::remainder(from + 360.0f * static_cast<float>(k) / static_cast<float>(o.turntable), 360.0f);
     setup.renderer->draw(scene, setup.design.look, frame);
-    if (const FrameStats stats = setup.renderer->measure(); !stats.problem.empty()) {
+    if (const FrameStats stats = setup.renderer->measure(); !stats.cloth) {
       setup.status.clear();
-      return fail({base::ErrorKind::kGraphics, stats.problem});
+      return fail(stats.cloth.error());
     }
     const auto saved = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
     if (!saved) {
@@ -91,7 +93,7 @@ int render_command(const PictureOptions& o) {
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   setup.status.clear();
-  if (!stats.problem.empty()) return fail({base::ErrorKind::kGraphics, stats.problem});
+  if (!stats.cloth) return fail(stats.cloth.error());
   if (requested != Method::kAuto && requested != stats.method) {
     print_problem(fill(tr("drawn with the method {method}, the closest one available"),
                        arg("method", std::string(method_name(stats.method)))));

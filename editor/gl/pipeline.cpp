@@ -9,6 +9,11 @@
 #include "render_data/stages.h"
 
 namespace weftlight::gl {
+
+using render_data::ClothLobes, render_data::ClothPatches, render_data::Effort, render_data::PackedCloth,
+    render_data::PreparedMesh, render_data::StageResult, render_data::Stages;
+using scene::LightRig;
+
 namespace {
 
 template <class T>
@@ -29,7 +34,7 @@ struct Pipeline::Parts {
   std::optional<PackedCloth> quick_maps;  // or these are; patches follow them
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
-  std::string problem;
+  base::Result<void> made;  // of the last design
   VisiblePart visible;
   bool quick_drawn = true;
   std::condition_variable_any drawn;
@@ -67,7 +72,8 @@ void Pipeline::Parts::fail(const base::Error& error) {
   stages = Stages();
   all_maps = false;
   patches = {};
-  problem = base::fill(base::tr("The cloth cannot be computed: {problem}"), base::arg("problem", message(error)));
+  made = base::failure(error.kind, base::fill(base::tr("The cloth cannot be computed: {problem}"),
+                                              base::arg("problem", message(error))));
 }
 
 /// Waits until the quick result is drawn, since drawing may need the same cores.
@@ -93,7 +99,7 @@ void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> c
     append(patches.crossings, std::move(result.patches.crossings));
     if (!result.all_maps && result.lobes) lobes = std::move(result.lobes);
   }
-  problem = std::move(result.problem);
+  made = std::move(result.made);
 }
 
 bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
@@ -148,13 +154,12 @@ void Pipeline::wait() const { parts_->runner.wait(); }
 base::Result<void> Pipeline::finish(Renderer& renderer) {
   wait();
   parts_->upload(renderer, true);
-  if (std::string why = problem(); !why.empty()) return base::failure(base::ErrorKind::kInput, std::move(why));
-  return {};
+  return made();
 }
 
-std::string Pipeline::problem() const {
+base::Result<void> Pipeline::made() const {
   const std::lock_guard lock(parts_->mutex);
-  return parts_->problem;
+  return parts_->made;
 }
 
 bool Pipeline::busy() const {
@@ -169,8 +174,7 @@ base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& r
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
   if (result.lights) renderer.set_lights(std::move(*result.lights));
   if (result.all_maps) renderer.upload(stages.release_packed());
-  if (!result.problem.empty()) return base::failure(base::ErrorKind::kInput, std::move(result.problem));
-  return {};
+  return result.made;
 }
 
 }  // namespace weftlight::gl

@@ -4,6 +4,8 @@
 
 namespace weftlight::session {
 
+using base::write_file_atomically;
+
 SaveResult write(const SaveJob& job) {
   if (job.known) {
     FileIdentity known = *job.known;

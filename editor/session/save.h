@@ -8,7 +8,6 @@
 
 #include "base/result.h"
 #include "session/files/file_identity.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "chart/names.h"
 #include "chart/rows.h"
 
 namespace weftlight::chart {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "chart/names.h"
 
 namespace weftlight::chart::plot {
 

@@ -7,6 +7,10 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using draft::Face;
+using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::encode_png, files::write_mesh;
+
 namespace {
 
 using enum Channel;

@@ -12,6 +12,9 @@
 namespace weftlight::session {
 
 using base::tr;
+using design::Loom, design::loom_size;
+using draft::Draft, draft::ClosestDraft, draft::closest_drawdown, draft::differences, draft::drawdown,
+    draft::kMaxShafts;
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "base/result.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "base/result.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -12,6 +12,10 @@
 #include "wif/other_formats.h"
 
 namespace weftlight::session {
+
+using base::content_hash, base::keep_newest, base::read_file;
+using wif::read_draft, wif::WifFile;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,6 +9,9 @@
 
 namespace weftlight::session {
 
+using files::Image;
+using texture_set::PreviewImage, texture_set::SetPreview, texture_set::key_of, texture_set::preview_set;
+
 namespace {
 
 constexpr int kMaxSide = 256;  // texels, of the images that the thumbnails show

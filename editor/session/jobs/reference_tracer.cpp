@@ -8,6 +8,11 @@
 
 namespace weftlight::session {
 
+using base::core_count;
+using cloth::Linear, cloth::linear_from_srgb;
+using reference::TubeOptions;
+using render_data::ReferenceView, render_data::lay_over;
+
 namespace {
 
 constexpr int kMaxSamples = 256;           // per pixel: noise is then invisible

@@ -10,11 +10,7 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::ErrorKind;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::caught, base::ErrorKind, base::fill, base::mark, base::tr, base::write_file_atomically;
 using platform::File;
 
 namespace {

@@ -11,7 +11,6 @@
 
 #include "base/result.h"
 #include "platform/file_lock.h"
-#include "session/files/names.h"
 #include "session/recovery/journal_format.h"
 
 namespace weftlight::session {

@@ -45,8 +45,8 @@ std::string upper(std::string text) {
 /// As it is typed: "FILE", "-o".
 std::string short_name(const CLI::Option& option) {
   if (option.get_positional()) return upper(option.get_name(true));
-  const std::vector<std::string>& letters = option.get_snames();
-  return letters.empty() ? option.get_name() : "-" + letters.front();
+  const std::vector<std::string>& one_letter = option.get_snames();
+  return one_letter.empty() ? option.get_name() : "-" + one_letter.front();
 }
 
 /// "WxH", "1..64"; empty for an option that takes no value. A check describes the value better than its type.
@@ -145,8 +145,7 @@ std::string HelpFormat::make_option(const CLI::Option* option, bool is_positiona
 }
 
 std::string HelpFormat::make_option_usage(const CLI::Option* option) const {
-  const std::string name = upper(CLI::Formatter::make_option_usage(option));
-  return name;
+  return upper(CLI::Formatter::make_option_usage(option));
 }
 
 std::string parse_problem(const CLI::App& parser, const CLI::Error& error) {

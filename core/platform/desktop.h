@@ -4,13 +4,17 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tl/expected.hpp>
 
 #include "platform/file_question.h"
 
 namespace weftlight::platform {
 
-/// Shows a folder in the file manager, without waiting for it. Returns what is missing for that, or empty.
-std::string show_folder(const std::string& folder);
+struct MissingProgram {
+  std::string program;  // its name
+};
+/// Shows a folder in the file manager, without waiting for it.
+tl::expected<void, MissingProgram> show_folder(const std::string& folder);
 
 /// The desktop's own dialog for a file or a folder. It asks before it gives an existing file to save to.
 class FileDialog {

@@ -52,7 +52,7 @@ void TextureExports::follow() {
 bool TextureExports::update() {
   const std::string message = exporter_.take_message();
   if (!message.empty()) messages_.say(message);
-  return exporter_.take_news() || !message.empty();
+  return exporter_.take_change() || !message.empty();
 }
 
 }  // namespace weftlight::app

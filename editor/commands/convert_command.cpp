@@ -33,26 +33,26 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
   return liftplan || treadling || asks_for_loom(options) ? write_wif(file, design) : file.bytes;
 }
 
-/// Applies the requested shed control. Returns an exit code; the problem is printed.
-int set_shed_control(Design& design, const ConvertOptions& options) {
-  if (options.shed_control == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
-  if (options.shed_control != ConvertShedControl::kTreadling) return kDone;
+base::Result<Design> with_shed_control(Design design, const ConvertOptions& options) {
+  if (options.shed_control == ConvertShedControl::kLiftplan) return to_liftplan(std::move(design));
+  if (options.shed_control != ConvertShedControl::kTreadling) return design;
   design = to_treadling(std::move(design));
-  if (design.draft.shed_control == ShedControl::kTreadling) return kDone;
-  return fail({ErrorKind::kInput,
-               fill(tr("the draft needs more than {count} treadles; keep its liftplan"), arg("count", int{kMaxShafts})),
-               options.in});
+  if (design.draft.shed_control == ShedControl::kTreadling) return design;
+  return base::failure(
+      ErrorKind::kInput,
+      fill(tr("the draft needs more than {count} treadles; keep its liftplan"), arg("count", int{kMaxShafts})),
+      options.in);
 }
 
-/// Makes the draft fit the loom. Returns an exit code; the problem is printed.
-int fit(Design& design, const ConvertOptions& options) {
-  if (!asks_for_loom(options)) return kDone;
+/// Makes the draft fit the loom.
+base::Result<Design> fitted_to_loom(Design design, const ConvertOptions& options) {
+  if (!asks_for_loom(options)) return design;
   base::Result<Draft> fitted = within_loom(design.draft, options.loom);
-  if (!fitted && !options.nearest) {
-    return fail(
-        {ErrorKind::kInput,
-         fill(tr("{problem}; --nearest gives the closest weave for that loom"), arg("problem", fitted.error().text)),
-         options.in});
+  if (!fitted && !options.closest) {
+    return base::failure(
+        ErrorKind::kInput,
+        fill(tr("{problem}; --closest gives the closest weave for that loom"), arg("problem", fitted.error().text)),
+        options.in);
   }
   if (!fitted) {
     ClosestDraft closest = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
@@ -64,7 +64,7 @@ int fit(Design& design, const ConvertOptions& options) {
     fitted = std::move(closest.draft);
   }
   design.draft = std::move(*fitted);
-  return kDone;
+  return design;
 }
 
 }  // namespace
@@ -76,10 +76,11 @@ int convert_command(const ConvertOptions& options) {
   }
   const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;
-  Design design = opened.design;
-  if (const int code = set_shed_control(design, options); code != kDone) return code;
-  if (const int code = fit(design, options); code != kDone) return code;
-  return finish(write_file_atomically(options.out, converted(opened.file, design, options)));
+  const base::Result<Design> design = with_shed_control(opened.design, options).and_then([&](Design changed) {
+    return fitted_to_loom(std::move(changed), options);
+  });
+  if (!design) return fail(design.error());
+  return finish(write_file_atomically(options.out, converted(opened.file, *design, options)));
 }
 
 }  // namespace weftlight::commands

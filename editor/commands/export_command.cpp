@@ -218,10 +218,9 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   ExportRun run{options, mesh, {}, kDone, 0, 0, {}};
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
     const Job& job = jobs[static_cast<size_t>(j)];
-    const std::string thrown = caught([&] { run_job(job, run); });
-    if (!thrown.empty())
+    if (const base::Result<void> done = caught([&] { run_job(job, run); }); !done)
       report(run, kNotWritten,
-             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
+             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
   });
   if (jobs.size() > 1) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),

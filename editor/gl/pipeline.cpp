@@ -42,7 +42,7 @@ struct Pipeline::Parts {
   // Constructed last and destroyed first: its tasks use all of the above.
   base::TaskRunner runner;
 
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void compute(const std::shared_ptr<const Design>& design, Effort effort, const std::stop_token& stop = {});
   void wait_for_picture(const std::stop_token& stop);
   void hand_over(StageResult result, std::optional<PackedCloth> copy);
@@ -66,14 +66,14 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
 }
 
 /// The next design is computed from the start: stages that threw may hold half of this one.
-void Pipeline::Parts::fail(const std::string& why) {
+void Pipeline::Parts::fail(const base::Error& error) {
   const std::lock_guard hold(maps);
   const std::lock_guard lock(mutex);
   stages = Stages();
   all_maps = false;
   patches = {};
-  made = base::failure(base::ErrorKind::kInput,
-                       base::fill(base::tr("The cloth cannot be computed: {problem}"), base::arg("problem", why)));
+  made = base::failure(error.kind, base::fill(base::tr("The cloth cannot be computed: {problem}"),
+                                              base::arg("problem", message(error))));
 }
 
 /// Waits until the quick result is drawn, since drawing may need the same cores.
@@ -135,7 +135,7 @@ void Pipeline::submit(std::shared_ptr<const Design> design) {
     parts->wait_for_picture(running.stop());
     if (!running.stopped()) parts->compute(design, Effort::kFull, running.stop());
   };
-  task.failed = [parts = parts_.get()](const std::string& why, const base::RunningTask&) { parts->fail(why); };
+  task.failed = [parts = parts_.get()](const base::Error& error, const base::RunningTask&) { parts->fail(error); };
   parts_->runner.start(std::move(task));
 }
 

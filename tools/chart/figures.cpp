@@ -280,14 +280,15 @@ std::string part_csv(const std::vector<ChartRow>& rows, const std::string& name,
 
 }  // namespace
 
-std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
-                                const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise) {
+base::Result<void> write_chart_figures(const std::string& dir, const std::string& device,
+                                       const std::vector<ChartRow>& rows, const std::vector<Brightness>& brightness,
+                                       const std::vector<TruthNoise>& noise) {
   const std::vector<Memory> memory = memory_points(rows);
-  const std::array<std::function<std::string()>, 11> steps{
+  const std::array<std::function<base::Result<void>()>, 11> steps{
       [&] { return write_figure(cost_figure(rows, device), dir + "/error_cost"); },
       [&] {
-        return problem_of(write_file_atomically(dir + "/error_cost.csv",
-                                                part_csv(rows, "ns_per_pixel", &ChartRow::ns_per_pixel, true)));
+        return write_file_atomically(dir + "/error_cost.csv",
+                                     part_csv(rows, "ns_per_pixel", &ChartRow::ns_per_pixel, true));
       },
       [&] {
         return write_figure(footprint_figure(rows, &ChartRow::model_error, "Error against footprint",
@@ -295,8 +296,8 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
                             dir + "/error_footprint");
       },
       [&] {
-        return problem_of(write_file_atomically(dir + "/error_footprint.csv",
-                                                part_csv(rows, "rel_rmse_model", &ChartRow::model_error, false)));
+        return write_file_atomically(dir + "/error_footprint.csv",
+                                     part_csv(rows, "rel_rmse_model", &ChartRow::model_error, false));
       },
       [&] {
         return write_figure(
@@ -306,17 +307,17 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
             dir + "/filtering_footprint");
       },
       [&] {
-        return problem_of(write_file_atomically(
-            dir + "/filtering_footprint.csv", part_csv(rows, "rel_rmse_filtering", &ChartRow::filtering_error, false)));
+        return write_file_atomically(dir + "/filtering_footprint.csv",
+                                     part_csv(rows, "rel_rmse_filtering", &ChartRow::filtering_error, false));
       },
       [&] { return write_figure(albedo_figure(brightness), dir + "/albedo"); },
-      [&] { return problem_of(write_file_atomically(dir + "/albedo.csv", albedo_csv(brightness))); },
+      [&] { return write_file_atomically(dir + "/albedo.csv", albedo_csv(brightness)); },
       [&] { return write_figure(memory_figure(memory, rows), dir + "/memory"); },
-      [&] { return problem_of(write_file_atomically(dir + "/memory.csv", memory_csv(memory))); },
-      [&] { return problem_of(write_file_atomically(dir + "/truth_noise.csv", noise_csv(noise))); },
+      [&] { return write_file_atomically(dir + "/memory.csv", memory_csv(memory)); },
+      [&] { return write_file_atomically(dir + "/truth_noise.csv", noise_csv(noise)); },
   };
   for (const auto& step : steps) {
-    if (std::string problem = step(); !problem.empty()) return problem;
+    if (auto done = step(); !done) return done;
   }
   return {};
 }

@@ -80,14 +80,13 @@ DraftThumbnails::DraftThumbnails(std::string cache_folder, std::function<void()>
     : cache_folder_(std::move(cache_folder)), runner_(std::move(wake)) {}
 
 void DraftThumbnails::ask(const std::string& path) {
-  const auto made = [this, path](DraftThumbnail look) { news_.emplace_back(path, std::move(look)); };
   base::Task task = base::task_with_result(
       [path, folder = cache_folder_](const base::RunningTask& running) {
         return look_of_file(path, folder, running.stop());
       },
-      made,
-      [made](const std::string&) {
-        made({DraftThumbnail::State::kUnreadable, 0, {}});
+      [this, path](base::Result<DraftThumbnail> look) {
+        DraftThumbnail unreadable{DraftThumbnail::State::kUnreadable, 0, {}};
+        made_.emplace_back(path, std::move(look).value_or(std::move(unreadable)));
       });
   task.kind = path;
   task.may_be_left = true;
@@ -96,7 +95,7 @@ void DraftThumbnails::ask(const std::string& path) {
 
 std::vector<std::pair<std::string, DraftThumbnail>> DraftThumbnails::take() {
   runner_.take();
-  return std::exchange(news_, {});
+  return std::exchange(made_, {});
 }
 
 }  // namespace weftlight::session

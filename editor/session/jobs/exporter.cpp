@@ -32,7 +32,7 @@ void Exporter::start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> 
   task.work = [this, jobs = std::move(jobs), design = std::move(design)](const base::RunningTask& running) {
     run(jobs, *design, running.stop());
   };
-  task.failed = [this](const std::string& why, const base::RunningTask&) { fail(why); };
+  task.failed = [this](const base::Error& error, const base::RunningTask&) { fail(error); };
   runner_.start(std::move(task));
 }
 
@@ -56,9 +56,9 @@ bool Exporter::began() const {
   return state_.sets > 0;
 }
 
-bool Exporter::take_news() {
+bool Exporter::take_change() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(news_, false);
+  return std::exchange(changed_, false);
 }
 
 std::string Exporter::take_message() {
@@ -73,7 +73,7 @@ void Exporter::tell(size_t set, size_t sets, float share) {
     const bool same = state_.set == set && state_.sets == sets && std::abs(all - state_.share) < kStep;
     state_.set = set, state_.sets = sets;
     if (same) return;
-    state_.share = all, news_ = true;
+    state_.share = all, changed_ = true;
   }
   wake_();
 }
@@ -107,10 +107,10 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
 }
 
 /// Handles exceptions outside of write_texture_set(), which reports its own.
-void Exporter::fail(const std::string& why) {
+void Exporter::fail(const base::Error& error) {
   {
     const std::lock_guard lock(mutex_);
-    state_.problems.push_back(why);
+    state_.problems.push_back(message(error));
   }
   end();
 }
@@ -118,7 +118,7 @@ void Exporter::fail(const std::string& why) {
 void Exporter::end() {
   {
     const std::lock_guard lock(mutex_);
-    state_.busy = false, state_.share = 1, news_ = true;
+    state_.busy = false, state_.share = 1, changed_ = true;
     const size_t count = state_.written.size();
     if (!state_.problems.empty())
       message_ = fill(tr("Not exported: {problem}"), arg("problem", state_.problems.front()));

@@ -37,13 +37,13 @@ int at_each_allocation(const std::function<void()>& job, const std::function<voi
   int failures = 0;
   for (int n = 1; n <= kMost; ++n) {
     bool reached = false;
-    const std::string thrown = base::caught([&] {
+    const base::Result<void> done = base::caught([&] {
       const NthFails fails(n);
-      const std::string inner = base::caught(job);
+      const base::Result<void> inner = base::caught(job);
       reached = NthFails::failed();
-      if (!inner.empty()) throw std::bad_alloc();
+      if (!inner) throw std::bad_alloc();
     });
-    failures += !thrown.empty();
+    failures += !done;
     after(n);
     if (!reached) break;
   }

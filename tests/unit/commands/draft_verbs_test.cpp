@@ -148,13 +148,16 @@ TEST_F(DraftVerbs, convert_to_a_smaller_loom_fails_or_takes_the_closest_weave) {
   EXPECT_EQ(open_design(path("eight.wif")).design.draft, open_design(path("satin.wif")).design.draft);
   const Ran refused = run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4"});
   EXPECT_EQ(refused.code, kBadInput);
-  EXPECT_NE(refused.said.find("this takes 8 shafts, and the loom has 4; --nearest"), std::string::npos) << refused.said;
+  EXPECT_NE(refused.said.find("this takes 8 shafts, and the loom has 4; --closest"), std::string::npos) << refused.said;
   EXPECT_FALSE(std::filesystem::exists(path("four.wif")));
-  EXPECT_EQ(run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4", "--nearest"}).code, kDone);
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4", "--closest"}).code, kDone);
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("same.wif"), "--shafts", "4", "--nearest"}).code, kDone)
+      << "its earlier name";
+  EXPECT_EQ(open_design(path("same.wif")).design.draft, open_design(path("four.wif")).design.draft);
   const Draft four = open_design(path("four.wif")).design.draft;
   EXPECT_LE(four.shafts, 4);
   EXPECT_EQ(four.ends(), 16);
-  EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--nearest"}).code, kUsage);
+  EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--closest"}).code, kUsage);
   EXPECT_EQ(run({"convert", path("satin.wif"), path("x.wif"), "--shafts", "0"}).code, kUsage);
 }
 

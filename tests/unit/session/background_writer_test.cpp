@@ -28,7 +28,7 @@ class BackgroundWriterTest : public ScratchTest {
 TEST_F(BackgroundWriterTest, RetriesUntilTheFolderExists) {
   BackgroundWriter writer;
   const std::string file = path("folder/live.wif");
-  writer.keep(file, [file] { return problem_of(write_file_atomically(file, "draft")); });
+  writer.keep(file, [file] { return write_file_atomically(file, "draft"); });
   ASSERT_TRUE(comes_true([&] { return !writer.problem().empty(); }));
   EXPECT_NE(writer.problem().find(file), std::string::npos) << writer.problem();
   EXPECT_TRUE(writer.busy());
@@ -39,12 +39,12 @@ TEST_F(BackgroundWriterTest, RetriesUntilTheFolderExists) {
 
 TEST_F(BackgroundWriterTest, AFailingPathDoesNotDelayOthers) {
   BackgroundWriter writer;
-  writer.keep("a", [] { return "no"; });
+  writer.keep("a", []() -> base::Result<void> { return base::failure(base::ErrorKind::kOutput, "no"); });
   ASSERT_TRUE(comes_true([&] { return writer.problem() == "no"; }));
   std::atomic<bool> done{false};
   writer.keep("b", [&done] {
     done = true;
-    return "";
+    return base::Result<void>();
   });
   EXPECT_TRUE(comes_true([&] { return done.load(); }));
   EXPECT_EQ(writer.problem(), "no");
@@ -60,13 +60,13 @@ TEST_F(BackgroundWriterTest, OfSeveralWaitingWritesOnlyTheNewestIsDone) {
     // The first holds the writer up until all others wait.
     writer.keep("a", [&queued] {
       queued.wait();
-      return "";
+      return base::Result<void>();
     });
     for (int i = 1; i <= 1000; ++i)
       writer.keep("a", [&last, &runs, i] {
         last = i;
         ++runs;
-        return "";
+        return base::Result<void>();
       });
     queued.count_down();
   }
@@ -78,7 +78,7 @@ TEST_F(BackgroundWriterTest, AFailingWriteDoesNotDelayTheEnd) {
   std::atomic<int> tries{0};
   {
     BackgroundWriter writer;
-    writer.keep("a", [&tries]() -> std::string {
+    writer.keep("a", [&tries]() -> base::Result<void> {
       ++tries;
       throw std::bad_alloc();
     });

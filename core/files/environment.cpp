@@ -14,18 +14,9 @@
 
 namespace weftlight::files {
 
-using base::Result, base::failed, base::failure, base::fill, base::tr, base::tr_n;
+using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::tr, base::tr_n;
 
 namespace {
-
-using base::arg;
-using base::ErrorKind;
-using base::failed;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
-using base::tr_n;
 
 constexpr int kMaxWidth = 32768;
 constexpr int kBandRows = 32;

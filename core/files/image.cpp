@@ -19,17 +19,10 @@
 
 namespace weftlight::files {
 
-using base::Result, base::cause_of, base::failure, base::fill, base::tr, base::write_file_atomically,
-    base::write_through;
+using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, base::fill, base::tr,
+    base::write_file_atomically, base::write_through;
 
 namespace {
-
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
 
 constexpr int kMaxSide = 65536;
 constexpr int kMaxChannels = 256;

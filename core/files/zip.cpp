@@ -18,13 +18,9 @@
 
 namespace weftlight::files {
 
-using base::cause_of, base::fill, base::tr, base::write_through;
+using base::arg, base::cause_of, base::fill, base::tr, base::write_through;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr uint16_t kVersion = 20, kMadeBy = 63;  // FAT in the upper byte
 constexpr uint16_t kUtf8Names = 1u << 11;

@@ -14,7 +14,6 @@ using cloth::SrgbTable;
 
 namespace {
 
-using base::mark;
 using enum Channel;
 
 float encoded(float linear, bool srgb) {

@@ -16,8 +16,6 @@ using files::draw_text;
 
 namespace {
 
-using base::tr;
-
 // Pixels of the sheet.
 constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40;
 constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f, 0.17f}, kFaint{0.45f, 0.45f, 0.45f};

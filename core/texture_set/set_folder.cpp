@@ -14,17 +14,13 @@
 
 namespace weftlight::texture_set {
 
-using base::fill, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using platform::FileLock, platform::LockAnswer;
 
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::fill;
-using base::tr;
 using nlohmann::json;
-using platform::FileLock;
-using platform::LockAnswer;
 
 constexpr const char* kList = "texture_set.json";
 constexpr const char* kFormat = "weftlight texture set";

@@ -15,8 +15,6 @@ using files::PixelType, files::encode_png;
 
 namespace {
 
-using base::tr;
-
 constexpr float kMaxRepeats = 40;  // of the tile, across a swatch
 constexpr float kPizRatio = 0.7f;  // compressed size of half floats of our maps
 

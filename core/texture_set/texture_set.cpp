@@ -19,7 +19,7 @@
 
 namespace weftlight::texture_set {
 
-using base::fill, base::problem_of, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::problem_of, base::tr, base::write_file_atomically;
 using cloth::ClothLayer, cloth::Period, cloth::ThreadBody, cloth::lay_out;
 using design::Twist, design::Yarn;
 using draft::BitMatrix, draft::drawdown;
@@ -29,9 +29,6 @@ using light::EngineCheck, light::EngineFit, light::EngineScore, light::kFootprin
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::fill;
-using base::tr;
 using nlohmann::json;
 
 constexpr size_t kMaxTileThreads = 8192;  // per system, in a tile of several repeats

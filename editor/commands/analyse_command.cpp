@@ -24,7 +24,7 @@ using analysis::ClothPlan, analysis::Comparison, analysis::Difference, analysis:
     analysis::YarnReport, analysis::compare, analysis::interlacing, analysis::long_floats, analysis::longest_floats,
     analysis::loom_use, analysis::sett_per_cm, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm,
     analysis::yarn_report;
-using base::fill, base::tr, base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
 using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat, design::tex_of,
     design::warp_up_fraction;
 using draft::BitMatrix, draft::Face, draft::LoomSize, draft::Rgb, draft::System, draft::drawdown, draft::fewest_for;
@@ -32,10 +32,6 @@ using draft::BitMatrix, draft::Face, draft::LoomSize, draft::Rgb, draft::System,
 namespace {
 
 using Json = nlohmann::ordered_json;
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
 
 struct DraftAnalysis {
   Repeat structure, design;

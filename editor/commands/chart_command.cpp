@@ -20,7 +20,7 @@
 
 namespace weftlight::commands {
 
-using base::fill, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
 using chart::Brightness, chart::ChartBench, chart::ChartEffort, chart::ChartLight, chart::ChartRow,
     chart::ChartSelection, chart::CountedDraw, chart::DrapeRow, chart::DrawCounter, chart::TruthNoise,
     chart::chart_cells, chart::chart_csv, chart::chart_effort, chart::drape_cells, chart::drapes_csv,
@@ -30,10 +30,6 @@ using design::Look, design::Method, design::method_name;
 using light::LodTable;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr std::array<double, 7> kAlbedoViews{0, 20, 40, 55, 70, 80, 85};
 

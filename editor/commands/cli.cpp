@@ -18,13 +18,9 @@
 
 namespace weftlight::commands {
 
-using base::cause_of, base::fill, base::tr;
+using base::arg, base::cause_of, base::fill, base::tr;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr std::string_view kLanguageOption = "--language";
 

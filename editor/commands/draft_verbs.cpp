@@ -17,9 +17,6 @@ using draft::kMaxShafts, draft::kMaxThreads;
 
 namespace {
 
-using base::mark;
-using base::tr;
-
 constexpr double kMaxLengthMm = 1e7;
 
 RunVerb add_info(CLI::App& verb) {

@@ -15,7 +15,7 @@
 
 namespace weftlight::commands {
 
-using base::cause_of, base::fill, base::tr, base::why_not_writable;
+using base::arg, base::cause_of, base::fill, base::tr, base::why_not_writable;
 using design::Design;
 using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
     drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
@@ -23,10 +23,6 @@ using files::can_drape, files::is_draped, files::load_design_drape, files::simul
     files::written;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 int write_one(const Mesh& mesh, const std::string& path) {
   if (const auto saved = write_mesh(path, mesh, nullptr); !saved) return fail(saved.error());

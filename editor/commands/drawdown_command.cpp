@@ -13,14 +13,10 @@
 
 namespace weftlight::commands {
 
-using base::fill, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
 using draft::BitMatrix, draft::Draft, draft::Face, draft::complement, draft::drawdown;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 std::string as_text(const BitMatrix& cells) {
   std::string text;

@@ -26,7 +26,7 @@
 
 namespace weftlight::commands {
 
-using base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr;
+using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr;
 using design::Design;
 using drape::Mesh;
 using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
@@ -40,9 +40,6 @@ using wif::is_draft_name, wif::is_wif_name;
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr auto kWatchStep = std::chrono::milliseconds(500);
 

@@ -11,15 +11,11 @@
 
 namespace weftlight::commands {
 
-using base::as_utf8, base::cut_utf8, base::fill, base::tr;
+using base::arg, base::as_utf8, base::cut_utf8, base::fill, base::tr;
 using design::is_environment;
 using draft::Face;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr double kMaxAngleDeg = 89.9;
 constexpr size_t kMaxAngles = 10000;

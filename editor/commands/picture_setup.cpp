@@ -15,7 +15,7 @@
 
 namespace weftlight::commands {
 
-using base::fill, base::message, base::tr, base::why_not_writable;
+using base::arg, base::fill, base::message, base::tr, base::why_not_writable;
 using design::Method, design::NamedView, design::Scene, design::is_environment, design::lighting_preset, design::lit_by,
     design::lit_by_environment, design::method_from_name;
 using draft::Draft;
@@ -24,10 +24,6 @@ using gl::upload_once;
 using scene::drawn_scene, scene::view_named, scene::view_names;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 

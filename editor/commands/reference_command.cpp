@@ -8,7 +8,7 @@
 
 namespace weftlight::commands {
 
-using base::fill, base::message, base::tr;
+using base::arg, base::fill, base::message, base::tr;
 using design::Design, design::Scene;
 using files::Image;
 using gl::Frame, gl::FrameStats;
@@ -16,10 +16,6 @@ using reference::Progress, reference::TracedImage;
 using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 Progress progress_on(StatusLine& status) {
   return [&status, last = -1](float done) mutable {

@@ -11,16 +11,12 @@
 
 namespace weftlight::commands {
 
-using base::fill, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
 using weaves::GeneratedWeave, weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues,
     weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
 using wif::write_new_wif;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 /// "(2 to 32)", "(own, point)", or nothing for a text.
 std::string range_text(const WeaveParameter& parameter) {

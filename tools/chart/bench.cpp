@@ -29,7 +29,7 @@
 
 namespace weftlight::chart {
 
-using base::fill, base::message, base::presets_dir, base::read_file, base::shaders_dir, base::tr;
+using base::arg, base::fill, base::message, base::presets_dir, base::read_file, base::shaders_dir, base::tr;
 using cloth::lay_out;
 using design::Design;
 using draft::BitMatrix, draft::Face, draft::drawdown;
@@ -40,10 +40,6 @@ using scene::kKeyIrradiance, scene::kKeyRadius;
 using wif::WifRead, wif::read_draft;
 
 namespace {
-
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr glm::vec3 kIrradiance{kKeyIrradiance};
 constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm; pixels do not align with threads

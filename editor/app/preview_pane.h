@@ -13,12 +13,14 @@
 
 #include "app/picture_maker.h"
 #include "gl/context.h"
+#include "gl/reset_watch.h"
 #include "ui/pixel_texture.h"
 #include "views/cloth/preview_panel.h"
 
 namespace weftlight::app {
 
 using design::Design;
+using gl::HeadlessContext;
 using ui::PixelTexture;
 using views::PreviewPicture;
 
@@ -34,13 +36,14 @@ class PreviewPane {
   void submit(std::shared_ptr<const Design> design);
   /// Replaces the earlier request.
   void ask(const PictureRequest& request, bool moving);
-  /// Takes the newest result; true if there is something to show. Needs the window's GL context.
+  /// Takes the newest result; true if there is something to show. Needs the window's GL context and its thread, which
+  /// opens the hidden window where the drawing thread asks for one.
   bool poll();
   PreviewPicture picture() const;
 
  private:
   /// A result of the drawing thread. Unchanged pixels are left out.
-  struct News {
+  struct Drawn {
     int width = 0, height = 0;
     std::vector<uint32_t> pixels;
     std::vector<uint32_t> reference;  // of the shown comparison
@@ -51,12 +54,17 @@ class PreviewPane {
 
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
-  /// Makes a context and draws in it. True if the context was lost, false if there is nothing more to do.
-  bool work_in_context();
-  /// True if the context was lost, false if the pane leaves.
-  bool draw_while_there(class PictureMaker& maker, const gl::HeadlessContext& context);
+  /// Draws in one context after another, until the pane is left: one that was lost is made anew.
+  void weave_and_draw();
+  /// Opens `context_` and draws. True if it was lost, false if there is nothing more to do.
+  bool draw_in_context();
+  /// On the drawing thread: waits until the window's thread has opened one.
+  HeadlessContext::Opened ask_for_hidden_window();
+  void open_hidden_window_if_asked();
+  /// True if the context was lost, false if the pane is left.
+  bool draw_while_there(class PictureMaker& maker, const gl::ResetWatch& watch);
   /// Shows an exception in place of the picture; the next picture is drawn in full.
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void make(PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
 
@@ -67,8 +75,13 @@ class PreviewPane {
   std::shared_ptr<const Design> design_;
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
-  std::optional<News> news_;
+  std::optional<Drawn> drawn_;
+  bool asks_for_window_ = false;
+  std::optional<HeadlessContext::Opened> hidden_window_;  // the answer
   bool failed_ = false;  // used by the drawing thread: the last picture was not handed over
+  // Opened and used by the drawing thread; destroyed by the window's, which alone may destroy windows.
+  std::unique_ptr<HeadlessContext> context_;
+  std::vector<std::unique_ptr<HeadlessContext>> lost_;  // earlier ones, a few
   // Used by the window's thread.
   std::shared_ptr<const Design> submitted_, shown_;
   PreviewPicture picture_;

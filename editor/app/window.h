@@ -8,12 +8,16 @@
 #include <vector>
 
 #include "base/result.h"
-#include "gl/context.h"
+#include "gl/reset_watch.h"
 #include "ui/redraw.h"
 #include "ui/style.h"
 
 struct GLFWwindow;
 struct GLFWcursor;
+
+namespace weftlight::gl {
+class WindowSystem;
+}
 
 namespace weftlight::app {
 
@@ -66,6 +70,7 @@ class Window {
   Window();
   float display_scale() const;
 
+  std::shared_ptr<gl::WindowSystem> system_;  // outlives the window
   GLFWwindow* window_ = nullptr;
   struct Inbox;
   static void listen(GLFWwindow* window);

@@ -49,11 +49,11 @@ TEST_F(PowerLoss, AFileIsTheOldOneOrTheNew) {
   written("a.wif", texts[0]);
   Disk disk(dir_);
   for (int i = 1; i < 4; ++i) {
-    ASSERT_EQ(base::write_file_atomically(path("a.wif"), texts[static_cast<size_t>(i)]), "");
+    ASSERT_TRUE(base::write_file_atomically(path("a.wif"), texts[static_cast<size_t>(i)]));
     disk.promise(i);
   }
   const size_t crashes = disk.after_each_crash([&](int promised) {
-    const std::string now = base::read_file(path("a.wif")).bytes;
+    const std::string now = base::read_file(path("a.wif")).value_or("");
     const auto found = std::ranges::find(texts, now);
     ASSERT_NE(found, texts.end()) << now;
     EXPECT_GE(found - texts.begin(), promised);
@@ -97,7 +97,7 @@ TEST_F(PowerLoss, EveryStrokeIsInTheFileOrInTheJournal) {
   Disk disk(dir_);
   {
     session::Session session(recovery_folder(), session::Document(designs[0]), false);
-    wif::WifRead read = wif::read_wif(base::read_file(path("a.wif")).bytes);
+    wif::WifRead read = wif::read_wif(base::read_file(path("a.wif")).value_or(""));
     const uint64_t id =
         session
             .add(session::Document(std::move(*read.file), {}, path("a.wif"), session::identify(path("a.wif"))),
@@ -125,10 +125,10 @@ TEST_F(PowerLoss, EveryStrokeIsInTheFileOrInTheJournal) {
                                   ? -1
                                   : texts.rend() - std::find(texts.rbegin(), texts.rend(), text) - 1);
     };
-    const int in_file = stage(base::read_file(path("a.wif")).bytes);
+    const int in_file = stage(base::read_file(path("a.wif")).value_or(""));
     int in_journal = 0;
     for (const std::string& one : left()) in_journal = std::max(in_journal, stage(one));
-    EXPECT_TRUE(in_file >= 0 || base::read_file(path("a.wif")).bytes == wif::write_new_wif(designs[0]));
+    EXPECT_TRUE(in_file >= 0 || base::read_file(path("a.wif")).value_or("") == wif::write_new_wif(designs[0]));
     EXPECT_GE(std::max(in_file, in_journal), promised);
   });
 }
@@ -154,14 +154,14 @@ TEST_F(PowerLoss, TheLiveExportKnowsItsFile) {
   {
     session::LiveExport live(path("live.wif"), path("state"));
     for (int i = 1; i <= 3; ++i) {
-      ASSERT_EQ(live.write("text " + std::to_string(i)), "");
+      ASSERT_TRUE(live.write("text " + std::to_string(i)));
       disk.promise(i);
     }
   }
   disk.after_each_crash([&](int promised) {
-    const std::string now = base::read_file(path("live.wif")).bytes;
+    const std::string now = base::read_file(path("live.wif")).value_or("");
     EXPECT_TRUE(now.empty() ? promised == 0 : now >= "text " + std::to_string(promised)) << now;
-    EXPECT_EQ(session::LiveExport(path("live.wif"), path("state")).rejected_edit(""), "") << now;
+    EXPECT_EQ(base::problem_of(session::LiveExport(path("live.wif"), path("state")).check("")), "") << now;
   });
 }
 
@@ -169,7 +169,7 @@ std::map<std::string, std::string> bytes_in(const fs::path& folder) {
   std::map<std::string, std::string> all;
   if (!fs::exists(folder)) return all;
   for (const auto& entry : fs::directory_iterator(folder))
-    all[entry.path().filename().string()] = base::read_file(entry.path().string()).bytes;
+    all[entry.path().filename().string()] = base::read_file(entry.path().string()).value_or("");
   return all;
 }
 
@@ -179,18 +179,18 @@ TEST_F(PowerLoss, AnExportedSetHasWholeFilesAndStaysItsOwners) {
   options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
   const design::Design before = straight_draft(4), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
   const Scratch whole("whole");
-  ASSERT_EQ(texture_set::write_texture_set(whole / "old", before, {}, options), "");
-  ASSERT_EQ(texture_set::write_texture_set(whole / "new", after, {}, options), "");
+  ASSERT_TRUE(texture_set::write_texture_set(whole / "old", before, {}, options));
+  ASSERT_TRUE(texture_set::write_texture_set(whole / "new", after, {}, options));
   const auto old_set = bytes_in(whole / "old"), new_set = bytes_in(whole / "new");
   const texture_set::SetIdentity identity{texture_set::draft_from(path("set"), "x.wif"), "x.wif", "godot"};
   Disk disk(dir_);
-  ASSERT_EQ(texture_set::write_texture_set(path("set"), before, {}, options), "");
+  ASSERT_TRUE(texture_set::write_texture_set(path("set"), before, {}, options));
   disk.promise(1);
-  ASSERT_EQ(texture_set::write_texture_set(path("set"), after, {}, options), "");
+  ASSERT_TRUE(texture_set::write_texture_set(path("set"), after, {}, options));
   disk.promise(2);
   disk.after_each_crash([&](int promised) {
     const auto now = bytes_in(path("set"));
-    EXPECT_EQ(texture_set::in_the_way(path("set"), identity), "");
+    EXPECT_EQ(base::problem_of(texture_set::check_place(path("set"), identity)), "");
     if (promised == 0) {
       EXPECT_TRUE(now.empty() || now == old_set);
       return;

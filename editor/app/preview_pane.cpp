@@ -81,16 +81,17 @@ HeadlessContext::Opened PreviewPane::ask_for_hidden_window() {
 
 bool PreviewPane::poll() {
   open_hidden_window_if_asked();
-  std::optional<News> news;
+  std::optional<Drawn> drawn;
   {
     const std::lock_guard lock(mutex_);
-    news = std::exchange(news_, std::nullopt);
+    drawn = std::exchange(drawn_, std::nullopt);
   }
-  if (!news) return false;
-  if (!news->pixels.empty()) texture_.set(news->width, news->height, news->pixels);
-  if (!news->reference.empty()) reference_texture_.set(news->reference_width, news->reference_height, news->reference);
-  picture_ = std::move(news->picture);
-  shown_ = std::move(news->made);
+  if (!drawn) return false;
+  if (!drawn->pixels.empty()) texture_.set(drawn->width, drawn->height, drawn->pixels);
+  if (!drawn->reference.empty())
+    reference_texture_.set(drawn->reference_width, drawn->reference_height, drawn->reference);
+  picture_ = std::move(drawn->picture);
+  shown_ = std::move(drawn->made);
   return true;
 }
 
@@ -114,9 +115,9 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
 }
 
 void PreviewPane::work() {
-  const std::string why = caught([this] { weave_and_draw(); });
+  const base::Result<void> ended = caught([this] { weave_and_draw(); });
   if (context_) context_->release();
-  if (!why.empty()) fail(why);
+  if (!ended) fail(ended.error());
 }
 
 void PreviewPane::weave_and_draw() {
@@ -124,12 +125,12 @@ void PreviewPane::weave_and_draw() {
   const std::shared_ptr<const Design> first = first_design(pipeline);
   if (!first) return;
   auto opened = HeadlessContext::create([this] { return ask_for_hidden_window(); });
-  if (!opened) return fail(message(opened.error()));
+  if (!opened) return fail(opened.error());
   context_ = std::move(*opened);
   PictureMaker maker(pipeline);
   maker.follow(first);
-  if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
-    fail(thrown), failed_ = true;
+  if (const base::Result<void> done = caught([&] { hand_over(maker, {}, false); }); !done)
+    fail(done.error()), failed_ = true;
   draw_until_left(maker);
 }
 
@@ -146,14 +147,14 @@ void PreviewPane::draw_until_left(PictureMaker& maker) {
     const std::optional<PictureRequest> request = request_;
     const bool moving = moving_;
     lock.unlock();
-    const std::string thrown = caught([&] {
+    const base::Result<void> done = caught([&] {
       if (design) maker.submit(design);
       if (request) make(maker, *request, moving);
       failed_ = false;
       next_s = maker.next_s(seconds());
     });
-    if (!thrown.empty()) {
-      fail(thrown);
+    if (!done) {
+      fail(done.error());
       failed_ = true;
       next_s = kAgainS;
     }
@@ -161,12 +162,12 @@ void PreviewPane::draw_until_left(PictureMaker& maker) {
   }
 }
 
-void PreviewPane::fail(const std::string& why) {
+void PreviewPane::fail(const base::Error& error) {
   caught([&] {
     {
       const std::lock_guard lock(mutex_);
-      news_ = News{};
-      news_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
+      drawn_ = Drawn{};
+      drawn_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(error)));
     }
     wake_window_();
   });
@@ -178,9 +179,10 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 }
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
-  News made;
+  Drawn made;
   if (drawn) maker.read(made.width, made.height, made.pixels);
-  const PictureComparison& c = maker.comparison();
+  const base::Result<PictureComparison>& traced = maker.comparison();
+  const PictureComparison c = traced.value_or(PictureComparison{});
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
   if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
   made.reference_width = c.width, made.reference_height = c.height;
@@ -190,14 +192,17 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   made.picture.problem = maker.problem();
   made.picture.busy = maker.busy();
   made.picture.refining = maker.can_refine();
-  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, c.problem};
+  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, {}};
+  if (!traced)
+    made.picture.reference.problem =
+        fill(tr("No ray-traced picture: {problem}"), arg("problem", message(traced.error())));
   if (!made.picture.busy) made.made = maker.design();
   {
     const std::lock_guard lock(mutex_);
     // Pixels that were not taken yet and are not replaced stay valid.
-    if (news_ && made.pixels.empty())
-      made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height;
-    news_ = std::move(made);
+    if (drawn_ && made.pixels.empty())
+      made.pixels = std::move(drawn_->pixels), made.width = drawn_->width, made.height = drawn_->height;
+    drawn_ = std::move(made);
   }
   wake_window_();
 }

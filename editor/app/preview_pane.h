@@ -42,7 +42,7 @@ class PreviewPane {
 
  private:
   /// A result of the drawing thread. Unchanged pixels are left out.
-  struct News {
+  struct Drawn {
     int width = 0, height = 0;
     std::vector<uint32_t> pixels;
     std::vector<uint32_t> reference;  // of the shown comparison
@@ -60,7 +60,7 @@ class PreviewPane {
   void open_hidden_window_if_asked();
   void draw_until_left(class PictureMaker& maker);
   /// Shows an exception in place of the picture; the next picture is drawn in full.
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void make(PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
 
@@ -71,7 +71,7 @@ class PreviewPane {
   std::shared_ptr<const Design> design_;
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
-  std::optional<News> news_;
+  std::optional<Drawn> drawn_;
   bool asks_for_window_ = false;
   std::optional<HeadlessContext::Opened> hidden_window_;  // the answer
   bool failed_ = false;  // used by the drawing thread: the last picture was not handed over

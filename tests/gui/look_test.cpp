@@ -222,13 +222,13 @@ void LookTest::shoot_closest_weave(const Window& w) {
   ASSERT_TRUE(comes_true([&] { return w.live() != before; }));
   display_.key("shift+u");
   display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 14, 12), w.cell("drawdown", 70, 120)});
-  ASSERT_TRUE(comes_true([&] { return w.has("nearest.see"); }));
+  ASSERT_TRUE(comes_true([&] { return w.has("closest.see"); }));
   shoot("closest_weave_notice");
-  display_.click(w.middle_of("nearest.see"));
-  ASSERT_TRUE(comes_true([&] { return w.has("nearest.place:1"); }));
+  display_.click(w.middle_of("closest.see"));
+  ASSERT_TRUE(comes_true([&] { return w.has("closest.place:1"); }));
   shoot("closest_weave");
   ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Cancel"));
-  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.place:1"); }));
+  ASSERT_TRUE(comes_true([&] { return !w.has("closest.place:1"); }));
   display_.key("p");
   display_.key("ctrl+z");
   ASSERT_TRUE(comes_true([&] { return w.live() == before; }));

@@ -9,6 +9,9 @@
 #include "reference/fibre_trace.h"
 
 namespace weftlight::reference {
+
+using base::for_each_job;
+
 namespace {
 
 constexpr int kMaxLayers = 8;            // of cloth behind cloth, through gaps

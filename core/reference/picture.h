@@ -9,7 +9,6 @@
 
 #include "reference/fibre_scene.h"
 #include "reference/mesh_scene.h"
-#include "reference/names.h"
 #include "reference/trace.h"
 
 namespace weftlight::reference {

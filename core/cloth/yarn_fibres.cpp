@@ -9,11 +9,7 @@
 
 namespace weftlight::cloth {
 
-using design::fibre_facts;
-using design::fibre_radius_mm;
-using design::hair_per_mm;
-using design::tex_of;
-using design::Twist;
+using design::Twist, design::fibre_facts, design::fibre_radius_mm, design::hair_per_mm, design::tex_of;
 
 namespace {
 
@@ -284,8 +280,8 @@ glm::vec2 fibre_place(const YarnFibres& yarn, const PlyFibre& fibre, float along
     if (far > 1) p /= far;
   }
   if (yarn.plies == 1) return p;
-  const float turn =
-      yarn.phase + 2 * kPi * (static_cast<float>(fibre.ply) / static_cast<float>(yarn.plies)) + wave * yarn.ply_turns_per_mm;
+  const float turn = yarn.phase + 2 * kPi * (static_cast<float>(fibre.ply) / static_cast<float>(yarn.plies)) +
+                     wave * yarn.ply_turns_per_mm;
   const glm::vec2 q(yarn.ply_offset + p.x * yarn.ply_half.x, p.y * yarn.ply_half.y);
   return {q.x * std::cos(turn) - q.y * std::sin(turn), q.x * std::sin(turn) + q.y * std::cos(turn)};
 }

@@ -11,13 +11,11 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 #include "design/fibre_facts.h"
 
 namespace weftlight::cloth {
 
-using design::FibreFacts;
-using design::Yarn;
+using design::FibreFacts, design::Yarn;
 using draft::System;
 
 /// What a thread's fibres are made for.

@@ -7,9 +7,7 @@
 
 namespace weftlight::reference {
 
-using cloth::fibre_count;
-using cloth::fibre_step_mm;
-using cloth::stray_count;
+using cloth::fibre_count, cloth::fibre_step_mm, cloth::stray_count;
 using draft::System;
 
 namespace {

@@ -16,17 +16,9 @@
 
 namespace weftlight::reference {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::for_each_job;
-using base::tr;
-using cloth::fibre_place;
-using cloth::PlyFibre;
-using cloth::StrayFibre;
-using cloth::yarn_fibres;
-using cloth::YarnFibres;
+using base::ErrorKind, base::arg, base::failure, base::fill, base::for_each_job, base::tr;
+using cloth::PlyFibre, cloth::StrayFibre, cloth::YarnFibres, cloth::fibre_place, cloth::yarn_fibres;
+using draft::System;
 
 namespace {
 

@@ -12,7 +12,6 @@
 #include "base/result.h"
 #include "cloth/cloth.h"
 #include "light/formulas.h"
-#include "reference/names.h"
 
 namespace weftlight::reference {
 

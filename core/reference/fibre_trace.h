@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 
 #include "reference/fibre_scene.h"
-#include "reference/names.h"
 #include "reference/sampling.h"
 #include "reference/trace.h"
 

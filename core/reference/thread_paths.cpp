@@ -8,16 +8,8 @@
 
 namespace weftlight::reference {
 
-using cloth::centre_at;
-using cloth::centre_lines;
-using cloth::centre_step;
-using cloth::CentrePoint;
-using cloth::CentreStep;
-using cloth::half_section;
-using cloth::layer_count;
-using cloth::layer_of;
-using cloth::one_layer;
-using cloth::tallest_half;
+using cloth::CentrePoint, cloth::CentreStep, cloth::centre_at, cloth::centre_lines, cloth::centre_step,
+    cloth::half_section, cloth::layer_count, cloth::layer_of, cloth::one_layer, cloth::tallest_half;
 
 namespace {
 

@@ -7,13 +7,10 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/cloth.h"
-#include "reference/names.h"
 
 namespace weftlight::reference {
 
-using cloth::CentreLines;
-using cloth::Cloth;
-using cloth::ThreadBody;
+using cloth::CentreLines, cloth::Cloth, cloth::ThreadBody;
 using draft::System;
 
 /// A section of a thread on its centre line.

@@ -6,8 +6,6 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-#include "reference/names.h"
-
 namespace weftlight::reference {
 
 /// The part of the cloth that is kept: [0, size] where it repeats; where it does not, size is infinite.

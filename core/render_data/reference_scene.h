@@ -19,7 +19,8 @@ using design::Design, design::Finish, design::Scene, design::Yarn;
 using draft::Draft, draft::Face;
 using drape::Mesh;
 using files::Image;
-using reference::MeshScene, reference::Progress, reference::TracedImage, reference::TubeOptions, reference::TubeScene;
+using reference::DrapePicture, reference::FibreFigures, reference::FibreScene, reference::MeshScene,
+    reference::Progress, reference::TracedImage, reference::TubeOptions, reference::TubeScene;
 using scene::Bounds, scene::LightRig;
 
 /// View and quality of a traced picture.

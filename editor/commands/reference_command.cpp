@@ -15,7 +15,7 @@ using design::Design, design::Scene;
 using files::Image;
 using gl::Frame, gl::FrameStats;
 using reference::Progress, reference::TracedImage;
-using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::TracedThreads, render_data::lay_over;
 
 namespace {
 

@@ -40,6 +40,10 @@ struct FibrePlan {
   bool repeats_along(System s) const { return repeats[s == System::kWarp ? 1 : 0]; }
 };
 
+/// Hairs and loops are counted roughly.
 FibrePlan plan_fibres(const ThreadPaths& paths, const FibreOptions& options);
+
+/// The most memory that these fibres, strays and curves take while they are made.
+int64_t bytes_of(const FibreFigures& figures);
 
 }  // namespace weftlight::reference

@@ -85,6 +85,18 @@ struct Heights {
   void add(const Heights& other) { low = std::min(low, other.low), high = std::max(high, other.high); }
 };
 
+/// An error with the figure if it is more than allowed.
+base::Result<void> within(const FibreFigures& figures, int64_t max_bytes) {
+  if (figures.bytes <= max_bytes && figures.curves < (int64_t{1} << 31)) return {};
+  const auto mb = [](int64_t bytes) { return (bytes + (1 << 20) - 1) >> 20; };
+  return failure(ErrorKind::kInput,
+                 fill(tr("the fibres of {width} x {height} mm of this cloth need {needed} MB of memory, and {limit} MB "
+                         "are allowed; show less of the cloth (a smaller --size or --yarns-per-pixel)"),
+                      arg("width", std::round(figures.size_mm.x * 10) / 10),
+                      arg("height", std::round(figures.size_mm.y * 10) / 10), arg("needed", mb(figures.bytes)),
+                      arg("limit", mb(max_bytes))));
+}
+
 }  // namespace
 
 struct FibreScene::Parts {
@@ -94,7 +106,6 @@ struct FibreScene::Parts {
   float thickness = 0;
   MemoryMeter memory;
   int64_t own_bytes = 0;
-  size_t all_pieces = 0;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   const glm::vec4* vertices = nullptr;  // Embree's buffers
@@ -107,7 +118,8 @@ struct FibreScene::Parts {
   }
 
   std::vector<BuiltThread> make_threads() const;
-  bool make_scene();
+  void count(const std::vector<BuiltThread>& threads);
+  bool make_scene(const std::vector<BuiltThread>& threads);
   void list_optics();
   Strand strand_of(const PlannedThread& plan, size_t piece, float tone) const;
   void fill_thread(const BuiltThread& built, glm::vec4* vertices, uint32_t* indices, Heights& core, Heights& all);
@@ -233,22 +245,30 @@ void FibreScene::Parts::fill_thread(const BuiltThread& built, glm::vec4* vertex,
   }
 }
 
-bool FibreScene::Parts::make_scene() {
+/// What is to be allocated, exactly.
+void FibreScene::Parts::count(const std::vector<BuiltThread>& threads) {
+  FibreFigures& f = plan.figures;
+  f.fibres = f.strays = f.curves = 0;
+  for (const BuiltThread& t : threads) {
+    f.fibres += static_cast<int64_t>(t.fibres.fibres.size()), f.strays += static_cast<int64_t>(t.strays.size());
+    f.curves += static_cast<int64_t>(t.pieces);
+  }
+  f.bytes = bytes_of(f);
+}
+
+bool FibreScene::Parts::make_scene(const std::vector<BuiltThread>& threads) {
   device = rtcNewDevice(nullptr);
   if (!device) return false;
   rtcSetDeviceMemoryMonitorFunction(device, meter, &memory);
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_COMPACT);
   list_optics();
-  const std::vector<BuiltThread> threads = make_threads();
-  size_t vertex_count = 0, piece_count = 0, strand_count = 0;
-  for (const BuiltThread& t : threads) {
-    vertex_count += t.vertices, piece_count += t.pieces, strand_count += t.strands;
-    own_bytes +=
-        static_cast<int64_t>(t.fibres.fibres.size() * sizeof(PlyFibre) + t.strays.size() * sizeof(PlacedStray));
-  }
-  all_pieces = piece_count;
-  if (all_pieces == 0) {
+  const auto piece_count = static_cast<size_t>(plan.figures.curves),
+             strand_count = static_cast<size_t>(plan.figures.fibres + plan.figures.strays);
+  const size_t vertex_count = piece_count + strand_count;
+  own_bytes = plan.figures.fibres * static_cast<int64_t>(sizeof(PlyFibre)) +
+              plan.figures.strays * static_cast<int64_t>(sizeof(PlacedStray));
+  if (piece_count == 0) {
     rtcCommitScene(scene);
     return true;
   }
@@ -284,7 +304,7 @@ glm::vec3 FibreScene::Parts::tangent_at(uint32_t piece, float u) const {
   const uint32_t a = indices[piece];
   const glm::vec3 own = glm::vec3(vertices[a + 1]) - glm::vec3(vertices[a]);
   const bool before = piece > 0 && indices[piece - 1] + 1 == a;
-  const bool after = piece + 1 < all_pieces && indices[piece + 1] == a + 1;
+  const bool after = piece + 1 < plan.figures.curves && indices[piece + 1] == a + 1;
   glm::vec3 tangent = own;
   if (u < 0.5f && before) tangent = own + (glm::vec3(vertices[a]) - glm::vec3(vertices[a - 1]) - own) * (0.5f - u);
   if (u > 0.5f && after) tangent = own + (glm::vec3(vertices[a + 2]) - glm::vec3(vertices[a + 1]) - own) * (u - 0.5f);
@@ -318,21 +338,14 @@ base::Result<std::unique_ptr<FibreScene>> FibreScene::build(const Cloth& cloth, 
   Parts& parts = *scene->parts_;
   parts.paths = ThreadPaths(cloth);
   parts.plan = plan_fibres(parts.paths, options);
-  const FibreFigures& figures = parts.plan.figures;
-  if (figures.bytes > options.max_bytes || figures.curves >= (int64_t{1} << 31)) {
-    const auto mb = [](int64_t bytes) { return (bytes + (1 << 20) - 1) >> 20; };
-    return failure(
-        ErrorKind::kInput,
-        fill(tr("the fibres of {width} x {height} mm of this cloth need {needed} MB of memory, and {limit} MB "
-                "are allowed; show less of the cloth (a smaller --size or --yarns-per-pixel)"),
-             arg("width", std::round(figures.size_mm.x * 10) / 10),
-             arg("height", std::round(figures.size_mm.y * 10) / 10), arg("needed", mb(figures.bytes)),
-             arg("limit", mb(options.max_bytes))));
-  }
+  if (auto room = within(parts.plan.figures, options.max_bytes); !room) return base::failed(room);
+  const std::vector<BuiltThread> threads = parts.make_threads();
+  parts.count(threads);
+  if (auto room = within(parts.plan.figures, options.max_bytes); !room) return base::failed(room);
   parts.paths.compute_lines();
   for (int k = 0; k < 2; ++k)
     if (parts.plan.repeats[k]) parts.tiling.size[k] = parts.plan.high[k];
-  if (!parts.make_scene())
+  if (!parts.make_scene(threads))
     return failure(ErrorKind::kMemory, tr("the ray tracer (Embree) could not be started, or memory is short"));
   return scene;
 }

@@ -200,7 +200,8 @@ TEST(FibreScene, TakesTheMemoryThatItIsEstimatedAt) {
     const auto estimated = static_cast<double>(scene->figures().bytes), used = static_cast<double>(scene->peak_bytes());
     EXPECT_NEAR(used / estimated, 1, 0.1) << yarn.name << ": " << used / static_cast<double>(scene->figures().curves)
                                           << " bytes a curve of " << scene->figures().curves;
-    EXPECT_EQ(fibre_figures(cloth, options).bytes, scene->figures().bytes) << "known beforehand";
+    const FibreFigures before = fibre_figures(cloth, options);
+    EXPECT_NEAR(static_cast<double>(before.curves) / static_cast<double>(scene->figures().curves), 1, 0.03);
   }
 }
 

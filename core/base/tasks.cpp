@@ -199,9 +199,9 @@ void TaskRunner::run(const std::shared_ptr<State>& state, const std::shared_ptr<
     try {
       task.work(running);
     } catch (...) {
-      const std::string why = words_of_thrown();
+      const Failure why = thrown(ErrorKind::kInput);
       task.work = nullptr;  // perhaps there is memory then to say so
-      if (task.failed && !running.stopped()) task.failed(why, running);
+      if (task.failed && !running.stopped()) task.failed(why.value(), running);
     }
   } catch (...) {  // nobody is left to be told
   }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/result.h"
 
 namespace weftlight::base {
 
@@ -34,8 +35,8 @@ class RunningTask : public TaskProgress {
 
 struct Task {
   std::function<void(const RunningTask&)> work;
-  /// Called on the thread of the task with the text of what it threw, unless the task was stopped.
-  std::function<void(const std::string& why, const RunningTask&)> failed = {};
+  /// Called on the thread of the task with the error of what it threw, unless the task was stopped.
+  std::function<void(const Error& error, const RunningTask&)> failed = {};
   std::string kind = {};  // of two tasks of one kind the newer counts
   std::string name = {};  // for the user, while it runs or waits: "Saving twill.wif"; empty: not shown
   bool finishes = false;  // once asked for it is done: it is never stopped, even where the runner ends
@@ -45,18 +46,29 @@ struct Task {
   bool may_be_left = false;
 };
 
-/// A task with one result: take() runs `done` with what `work` returned, or `failed` with the text of what it threw.
+/// Result<T> for T and for Result<T>.
+template <class T>
+struct AsResult {
+  using Type = Result<T>;
+};
+template <class T>
+struct AsResult<Result<T>> {
+  using Type = Result<T>;
+};
+
+/// A task with one result: `work` returns a T or a Result<T>, and take() runs `done` with the Result<T>, which is an
+/// error also if `work` threw.
 template <class Work, class Done>
-Task task_with_result(Work work, Done done, std::function<void(const std::string&)> failed = {}) {
+Task task_with_result(Work work, Done done) {
+  using Made = typename AsResult<std::invoke_result_t<const Work&, const RunningTask&>>::Type;
   Task task;
-  task.work = [work = std::move(work), done = std::move(done)](const RunningTask& running) {
-    auto result = std::make_shared<std::invoke_result_t<const Work&, const RunningTask&>>(work(running));
+  task.work = [work = std::move(work), done](const RunningTask& running) {
+    auto result = std::make_shared<Made>(work(running));
     running.deliver([done, result] { done(std::move(*result)); });
   };
-  if (failed)
-    task.failed = [failed = std::move(failed)](const std::string& why, const RunningTask& running) {
-      running.deliver([failed, why] { failed(why); });
-    };
+  task.failed = [done = std::move(done)](const Error& error, const RunningTask& running) {
+    running.deliver([done, error] { done(Made(Failure(error))); });
+  };
   return task;
 }
 

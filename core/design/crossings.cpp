@@ -10,8 +10,8 @@
 namespace weftlight::design {
 
 using base::tr;
-using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown_columns, draft::for_each_bit,
-    draft::lifts, draft::transposed, draft::with_columns, draft::with_lifts;
+using draft::BitGrid, draft::Draft, draft::clipped, draft::drawdown_columns, draft::for_each_bit, draft::lifts,
+    draft::transposed, draft::with_columns, draft::with_lifts;
 
 namespace {
 
@@ -55,10 +55,10 @@ std::vector<int> written_ends(const Selection& s, int a, int b, const BitMatrix&
   return ends;
 }
 
-Painted taken(Design design, Factored factored) {
-  if (!factored.done()) return {std::move(design), std::move(factored.why)};
-  design.draft = std::move(factored.draft);
-  return {std::move(design), {}};
+base::Result<Design> taken(Design design, base::Result<Draft> factored) {
+  if (!factored) return failed(factored);
+  design.draft = std::move(*factored);
+  return design;
 }
 
 /// Of ends on one shaft each, a pick's last one on a shaft has the last word on it: those ends, in order. Empty where
@@ -104,7 +104,7 @@ bool asks_bare_end(const Draft& d, const Selection& s, int b, const BitMatrix& c
   return false;
 }
 
-Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+base::Result<Design> lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
   const Draft& d = design.draft;
   BitMatrix lift = lifts(d);
   bool changed = false, bare = false;
@@ -122,12 +122,13 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
     for (int pick = s.b0; pick < s.b1; ++pick)
       for (const int end : ends) paint(end, pick, cells.get(pick - b, end - a));
   }
-  if (!changed) return {std::move(design), bare ? tr("an end on no shaft cannot be lifted") : ""};
-  Factored factored = with_lifts(d, lift, loom_size(design).treadles);
+  if (!changed && bare) return base::failure(base::ErrorKind::kInput, tr("an end on no shaft cannot be lifted"));
+  if (!changed) return design;
+  base::Result<Draft> factored = with_lifts(d, lift, loom_size(design).treadles);
   return taken(std::move(design), std::move(factored));
 }
 
-Painted woven(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+base::Result<Design> woven(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
   const std::vector<int> ends = written_ends(s, a, b, cells, write);
   std::vector<int> row_of(static_cast<size_t>(s.a1), -1);
   for (size_t i = 0; i < ends.size(); ++i) row_of[ends[i]] = static_cast<int>(i);
@@ -137,30 +138,31 @@ Painted woven(Design design, const Selection& s, int a, int b, const BitMatrix& 
     changed |= columns.get(row_of[end], pick) != up;
     columns.set(row_of[end], pick, up);
   });
-  if (!changed) return {std::move(design), {}};
-  Factored factored = with_columns(design.draft, ends, columns, loom_size(design));
+  if (!changed) return design;
+  base::Result<Draft> factored = with_columns(design.draft, ends, columns, loom_size(design));
   return taken(std::move(design), std::move(factored));
 }
 
 }  // namespace
 
-Painted painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
-  if (std::string why = why_locked(design, BitGrid::kDrawdown); !why.empty())
-    return {std::move(design), std::move(why)};
+base::Result<Design> painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells,
+                                       Write write) {
+  if (const base::Result<void> open = may_paint(design, BitGrid::kDrawdown); !open) return failed(open);
   const bool alone = design.loom.leading == Leading::kDrawdown;
   return alone ? woven(std::move(design), s, a, b, cells, write) : lifted(std::move(design), s, a, b, cells, write);
 }
 
-Painted painted_cell(Design design, int end, int pick, bool up) {
+base::Result<Design> painted_cell(Design design, int end, int pick, bool up) {
   const Selection s = clipped({BitGrid::kDrawdown, end, end + 1, pick, pick + 1}, design.draft);
-  if (end < 0 || pick < 0 || s.empty()) return {std::move(design), {}};
+  if (end < 0 || pick < 0 || s.empty()) return design;
   BitMatrix cell(1, 1);
   cell.set(0, 0, up);
   return painted_crossings(std::move(design), s, end, pick, cell, Write::kInside);
 }
 
 Design with_drawdown_cell(Design design, int end, int pick, bool up) {
-  return painted_cell(std::move(design), end, pick, up).design;
+  base::Result<Design> painted = painted_cell(design, end, pick, up);
+  return painted ? std::move(*painted) : design;
 }
 
 }  // namespace weftlight::design

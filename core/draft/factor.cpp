@@ -30,16 +30,18 @@ std::vector<char> used_columns(const BitMatrix& m) {
   return used;
 }
 
-std::string too_few_shafts(int needed, int most) {
-  return fill(tr_n("this takes {needed} shaft, and the loom has {most}",
-                   "this takes {needed} shafts, and the loom has {most}", needed),
-              arg("needed", needed), arg("most", most));
+base::Failure too_few_shafts(int needed, int most) {
+  return base::failure(base::ErrorKind::kInput,
+                       fill(tr_n("this takes {needed} shaft, and the loom has {most}",
+                                 "this takes {needed} shafts, and the loom has {most}", needed),
+                            arg("needed", needed), arg("most", most)));
 }
 
-std::string too_few_treadles(int needed, int most) {
-  return fill(tr_n("this takes {needed} treadle, and the loom has {most}",
-                   "this takes {needed} treadles, and the loom has {most}", needed),
-              arg("needed", needed), arg("most", most));
+base::Failure too_few_treadles(int needed, int most) {
+  return base::failure(base::ErrorKind::kInput,
+                       fill(tr_n("this takes {needed} treadle, and the loom has {most}",
+                                 "this takes {needed} treadles, and the loom has {most}", needed),
+                            arg("needed", needed), arg("most", most)));
 }
 
 // Two treadles whose union is the lift; -1, -1 if there are none.
@@ -283,27 +285,22 @@ int distinct_rows(const BitMatrix& m, bool with_empty) {
 
 }  // namespace
 
-Factored with_lifts(const Draft& base, const BitMatrix& now, int most_treadles) {
-  Factored out{base, {}, 0, 0, 0};
-  out.draft.shafts = now.cols();
+base::Result<Draft> with_lifts(const Draft& base, const BitMatrix& now, int most_treadles) {
+  Draft out = base;
+  out.shafts = now.cols();
   if (base.shafts != now.cols()) {
-    out.draft.threading.resize(base.ends(), now.cols());
-    out.draft.liftplan.resize(base.picks(), now.cols());
+    out.threading.resize(base.ends(), now.cols());
+    out.liftplan.resize(base.picks(), now.cols());
   }
   if (base.shed_control == ShedControl::kLiftplan) {
-    out.draft.tieup.resize(base.treadles, now.cols());
-    out.draft.liftplan = now;
+    out.tieup.resize(base.treadles, now.cols());
+    out.liftplan = now;
     return out;
   }
   const TreadlingConstraints constraints = constraints_of(base, now);
   Labelling l = treadle_labels(base, constraints, now);
-  out.treadles = l.groups();
-  if (assign_labels(l, most_treadles)) {
-    assign_treadles(out.draft, l, constraints, now);
-  } else {
-    out.draft = base;
-    out.why = too_few_treadles(l.groups(), most_treadles);
-  }
+  if (!assign_labels(l, most_treadles)) return too_few_treadles(l.groups(), most_treadles);
+  assign_treadles(out, l, constraints, now);
   return out;
 }
 
@@ -322,18 +319,19 @@ Labelling shaft_labels(const Draft& base, const Columns& columns, const std::vec
 
 }  // namespace
 
-Factored with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
+base::Result<Draft> with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
   std::vector<int> all(static_cast<size_t>(base.ends()));
   std::iota(all.begin(), all.end(), 0);
   return with_columns(base, all, transposed(cells), most);
 }
 
-Factored with_columns(const Draft& base, const std::vector<int>& ends, const BitMatrix& others, LoomSize most) {
+base::Result<Draft> with_columns(const Draft& base, const std::vector<int>& ends, const BitMatrix& others,
+                                 LoomSize most) {
   const Columns columns = columns_of(base, ends, others);
   std::vector<char> takes_part;
   for (int e = 0; e < base.ends(); ++e) takes_part.push_back(base.threading.count(e) == 1 || columns.is_new[e]);
   Labelling l = shaft_labels(base, columns, takes_part);
-  if (!assign_labels(l, most.shafts)) return {base, too_few_shafts(l.groups(), most.shafts), l.groups(), 0, 0};
+  if (!assign_labels(l, most.shafts)) return too_few_shafts(l.groups(), most.shafts);
 
   Draft next = base;
   next.shafts = l.labels();
@@ -346,10 +344,7 @@ Factored with_columns(const Draft& base, const std::vector<int>& ends, const Bit
   const BitMatrix named = lifts_of(base, l, columns, next.threading);
   next.tieup.resize(base.treadles, next.shafts);
   next.liftplan.resize(base.picks(), next.shafts);
-  Factored out = with_lifts(next, named, most.treadles);
-  out.shafts = l.groups();
-  if (!out.done()) out.draft = base;
-  return out;
+  return with_lifts(next, named, most.treadles);
 }
 
 namespace {
@@ -373,38 +368,36 @@ bool fits(const Draft& d, LoomSize most) {
 
 }  // namespace
 
-Factored within_loom(const Draft& base, LoomSize most) {
-  if (fits(base, most)) return {base, {}, 0, 0, 0};
+base::Result<Draft> within_loom(const Draft& base, LoomSize most) {
+  if (fits(base, most)) return base;
   const BitMatrix cells = drawdown(base);
-  Factored out = with_drawdown(base, cells, most);
-  if (out.done() && fits(out.draft, most)) return out;
-  out = with_drawdown(without_numbering(base), cells, most);
-  if (!out.done()) out.draft = base;
-  return out;
+  base::Result<Draft> out = with_drawdown(base, cells, most);
+  if (out && fits(*out, most)) return out;
+  return with_drawdown(without_numbering(base), cells, most);
 }
 
-Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
-                          const base::TaskProgress& progress) {
-  Factored exact = with_drawdown(base, cells, most);
-  if (exact.done() && fits(exact.draft, most)) return exact;
+ClosestDraft closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
+                              const base::TaskProgress& progress) {
+  base::Result<Draft> kept = with_drawdown(base, cells, most);
+  if (kept && fits(*kept, most)) return {std::move(*kept), {}};
   // The weaver's numbering may not fit: try without it.
   const Draft bare = without_numbering(base);
-  Factored out = with_drawdown(bare, cells, most);
-  const std::string why = exact.done() ? out.why : exact.why;
-  if (!out.done()) {
+  base::Result<Draft> out = with_drawdown(bare, cells, most);
+  ClosestDraft closest{base, {}};
+  if (!kept) closest.exact = failed(kept);
+  else if (!out) closest.exact = failed(out);
+  if (!out) {
     BitMatrix near = transposed(with_fewer_rows(transposed(cells), std::max(most.shafts, 1), false, progress));
     if (base.shed_control == ShedControl::kTreadling)
       near = with_fewer_rows(std::move(near), std::max(most.treadles, 1), base.rising, progress);
-    if (progress.stopped()) return {base, why, 0, 0, 0};
+    if (progress.stopped()) return closest;
     out = with_drawdown(base, near, most);
-    if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);
+    if (!out || !fits(*out, most)) out = with_drawdown(bare, near, most);
   }
-  const BitMatrix shown = drawdown(out.draft);
-  for (int p = 0; p < cells.rows(); ++p) out.wrong += differences(shown.row(p), cells.row(p));
-  out.why = why;
-  out.shafts = exact.shafts;
-  out.treadles = exact.treadles;
-  return out;
+  closest.draft = out ? std::move(*out) : bare;
+  const BitMatrix shown = drawdown(closest.draft);
+  for (int p = 0; p < cells.rows(); ++p) closest.wrong += differences(shown.row(p), cells.row(p));
+  return closest;
 }
 
 namespace {

@@ -39,7 +39,7 @@ class DraftThumbnails {
 
  private:
   std::string cache_folder_;
-  std::vector<std::pair<std::string, DraftThumbnail>> news_;
+  std::vector<std::pair<std::string, DraftThumbnail>> made_;
   base::TaskRunner runner_;
 };
 

@@ -135,7 +135,7 @@ TEST(Tasks, what_one_throws_is_told_and_the_next_is_done) {
   TaskRunner runner;
   const auto thrown = [&](const auto& what) {
     Task throws = task([&](const RunningTask&) { throw what; });
-    throws.failed = [&](const std::string& why, const RunningTask&) { told.push_back(why); };
+    throws.failed = [&](const Error& error, const RunningTask&) { told.push_back(message(error)); };
     runner.start(throws);
     runner.wait();
     EXPECT_FALSE(runner.busy());
@@ -182,18 +182,20 @@ TEST(Tasks, results_are_taken_in_order_by_the_thread_that_takes) {
   std::thread::id on;
   TaskRunner runner;
   runner.start(task_with_result([](const RunningTask&) { return std::string("one"); },
-                                [&](const std::string& result) {
+                                [&](const Result<std::string>& result) {
                                   on = std::this_thread::get_id();
-                                  taken.push_back(result);
+                                  taken.push_back(*result);
                                 }));
   runner.wait();
   runner.start(task_with_result([](const RunningTask&) -> std::string { throw std::runtime_error("two"); },
-                                [&](const std::string&) { FAIL() << "there is no result"; },
-                                [&](const std::string& why) { taken.push_back(why); }));
+                                [&](const Result<std::string>& result) { taken.push_back(problem_of(result)); }));
+  runner.wait();
+  runner.start(task_with_result([](const RunningTask&) -> Result<void> { return failure(ErrorKind::kInput, "three"); },
+                                [&](const Result<void>& result) { taken.push_back(problem_of(result)); }));
   runner.wait();
   EXPECT_TRUE(taken.empty()) << "nothing is taken before it is asked for";
   EXPECT_TRUE(runner.take());
-  EXPECT_EQ(taken, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(taken, (std::vector<std::string>{"one", "two", "three"}));
   EXPECT_EQ(on, std::this_thread::get_id());
   EXPECT_FALSE(runner.take());
 }

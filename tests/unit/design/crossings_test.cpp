@@ -14,8 +14,8 @@
 
 namespace weftlight::design {
 
-using draft::BitGrid, draft::BitMatrix, draft::Factored, draft::Selection, draft::ShedControl, draft::Write,
-    draft::blank_draft, draft::drawdown, draft::whole_grid;
+using draft::BitGrid, draft::BitMatrix, draft::Selection, draft::ShedControl, draft::Write, draft::blank_draft,
+    draft::drawdown, draft::whole_grid;
 
 namespace {
 
@@ -41,8 +41,8 @@ TEST(Crossings, ABlockEqualsItsCellsPaintedInOrder) {
     Design one_by_one = before;
     for (int p = s.b0; p < s.b1; ++p)
       for (int e = s.a0; e < s.a1; ++e)
-        one_by_one = painted_cell(std::move(one_by_one), e, p, block.get(p - s.b0, e - s.a0)).design;
-    const Design at_once = painted_crossings(before, s, s.a0, s.b0, block, Write::kInside).design;
+        one_by_one = with_drawdown_cell(std::move(one_by_one), e, p, block.get(p - s.b0, e - s.a0));
+    const Design at_once = painted_crossings(before, s, s.a0, s.b0, block, Write::kInside).value_or(before);
     EXPECT_EQ(drawdown(at_once.draft), drawdown(one_by_one.draft)) << rising;
   }
 }
@@ -71,18 +71,20 @@ TEST(Crossings, APaintedBlockIsFactoredAsTheWholeDrawdownIs) {
     BitMatrix block(s.rows(), s.columns());
     fill_randomly(block, random, 0.4);
     for (const Write write : {Write::kInside, Write::kAdd, Write::kErase}) {
-      const Painted painted = painted_crossings(before, s, s.a0, s.b0, block, write);
+      const base::Result<Design> painted = painted_crossings(before, s, s.a0, s.b0, block, write);
       const BitMatrix cells = drawdown(before.draft), wanted = written(cells, s, block, write);
       if (wanted == cells) {
-        ASSERT_EQ(painted.design.draft, before.draft) << round;
+        ASSERT_EQ(painted->draft, before.draft) << round;
         continue;
       }
-      const Factored whole = with_drawdown(before.draft, wanted, loom_size(before));
-      ASSERT_EQ(painted.design.draft, whole.draft) << round;
-      ASSERT_EQ(painted.why, whole.why) << round;
-      if (whole.done()) {
-        ASSERT_EQ(drawdown(painted.design.draft), wanted) << round;
+      const base::Result<Draft> whole = with_drawdown(before.draft, wanted, loom_size(before));
+      ASSERT_EQ(painted.has_value(), whole.has_value()) << round;
+      if (!whole) {
+        ASSERT_EQ(painted.error().text, whole.error().text) << round;
+        continue;
       }
+      ASSERT_EQ(painted->draft, *whole) << round;
+      ASSERT_EQ(drawdown(painted->draft), wanted) << round;
     }
   }
 }

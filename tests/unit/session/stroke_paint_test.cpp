@@ -18,8 +18,8 @@
 
 namespace weftlight::session {
 
-using design::Design, design::Leading, design::Painted, design::is_consistent, design::painted_crossings,
-    design::random_draft, design::text_of, design::with_leading, design::with_moved, design::with_size;
+using design::Design, design::Leading, design::is_consistent, design::painted_crossings, design::random_draft,
+    design::text_of, design::with_leading, design::with_moved, design::with_size;
 using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::LoomSize, draft::Selection, draft::ShedControl,
     draft::Write, draft::blank_draft, draft::drawdown, draft::lifts, draft::transposed, draft::whole_grid;
 
@@ -155,9 +155,9 @@ TEST_F(StrokeTest, AStrokeInAnyDraftGivesTheRequestedCells) {
         for (const Cell& at : line_of_cells(along[i == 0 ? 0 : i - 1], along[i]))
           for (const Cell& image : images_of(mirror, GridId::kDrawdown, at)) asked.set(image.b, image.a, true);
       paint(along);
-      const Painted wanted = painted_crossings(before, whole_grid(before.draft, BitGrid::kDrawdown), 0, 0, asked,
-                                               on ? Write::kAdd : Write::kErase);
-      ASSERT_EQ(text_of(cells()), text_of(drawdown(wanted.design.draft))) << round;
+      const auto wanted = painted_crossings(before, whole_grid(before.draft, BitGrid::kDrawdown), 0, 0, asked,
+                                            on ? Write::kAdd : Write::kErase);
+      ASSERT_EQ(text_of(cells()), text_of(drawdown(wanted.value_or(before).draft))) << round;
       ASSERT_EQ(fault_of(now().draft, given), "") << round;
       ASSERT_TRUE(is_consistent(now())) << round;
       const Design after = now();

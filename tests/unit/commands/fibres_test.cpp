@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/files.h"
 #include "base/resources.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
@@ -47,7 +48,7 @@ TEST_F(Fibres, a_number_of_bounces_is_for_tubes) {
 TEST_F(Fibres, eight_by_eight_millimetres_of_every_shipped_cloth_stay_within_2_GB) {
   int cloths = 0;
   for (const auto& file : std::filesystem::directory_iterator(presets_dir() + "/cloths")) {
-    const wif::WifRead read = wif::read_wif(read_file(file.path().string()).bytes);
+    const wif::WifRead read = wif::read_wif(read_file(file.path().string()).value_or(""));
     ASSERT_TRUE(read.file) << file.path();
     Design design = read.file->design;
     reference::FibreOptions options;

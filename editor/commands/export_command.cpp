@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -41,12 +43,22 @@ struct Job {
   fs::file_time_type time;  // of the file, before it was read
 };
 
+/// A draft that several jobs export: it is read and its problems are printed once. It stays in memory until the last
+/// of its jobs is done.
+struct SharedDraft {
+  std::mutex reading;
+  std::shared_ptr<const OpenedDesign> opened;
+  std::set<std::string> warnings;  // that were printed
+  int jobs = 0;                    // that still need it
+};
+
 /// State that all jobs share.
 struct ExportRun {
   const ExportOptions& options;
   const Mesh& mesh;
+  std::map<std::string, SharedDraft> drafts;  // by path
   std::mutex console;
-  std::atomic<int> worst{kDone}, written{0}, kept{0};
+  std::atomic<int> worst{kDone}, written{0}, kept{0}, failed_sets{0};
   std::vector<std::string> failed;
 };
 
@@ -83,6 +95,19 @@ std::string changed(const std::string& path) {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
+}
+
+constexpr const char* kNameFields = "{name}, {target}, {size}";
+
+/// What is wrong with a template of folders, or an empty string: a field that there is not, or a brace alone.
+std::string template_problem(const std::string& form) {
+  const std::string rest = fill_template(form, {{"name", ""}, {"target", ""}, {"size", ""}});
+  const size_t open = rest.find_first_of("{}");
+  if (open == std::string::npos) return {};
+  const size_t close = rest.find('}', open);
+  const std::string field = rest.substr(open, close == std::string::npos ? close : close - open + 1);
+  return fill(tr("--name {name}: there is no field {field}; the fields are {fields}"), arg("name", form),
+              arg("field", field), arg("fields", kNameFields));
 }
 
 /// The path of a set below the output folder, from the template. Parts that would leave the output are dropped.
@@ -151,12 +176,36 @@ std::string write_archive(const Job& job, bool force) {
   return problem_of(write_zip(path, entries, ZipKind::kPlain));
 }
 
+/// Prints the failure of a set; the same text of several sets once.
 void report(ExportRun& run, int code, const std::string& problem) {
   const std::lock_guard lock(run.console);
+  ++run.failed_sets;
   for (int seen = run.worst; code > seen && !run.worst.compare_exchange_weak(seen, code);) {
   }
+  if (std::ranges::find(run.failed, problem) != run.failed.end()) return;
   std::fprintf(stderr, "%s\n", problem.c_str());
   run.failed.push_back(problem);
+}
+
+std::shared_ptr<const OpenedDesign> open_shared(ExportRun& run, const std::string& file) {
+  SharedDraft& draft = run.drafts.at(file);
+  const std::lock_guard lock(draft.reading);
+  if (!draft.opened) draft.opened = std::make_shared<const OpenedDesign>(open_design(file));
+  return draft.opened;
+}
+
+void close_shared(ExportRun& run, const std::string& file) {
+  SharedDraft& draft = run.drafts.at(file);
+  const std::lock_guard lock(draft.reading);
+  if (--draft.jobs == 0) draft.opened.reset();
+}
+
+void print_warnings(ExportRun& run, const Job& job, const Design& design) {
+  for (const std::string& w : warnings_of(design, job.options)) {
+    const std::lock_guard lock(run.console);
+    if (run.drafts.at(job.file).warnings.insert(w).second)
+      std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
+  }
 }
 
 /// The limp or stiff version of a shipped drape, if the fabric asks for it; empty if the common one is right.
@@ -169,7 +218,8 @@ std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
 }
 
 void run_job(Job job, ExportRun& run) {
-  const OpenedDesign opened = open_design(job.file);
+  const std::shared_ptr<const OpenedDesign> shared = open_shared(run, job.file);
+  const OpenedDesign& opened = *shared;
   if (!opened.ok)
     return report(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", job.file)));
   if (run.options.texels_per_mm > 0) {
@@ -182,10 +232,7 @@ void run_job(Job job, ExportRun& run) {
     ++run.kept;
     return;
   }
-  for (const std::string& w : warnings_of(opened.design, job.options)) {
-    const std::lock_guard lock(run.console);
-    std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
-  }
+  print_warnings(run, job, opened.design);
   const bool had_archive = lists_archive(job.folder);
   const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
   std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(job.folder + ".zip")
@@ -203,18 +250,20 @@ void run_job(Job job, ExportRun& run) {
 }
 
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
-  ExportRun run{options, mesh, {}, kDone, 0, 0, {}};
+  ExportRun run{options, mesh, {}, {}, kDone, 0, 0, 0, {}};
+  for (const Job& job : jobs) ++run.drafts[job.file].jobs;
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
     const Job& job = jobs[static_cast<size_t>(j)];
     const std::string thrown = caught([&] { run_job(job, run); });
     if (!thrown.empty())
       report(run, kNotWritten,
              fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
+    close_shared(run, job.file);
   });
   if (jobs.size() > 1) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),
                        arg("written", run.written.load()), arg("complete", run.kept.load()),
-                       arg("failed", run.failed.size())));
+                       arg("failed", run.failed_sets.load())));
     for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());
   }
   return run.worst;
@@ -248,6 +297,7 @@ int export_command(const ExportOptions& options) {
     return refuse(fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
     return refuse(fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
+  if (const std::string wrong = template_problem(options.name); !wrong.empty()) return refuse(wrong);
   const bool mesh_wanted = std::ranges::any_of(targets, &ExportTarget::wears_mesh);
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
   if (!mesh)

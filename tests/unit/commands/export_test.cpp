@@ -56,6 +56,15 @@ TEST_F(Export, names_follow_the_template) {
   EXPECT_EQ(exported({"--target", "raw,godot", "--name", "{name}"}).code, kUsage) << "two sets in one folder";
 }
 
+TEST_F(Export, a_template_with_an_unknown_field_is_refused_with_the_fields) {
+  for (const char* form : {"{draft}_{target}", "{name", "a}b", "{}", "{Name}"}) {
+    const Ran ran = exported({"--target", "raw", "--size", "16", "--name", form});
+    EXPECT_EQ(ran.code, kUsage) << form;
+    EXPECT_NE(ran.said.find("{name}, {target}, {size}"), std::string::npos) << ran.said;
+    EXPECT_FALSE(has("")) << form;
+  }
+}
+
 TEST_F(Export, texels_per_millimetre_and_tiles_of_several_repeats) {
   EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "12", "--tile-cm", "1"}).code, kDone);
   const json a = list("a");
@@ -84,6 +93,24 @@ TEST_F(Export, failures_are_listed_at_the_end_and_the_rest_is_done) {
   EXPECT_TRUE(has("a/texture_set.json") && has("b/texture_set.json"));
   EXPECT_NE(ran.said.find("2 sets written, 0 were complete, 1 failed\n  " + path("drafts/aa.wif")), std::string::npos)
       << ran.said;
+}
+
+TEST_F(Export, a_broken_draft_is_reported_once_for_all_targets) {
+  write_file_atomically(path("drafts/aa.wif"), "no draft");
+  const Ran ran = exported({"--target", "raw,u3m,unity-urp", "--size", "16"});
+  EXPECT_EQ(ran.code, kBadInput);
+  size_t lines = 0;
+  for (size_t at = 0; (at = ran.said.find("aa.wif", at)) != std::string::npos; ++at) ++lines;
+  EXPECT_EQ(lines, 3u) << "what is wrong, that it is not exported, and the list at the end\n" << ran.said;
+  EXPECT_NE(ran.said.find("6 sets written, 0 were complete, 3 failed"), std::string::npos) << ran.said;
+}
+
+TEST_F(Export, warnings_of_a_draft_are_given_once_for_all_targets) {
+  const Ran ran = exported({"--target", "raw,u3m,unity-urp", "--size", "16", "--tile-cm", "5"});
+  EXPECT_EQ(ran.code, kDone);
+  const size_t first = ran.said.find("a.wif: a thread has only");
+  ASSERT_NE(first, std::string::npos) << ran.said;
+  EXPECT_EQ(ran.said.find("a.wif: a thread has only", first + 1), std::string::npos) << ran.said;
 }
 
 TEST_F(Export, resume_makes_missing_and_outdated_sets) {

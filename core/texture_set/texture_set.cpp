@@ -119,10 +119,16 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"distance_m", options.distance_m},
             {"fit", {{"front", fit_json(set.front)}, {"back", fit_json(set.back)}}},
             {"maps", images.maps}};
+  if (!images.factors.empty()) root["factors"] = images.factors;
   if (*set.target.material) root["material"] = set.name + set.target.material;
   if (!options.key.empty()) root["key"] = options.key;
   if (options.archived) root["archived"] = true;
-  root["files"] = files_in(set.folder);
+  const std::vector<std::string> files = files_in(set.folder);
+  for (const std::string& file : files) {
+    const FileContents contents = contents_of(fs::path(set.folder) / file);
+    root["contents"][file] = {{"bytes", contents.bytes}, {"fnv1a", contents.hash}};
+  }
+  root["files"] = files;
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -208,8 +214,15 @@ std::string write_into(const std::string& folder, const std::string& destination
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return tr("the draft has no cloth; it needs at least one end and one pick");
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder,       options.name, *options.target, json::array(), {}, {}, face_progress(progress, 0),
-                   options.mips, options.alpha};
+  SetImages images{folder,
+                   options.name,
+                   *options.target,
+                   json::array(),
+                   {},
+                   {},
+                   face_progress(progress, 0),
+                   mips_for(*options.target, options.mips),
+                   options.alpha};
   write_face(images, front, Face::kFront);
   if (!images.problem.empty()) return images.problem;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
@@ -224,7 +237,9 @@ std::string write_into(const std::string& folder, const std::string& destination
                      design,
                      front,
                      back,
-                     mesh};
+                     mesh,
+                     images.constants,
+                     images.mips};
   std::string problem = set.target.write_material ? set.target.write_material(set) : std::string{};
   if (progress.stop.stop_requested()) problem = kStopped;
   if (problem.empty()) problem = write_sheet(images, set);

@@ -17,6 +17,7 @@
 #include "base/loops.h"
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/progress.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
@@ -58,6 +59,7 @@ struct ExportRun {
   const Mesh& mesh;
   std::map<std::string, SharedDraft> drafts;  // by path
   std::mutex console;
+  ProgressMeter progress;
   std::atomic<int> worst{kDone}, written{0}, kept{0}, failed_sets{0};
   std::vector<std::string> failed;
 };
@@ -163,17 +165,25 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
   return jobs;
 }
 
-std::string write_archive(const Job& job, bool force) {
-  std::error_code ec;
-  const std::string path = job.folder + ".zip";
-  if (!force && fs::exists(path, ec) && !lists_archive(job.folder)) {
-    return fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"), arg("file", path));
-  }
+std::string archive_of(const Job& job) { return job.folder + ".zip"; }
+
+std::vector<ZipEntry> archive_entries(const Job& job) {
   std::vector<ZipEntry> entries;
   const std::string top = fs::path(job.folder).filename().string();
   for (const std::string& name : listed_files(job.folder))
     entries.push_back({top + "/" + name, (fs::path(job.folder) / name).string()});
-  return problem_of(write_zip(path, entries, ZipKind::kPlain));
+  return entries;
+}
+
+std::string write_archive(const Job& job) {
+  return problem_of(write_zip(archive_of(job), archive_entries(job), ZipKind::kPlain));
+}
+
+/// True if no archive is wanted, or the one of the complete set has its size.
+bool has_archive(const ExportRun& run, const Job& job) {
+  if (!run.options.zip) return true;
+  std::error_code ec;
+  return lists_archive(job.folder) && fs::file_size(archive_of(job), ec) == plain_zip_size(archive_entries(job));
 }
 
 /// Prints the failure of a set; the same text of several sets once.
@@ -183,6 +193,7 @@ void report(ExportRun& run, int code, const std::string& problem) {
   for (int seen = run.worst; code > seen && !run.worst.compare_exchange_weak(seen, code);) {
   }
   if (std::ranges::find(run.failed, problem) != run.failed.end()) return;
+  run.progress.clear();
   std::fprintf(stderr, "%s\n", problem.c_str());
   run.failed.push_back(problem);
 }
@@ -203,8 +214,9 @@ void close_shared(ExportRun& run, const std::string& file) {
 void print_warnings(ExportRun& run, const Job& job, const Design& design) {
   for (const std::string& w : warnings_of(design, job.options)) {
     const std::lock_guard lock(run.console);
-    if (run.drafts.at(job.file).warnings.insert(w).second)
-      std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
+    if (!run.drafts.at(job.file).warnings.insert(w).second) continue;
+    run.progress.clear();
+    std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
   }
 }
 
@@ -217,7 +229,7 @@ std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
   return std::move(*read);
 }
 
-void run_job(Job job, ExportRun& run) {
+void run_job(Job job, int index, ExportRun& run) {
   const std::shared_ptr<const OpenedDesign> shared = open_shared(run, job.file);
   const OpenedDesign& opened = *shared;
   if (!opened.ok)
@@ -228,39 +240,54 @@ void run_job(Job job, ExportRun& run) {
   }
   job.options.archived = run.options.zip;
   job.options.key = digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh);
-  if (run.options.resume && is_complete(job.folder, job.options.key)) {
+  if (run.options.resume && is_complete(job.folder, job.options.key) && has_archive(run, job)) {
     ++run.kept;
+    const std::lock_guard lock(run.console);
+    run.progress.skip(index, job.folder);
     return;
   }
   print_warnings(run, job, opened.design);
+  const auto report_progress = [&](float fraction) {
+    const std::lock_guard lock(run.console);
+    run.progress.set(index, std::min(static_cast<double>(fraction), 0.999), job.folder);
+  };
   const bool had_archive = lists_archive(job.folder);
   const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
-  std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(job.folder + ".zip")
+  std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(archive_of(job))
                             ? fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"),
-                                   arg("file", job.folder + ".zip"))
-                            : write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options);
-  if (problem.empty() && run.options.zip) problem = write_archive(job, true);
+                                   arg("file", archive_of(job)))
+                            : write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options,
+                                                {.report = report_progress});
+  if (problem.empty() && run.options.zip) problem = write_archive(job);
   if (!problem.empty())
     return report(run, kNotWritten,
                   fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem)));
   ++run.written;
+  if (run.options.quiet) return;
   const std::lock_guard lock(run.console);
+  run.progress.clear();
   std::printf("%s\n", job.folder.c_str());
   std::fflush(stdout);
 }
 
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
-  ExportRun run{options, mesh, {}, {}, kDone, 0, 0, 0, {}};
+  const ProgressForm form = options.progress_json ? ProgressForm::kJson
+                            : options.quiet       ? ProgressForm::kNone
+                                                  : ProgressForm::kTerminal;
+  ExportRun run{options, mesh, {}, {}, ProgressMeter(form, static_cast<int>(jobs.size())), kDone, 0, 0, 0, {}};
   for (const Job& job : jobs) ++run.drafts[job.file].jobs;
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
     const Job& job = jobs[static_cast<size_t>(j)];
-    const std::string thrown = caught([&] { run_job(job, run); });
+    const std::string thrown = caught([&] { run_job(job, j, run); });
     if (!thrown.empty())
       report(run, kNotWritten,
              fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
     close_shared(run, job.file);
+    const std::lock_guard lock(run.console);
+    run.progress.set(j, 1, job.folder);
   });
-  if (jobs.size() > 1) {
+  run.progress.clear();
+  if (jobs.size() > 1 && (!options.quiet || run.worst != kDone)) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),
                        arg("written", run.written.load()), arg("complete", run.kept.load()),
                        arg("failed", run.failed_sets.load())));
@@ -271,7 +298,7 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
 
 /// Exports a draft again whenever its file changes, until the program is ended.
 void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh) {
-  print_problem(fill(tr("watching {count} sets; Ctrl+C ends"), arg("count", jobs.size())));
+  if (!options.quiet) print_problem(fill(tr("watching {count} sets; Ctrl+C ends"), arg("count", jobs.size())));
   while (true) {
     std::this_thread::sleep_for(kWatchStep);
     std::vector<Job> changed_jobs;

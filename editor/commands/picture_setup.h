@@ -7,7 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/names.h"
-#include "commands/status_line.h"
+#include "commands/progress.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 
@@ -19,6 +19,7 @@ struct PictureSetup {
   std::unique_ptr<Renderer> renderer;
 
   StatusLine status;
+  ProgressForm progress = ProgressForm::kTerminal;
 
   /// Returns an exit code of the contract; problems are printed.
   int open(const PictureOptions& options);
@@ -27,6 +28,10 @@ struct PictureSetup {
  private:
   int open_graphics();
 };
+
+/// The scene with the mesh of the options, which is framed as a whole if it is another: the draft's view is of its own.
+/// A view that was asked for stays.
+Scene on_mesh(Scene scene, const PictureOptions& options);
 
 /// True for .exr, which holds scene-linear values; a .png is tone mapped.
 bool writes_linear(const std::string& path);

@@ -123,6 +123,36 @@ TEST_F(Export, resume_makes_missing_and_outdated_sets) {
   EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "another draft";
 }
 
+TEST_F(Export, resume_makes_sets_with_changed_files_again) {
+  const Args again{"--target", "raw", "--size", "16", "--resume"};
+  EXPECT_EQ(exported(again).code, kDone);
+  const std::string file = path("sets/a/a_front_height.exr"), whole = read_file(file).bytes;
+  const json contents = list("a")["contents"];
+  EXPECT_EQ(contents["a_front_height.exr"]["bytes"], whole.size());
+  EXPECT_EQ(contents.size(), list("a")["files"].size());
+  fs::resize_file(file, whole.size() / 2);
+  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a truncated file";
+  EXPECT_EQ(read_file(file).bytes, whole);
+  std::string other = whole;
+  other.back() = static_cast<char>(other.back() ^ 1);
+  write_file_atomically(file, other);
+  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a changed byte";
+  EXPECT_EQ(read_file(file).bytes, whole);
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+}
+
+TEST_F(Export, resume_makes_missing_and_truncated_archives) {
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16"}).code, kDone);
+  const Args again{"--target", "raw", "--size", "16", "--resume", "--zip"};
+  EXPECT_EQ(exported(again).code, kDone);
+  ASSERT_TRUE(has("a.zip") && has("b.zip"));
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+  const uintmax_t size = fs::file_size(path("sets/a.zip"));
+  fs::resize_file(path("sets/a.zip"), size - 30);
+  EXPECT_EQ(exported(again).code, kDone);
+  EXPECT_EQ(fs::file_size(path("sets/a.zip")), size);
+}
+
 /// Four ends of plain weave, in Fiberworks' format; `treadling` may make it another.
 std::string dtx(const std::string& treadling = "1 2") {
   return "@@StartDTX\n@@Info\n%%shafts 2\n@@Threading\n1 2 1 2\n@@Tieup\n01\n10\n@@Treadling\n" + treadling +

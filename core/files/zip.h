@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "files/names.h"
 
 namespace weftlight::files {
 

@@ -8,9 +8,11 @@
 #include "files/mip_file.h"
 #include "light/engine_fit.h"
 #include "texture_set/channels.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using files::MipContainer;
+using light::EngineModel;
 
 struct SetFacts;
 

@@ -11,9 +11,12 @@
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
 #include "texture_set/mip_images.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using design::Design;
+using draft::Face;
+using drape::Mesh;
 
 /// The stored values of constant images, by the file name that the image has or would have.
 using Constants = std::map<std::string, std::vector<float>>;

@@ -12,9 +12,10 @@
 #include "texture_set/face_source.h"
 #include "texture_set/material_files.h"
 #include "texture_set/mip_images.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using draft::Face;
 
 /// A set while it is written, with the records for the contact sheet and the list.
 struct SetImages {

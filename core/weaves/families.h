@@ -7,6 +7,9 @@
 
 namespace weftlight::weaves {
 
+using design::Design;
+using draft::BitMatrix, draft::Rgb, draft::kMaxShafts;
+
 // ---- weavers' notations (text.cpp)
 /// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... Empty if it cannot be read.
 OverUnder read_ratio(std::string_view text);

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "app/names.h"
 #include "views/common/panel.h"
 #include "wif/wif.h"
 
 namespace weftlight::app {
+
+using views::PanelContext;
+using wif::Diagnostic;
 
 class Messages {
  public:

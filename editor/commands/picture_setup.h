@@ -6,12 +6,16 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "commands/names.h"
 #include "commands/progress.h"
+#include "commands/status_line.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 
 namespace weftlight::commands {
+
+using design::Design, design::Scene;
+using files::Image;
+using gl::Frame, gl::HeadlessContext, gl::Renderer;
 
 struct PictureSetup {
   Design design;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "commands/names.h"
 #include "commands/status_line.h"
 
 namespace weftlight::commands {

@@ -8,6 +8,14 @@
 #include "render_data/reference_scene.h"
 
 namespace weftlight::commands {
+
+using base::message;
+using design::Design, design::Scene;
+using files::Image;
+using gl::Frame, gl::FrameStats;
+using reference::Progress, reference::TracedImage;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
+
 namespace {
 
 Progress progress_on(ProgressMeter& meter, const std::string& out) {

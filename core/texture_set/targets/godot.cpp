@@ -7,6 +7,11 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::write_file_atomically;
+using draft::Face;
+using files::MipContainer;
+
 namespace {
 
 using enum Channel;

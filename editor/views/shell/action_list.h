@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "session/action_item.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::ActionItem;
 
 /// The row at the top: menus, toolbar, and the title in the middle. Returns the id of the chosen action or "".
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title);

@@ -13,6 +13,8 @@
 namespace weftlight::views {
 
 using base::tr;
+using session::ActionItem;
+using ui::content_right, ui::key_pressed, ui::muted_text;
 
 namespace {
 

@@ -9,6 +9,8 @@
 namespace weftlight::views {
 
 using base::tr;
+using session::ActionItem;
+using ui::icon_button;
 
 namespace {
 

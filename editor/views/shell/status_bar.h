@@ -5,11 +5,14 @@
 
 #include "session/editing/drawing_state.h"
 #include "session/editing/select_state.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 #include "wif/wif.h"
 
 namespace weftlight::views {
+
+using draft::Draft;
+using session::DrawingState, session::SelectState;
+using wif::Diagnostic;
 
 /// `trouble`: what could not be written, or empty; it replaces all else. `message`: what was just done ("Saved"). True
 /// if the button of the messages was clicked.

@@ -10,12 +10,18 @@
 #include "wif/wif.h"
 
 namespace weftlight::texture_set {
+
+using base::read_file;
+using design::Design;
+using draft::Face;
+using wif::WifRead, wif::read_wif;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 Design shipped(const fs::path& path) {
-  const wif::WifRead read = wif::read_wif(base::read_file(path.string()).bytes);
+  const WifRead read = read_wif(read_file(path.string()).bytes);
   if (!read.file) throw std::runtime_error(path.string() + ": no draft");
   return read.file->design;
 }

@@ -82,9 +82,9 @@ json checks_json(const FaceSource& face) {
 }
 
 /// Error of the material by the elevation of the view.
-json scores_json(const FaceSource& face) {
+json scores_json(const std::vector<EngineScore>& scores) {
   json out = json::array();
-  for (const EngineScore& s : face.scores())
+  for (const EngineScore& s : scores)
     out.push_back({{"view_deg", s.view_deg}, {"mean", s.mean}, {"rms_error", s.error}});
   return out;
 }
@@ -97,7 +97,8 @@ json fit_json(const FaceSource& face) {
           {"sheen", f.sheen},
           {"sheen_roughness", f.sheen_roughness},
           {"rms_error", f.error},
-          {"views", scores_json(face)},
+          {"views", scores_json(face.scores())},
+          {"planes", {{"warp", scores_json(face.plane_scores()[0])}, {"weft", scores_json(face.plane_scores()[1])}}},
           {"radiance", checks_json(face)}};
 }
 

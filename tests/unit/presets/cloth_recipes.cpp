@@ -221,7 +221,7 @@ Design tweed() {
   yarn.lobes.along_width = 0.7f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
   return titled(
-      worn(std::move(d), "tunic", -20, 8, 0.84f), "Herringbone tweed",
+      worn(std::move(d), "tunic", -20, 8, 0.88f), "Herringbone tweed",
       {"2/2 twill that turns every sixteen ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
 }
 

@@ -13,15 +13,22 @@ LoomSize loom_size(const Design& design) {
   return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
 }
 
-std::string why_locked(const Design& design, BitGrid grid) {
+namespace {
+
+base::Failure locked(std::string why) { return base::failure(base::ErrorKind::kInput, std::move(why)); }
+
+}  // namespace
+
+base::Result<void> may_paint(const Design& design, BitGrid grid) {
   if (!design.loom.locked) return {};
   const bool drawdown_rules = design.loom.leading == Leading::kDrawdown;
   if (drawdown_rules == (grid == BitGrid::kDrawdown)) {
     const bool treadles = grid == BitGrid::kTieup || grid == BitGrid::kTreadling;
     if (design.loom.leading != Leading::kLiftplan || !treadles) return {};
-    return tr("tie-up and treadling follow the liftplan and are locked");
+    return locked(tr("tie-up and treadling follow the liftplan and are locked"));
   }
-  return drawdown_rules ? tr("this follows the drawdown and is locked") : tr("the drawdown follows and is locked");
+  return locked(drawdown_rules ? tr("this follows the drawdown and is locked")
+                               : tr("the drawdown follows and is locked"));
 }
 
 }  // namespace weftlight::design

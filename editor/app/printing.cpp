@@ -4,14 +4,33 @@
 #include <memory>
 
 #include "app/window.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
 
-using base::arg, base::fill, base::mark, base::problem_of, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::mark, base::tr, base::write_file_atomically;
+using design::Design;
 using session::Document;
 using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::plan_of;
+
+namespace {
+
+base::Result<void> print_to(const std::string& path, const Design& design, const PrintPrompt& p,
+                            const base::TaskProgress& progress) {
+  const base::Result<print::Printed> printed = print::printed(design, p.format, chosen_options(p));
+  if (!printed) return failed(printed);
+  const size_t sheets = printed->files.size();
+  for (size_t i = 0; i < sheets; ++i) {
+    progress.report(static_cast<float>(i) / static_cast<float>(sheets));
+    const std::string file = print::sheet_file(path, i, sheets);
+    if (const auto done = write_file_atomically(file, printed->files[i]); !done) return done;
+  }
+  return {};
+}
+
+}  // namespace
 
 void Printing::ask() {
   const Document& document = editing_.document();
@@ -39,19 +58,12 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
     base::Task task = base::task_with_result(
         [path, p, design = editing_.document().snapshot()](const base::RunningTask& running) {
-          const base::Result<print::Printed> printed = print::printed(*design, p.format, chosen_options(p));
-          std::string problem = problem_of(printed);
-          for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i) {
-            running.report(static_cast<float>(i) / static_cast<float>(printed->files.size()));
-            problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
-          }
-          return problem;
+          return print_to(path, *design, p, running);
         },
-        [this, path](const std::string& problem) {
-          messages_.say(problem.empty() ? fill(tr("Printed to {path}"), arg("path", path))
-                                        : fill(tr("Not printed: {problem}"), arg("problem", problem)));
-        },
-        [this](const std::string& why) { messages_.say(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+        [this, path](const base::Result<void>& printed) {
+          messages_.say(printed ? fill(tr("Printed to {path}"), arg("path", path))
+                                : fill(tr("Not printed: {problem}"), arg("problem", message(printed.error()))));
+        });
     task.kind = "print:" + path;
     task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));
     task.finishes = true;

@@ -16,12 +16,14 @@
 #include "base/caught.h"
 #include "base/loops.h"
 #include "base/text.h"
+#include "base/version.h"
 #include "commands/commands.h"
 #include "commands/progress.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
 #include "platform/clock.h"
+#include "platform/files_below.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
@@ -84,12 +86,11 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
       out.push_back(path);
       continue;
     }
-    std::vector<std::string> within;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, ec)) {
-      if (is_draft_name(entry.path().string()) && entry.is_regular_file(ec)) within.push_back(entry.path().string());
-    }
-    std::sort(within.begin(), within.end());
-    out.insert(out.end(), within.begin(), within.end());
+    platform::FilesBelow within = platform::files_below(path);
+    std::erase_if(within.files, [](const std::string& file) { return !is_draft_name(file); });
+    out.insert(out.end(), within.files.begin(), within.files.end());
+    for (const std::string& folder : within.unread)
+      print_problem(fill(tr("{folder}: the folder cannot be read; its drafts are left out"), arg("folder", folder)));
   }
   return out;
 }
@@ -162,7 +163,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
     for (const ExportTarget* target : targets) {
       TextureSetOptions o;
       o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
-      o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
+      o.program_version = base::version(), o.size = options.size, o.force = options.force;
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
       o.modified = changed(file);
@@ -176,6 +177,14 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
 
 std::string archive_of(const Job& job) { return job.folder + ".zip"; }
 
+/// Whether the archive can be written, before its set is.
+base::Result<void> check_archive(const Job& job, const ExportOptions& options) {
+  std::error_code ec;
+  if (!options.zip || options.force || lists_archive(job.folder) || !fs::exists(archive_of(job), ec)) return {};
+  return base::failure(base::ErrorKind::kOutput,
+                       tr("is not an archive of this set; move it away, or --force to replace it"), archive_of(job));
+}
+
 std::vector<ZipEntry> archive_entries(const Job& job) {
   std::vector<ZipEntry> entries;
   const std::string top = fs::path(job.folder).filename().string();
@@ -184,8 +193,8 @@ std::vector<ZipEntry> archive_entries(const Job& job) {
   return entries;
 }
 
-std::string write_archive(const Job& job) {
-  return problem_of(write_zip(archive_of(job), archive_entries(job), ZipKind::kPlain));
+base::Result<void> write_archive(const Job& job) {
+  return write_zip(archive_of(job), archive_entries(job), ZipKind::kPlain);
 }
 
 /// True if no archive is wanted, or the one of the complete set has its size.
@@ -260,17 +269,15 @@ void run_job(Job job, int index, ExportRun& run) {
     const std::lock_guard lock(run.console);
     run.progress.set(index, std::min(static_cast<double>(fraction), 0.999), job.folder);
   };
-  const bool had_archive = lists_archive(job.folder);
   const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
-  std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(archive_of(job))
-                            ? fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"),
-                                   arg("file", archive_of(job)))
-                            : write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options,
-                                                {.report = report_progress});
-  if (problem.empty() && run.options.zip) problem = write_archive(job);
-  if (!problem.empty())
+  base::Result<void> done = check_archive(job, run.options);
+  if (done)
+    done = write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options,
+                             {.report = report_progress});
+  if (done && run.options.zip) done = write_archive(job);
+  if (!done)
     return report(run, kNotWritten,
-                  fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem)));
+                  fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem_of(done))));
   ++run.written;
   if (run.options.quiet) return;
   const std::lock_guard lock(run.console);
@@ -287,10 +294,9 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   for (const Job& job : jobs) ++run.drafts[job.file].jobs;
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
     const Job& job = jobs[static_cast<size_t>(j)];
-    const std::string thrown = caught([&] { run_job(job, j, run); });
-    if (!thrown.empty())
+    if (const base::Result<void> done = caught([&] { run_job(job, j, run); }); !done)
       report(run, kNotWritten,
-             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
+             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
     close_shared(run, job.file);
     const std::lock_guard lock(run.console);
     run.progress.set(j, 1, job.folder);

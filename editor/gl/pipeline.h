@@ -4,7 +4,6 @@
 // for a newer design. The window shows the last good result and never waits.
 
 #include <memory>
-#include <string>
 
 #include "base/result.h"
 #include "design/design.h"
@@ -32,8 +31,8 @@ class Pipeline {
   /// Headless: waits until the last submitted design is ready and uploads it. An error if, for
   /// one, a mesh cannot be read.
   base::Result<void> finish(Renderer& renderer);
-  /// Problem of the last design, if any (shown by the window).
-  std::string problem() const;
+  /// Whether all of the last design could be made (the error is shown by the window).
+  base::Result<void> made() const;
   /// Whether a submitted design is not yet computed and uploaded.
   bool busy() const;
 

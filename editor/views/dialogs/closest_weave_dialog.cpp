@@ -38,7 +38,7 @@ void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
       c.wanted.change_view([i, at](DocumentView& v) { show_place(v, i, at); });
     }
     ImGui::PopID();
-    c.map.add_item("nearest.place:" + std::to_string(i + 1));
+    c.map.add_item("closest.place:" + std::to_string(i + 1));
   }
   ImGui::EndChild();
 }
@@ -54,7 +54,7 @@ DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   const char* text = tr_n("{count} of {all} crossings differs from your edit; it is marked.",
                           "{count} of {all} crossings differ from your edit; they are marked.", n.wrong);
   ImGui::TextUnformatted(fill(text, arg("count", n.wrong), arg("all", all)).c_str());
-  c.map.add_item("nearest.wrong:" + std::to_string(n.wrong));
+  c.map.add_item("closest.wrong:" + std::to_string(n.wrong));
   ImGui::PopTextWrapPos();
   draw_places(c, p);
   return dialog_result(draw_buttons(c, {mark("Use closest weave"), mark("Cancel")}, true));

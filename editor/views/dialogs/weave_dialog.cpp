@@ -92,7 +92,7 @@ DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   draw_cells(c, made.design);
   ImGui::Dummy({0, c.style.px(2)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, made.why.empty() ? tr(kind.description) : made.why);
+  muted_text(c, made.note.empty() ? tr(kind.description) : made.note);
   ImGui::PopTextWrapPos();
   if (draw_weave_numbers(c, kind, p.values)) update_size(p);
   const int ends = p.ends, picks = p.picks;

@@ -1,6 +1,7 @@
 // `weftlight reference`: the picture of `render`, with the threads of the cloth ray traced. The ground, the backdrop
 // and the body under the cloth are drawn by the renderer, so that only the cloth differs.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -19,13 +20,8 @@ using render_data::ReferenceScene, render_data::ReferenceView, render_data::Trac
 
 namespace {
 
-Progress progress_on(StatusLine& status) {
-  return [&status, last = -1](float done) mutable {
-    const int percent = static_cast<int>(done * 100);
-    if (percent == last) return;
-    last = percent;
-    status.show(fill(tr("tracing: {percent} %"), arg("percent", percent)));
-  };
+Progress progress_on(ProgressMeter& meter, const std::string& out) {
+  return [&meter, out](float done) { meter.set(0, std::min(static_cast<double>(done), 0.999), out); };
 }
 
 ReferenceView view_of(const PictureOptions& o, const Scene& scene) {
@@ -78,10 +74,13 @@ int reference_command(const PictureOptions& o) {
   const FrameStats drawn = setup.renderer->draw(design.scene, design.look, frame);
   const bool linear = writes_linear(o.out);
   Image picture = setup.renderer->read_back(linear);
-  const TracedImage traced = scene.trace(view, progress_on(setup.status));
-  setup.status.clear();
+  ProgressMeter meter(setup.progress, 1);
+  const TracedImage traced = scene.trace(view, progress_on(meter, o.out));
+  meter.clear();
   lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
-  return finish(write_picture(o.out, picture));
+  const base::Result<void> saved = write_picture(o.out, picture);
+  if (saved) meter.set(0, 1, o.out);
+  return finish(saved);
 }
 
 }  // namespace weftlight::commands

@@ -13,15 +13,17 @@ LoomSize loom_size(const Design& design) {
   return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
 }
 
+bool leads(const Design& design, BitGrid grid) {
+  const Leading leading = design.loom.leading;
+  if ((leading == Leading::kDrawdown) != (grid == BitGrid::kDrawdown)) return false;
+  return leading != Leading::kLiftplan || (grid != BitGrid::kTieup && grid != BitGrid::kTreadling);
+}
+
 std::string why_locked(const Design& design, BitGrid grid) {
-  if (!design.loom.locked) return {};
-  const bool drawdown_rules = design.loom.leading == Leading::kDrawdown;
-  if (drawdown_rules == (grid == BitGrid::kDrawdown)) {
-    const bool treadles = grid == BitGrid::kTieup || grid == BitGrid::kTreadling;
-    if (design.loom.leading != Leading::kLiftplan || !treadles) return {};
-    return tr("tie-up and treadling follow the liftplan and are locked");
-  }
-  return drawdown_rules ? tr("this follows the drawdown and is locked") : tr("the drawdown follows and is locked");
+  if (!design.loom.locked || leads(design, grid)) return {};
+  if (design.loom.leading == Leading::kDrawdown) return tr("This follows the drawdown and is locked.");
+  return grid == BitGrid::kDrawdown ? tr("The drawdown follows and is locked.")
+                                    : tr("Tie-up and treadling follow the liftplan and are locked.");
 }
 
 }  // namespace weftlight::design

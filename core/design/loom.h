@@ -15,6 +15,8 @@ namespace weftlight::design {
 inline constexpr int kDefaultLimit = 32;
 LoomSize loom_size(const Design& design);
 
+/// True if other grids follow this one; false if it follows.
+bool leads(const Design& design, BitGrid grid);
 /// Why a grid cannot be painted: it is locked and follows from others. Empty if it can.
 std::string why_locked(const Design& design, BitGrid grid);
 inline bool may_paint(const Design& design, BitGrid grid) { return why_locked(design, grid).empty(); }

@@ -61,7 +61,7 @@ void step_difference(const ActiveDraft& draft, const ComparisonActions& comparis
                      int by) {
   const Report* r = comparison.report();
   if (r == nullptr || r->other != draft.view().differences.other || r->places.empty())
-    return window.say(tr("No crossing differs"));
+    return window.refuse(tr("No crossing differs"));
   const int places = static_cast<int>(r->places.size());
   const int from = draft.view().differences.place < 0 && by < 0 ? 0 : draft.view().differences.place;
   const int next = ((from + by) % places + places) % places;

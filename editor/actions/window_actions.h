@@ -10,8 +10,10 @@
 namespace weftlight::actions {
 
 struct WindowActions {
-  /// Shows a message in the status line for a while.
+  /// Shows a message in the status line until it is read.
   std::function<void(std::string)> say;
+  /// The same for what could not be done.
+  std::function<void(std::string)> refuse;
   /// The cell under the pointer.
   std::function<Hover()> hover;
   /// Gives the keyboard to a control, by its name in the --ui-map.

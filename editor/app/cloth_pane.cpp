@@ -82,7 +82,7 @@ void ClothPane::toggle_flat() {
 
 void ClothPane::save_view() {
   if (view().flat)
-    return messages_.say(tr("The flat swatch has one view. Press F for the drape, whose view can be saved."));
+    return messages_.refuse(tr("The flat swatch has one view. Press F for the drape, whose view can be saved."));
   editing_.commit({tr("Save view"), [camera = view().camera](Design d) {
                      d.scene = with_orbit(d.scene, camera);
                      return d;
@@ -91,7 +91,7 @@ void ClothPane::save_view() {
 
 void ClothPane::go_to_view(const std::string& name) {
   const std::optional<NamedView> to = view_named(document().now(), name, size_.x, size_.y);
-  if (!to) return messages_.say(tr("There is no view of that name."));
+  if (!to) return messages_.refuse(tr("There is no view of that name."));
   const MaybeEdit edit = session::go_to_view(view(), document().now(), *to);
   if (edit) editing_.commit(*edit);
   show();
@@ -119,20 +119,20 @@ void ClothPane::choose_environment() {
   dialogs_.ask_path(
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
-        if (!is_environment(path)) return messages_.say(tr("An environment picture ends in .hdr or .exr."));
+        if (!is_environment(path)) return messages_.refuse(tr("An environment picture ends in .hdr or .exr."));
         base::Task task = base::task_with_result(
             [path](const base::RunningTask&) {
               const auto readable = check_environment(path);
               return readable ? std::string() : message(readable.error());
             },
             [this, path, id = editing_.shown_id()](const std::string& problem) {
-              if (!problem.empty()) return messages_.say(problem);
+              if (!problem.empty()) return messages_.refuse(problem);
               editing_.commit_to(id, {tr("Environment picture"), [path](Design d) {
                                         d.scene = lit_by_environment(d.scene, path);
                                         return d;
                                       }});
             },
-            [this](const std::string& why) { messages_.say(why); });
+            [this](const std::string& why) { messages_.refuse(why); });
         task.kind = "environment";
         task.name = fill(tr("Opening {file}"), arg("file", std::filesystem::path(path).filename().string()));
         tasks_.reading().start(std::move(task));

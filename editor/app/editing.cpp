@@ -8,7 +8,7 @@ namespace weftlight::app {
 void Editing::commit(const Edit& edit) {
   if (session_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited_();
   if (!edit.why) return;
-  if (std::string why = edit.why(document().now()); !why.empty()) messages_.say(std::move(why));
+  if (std::string why = edit.why(document().now()); !why.empty()) messages_.refuse(std::move(why));
 }
 
 void Editing::commit_to(uint64_t id, const Edit& edit) {
@@ -19,7 +19,7 @@ void Editing::commit_to(uint64_t id, const Edit& edit) {
 void Editing::take_computed() {
   SlowEdits::News news = slow_edits_.take_news();
   if (news.edited) edited_();
-  if (!news.said.empty()) messages_.say(std::move(news.said));
+  if (!news.said.empty()) messages_.refuse(std::move(news.said));
 }
 
 bool Editing::commit(const TypedKey& typed) {

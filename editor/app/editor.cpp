@@ -66,6 +66,7 @@ Subjects Editor::subjects() {
                         .set_text = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); }},
           .settings = settings_,
           .window = {.say = [this](std::string text) { messages_.say(std::move(text)); },
+                     .refuse = [this](std::string text) { messages_.refuse(std::move(text)); },
                      .hover = [this] { return notes_.hover; },
                      .focus = [this](std::string control) { focus_ = std::move(control); },
                      .show_commands = [this] { tools_.show_commands(); },
@@ -199,7 +200,9 @@ void Editor::apply_input() {
   bool pressed = false;
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
   editing_.strokes().frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
-  for (const std::string& key : window_.take_keys()) apply_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
+  const std::vector<std::string> keys = window_.take_keys();
+  if (pressed || !keys.empty()) messages_.begin_action();
+  for (const std::string& key : keys) apply_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
   if (dialogs_.any() && !dialogs_.shows<GalleryPrompt>()) return;
   for (const std::string& path : window_.take_dropped_files()) {
     if (dialogs_.any()) close_popups();
@@ -259,6 +262,7 @@ void Editor::draw_window() {
   SelectState& select = editing_.view().select;
   if (select.drag == SelectDrag::kBand) messages_.clear();  // it was about the earlier selection
   if (!select.notice.empty()) messages_.say(std::exchange(select.notice, {}));
+  if (!select.refusal.empty()) messages_.refuse(std::exchange(select.refusal, {}));
   window_.use_crosshair(notes_.crosshair);
   if (notes_.again) schedule_.draw(1);
   // ImGui lays out a new tooltip in one frame and shows it in the next; the --ui-map is written once it is stable.

@@ -175,10 +175,12 @@ void Files::write(const std::string& path, std::function<std::string()> make) {
   base::Task task = base::task_with_result(
       [path, make = std::move(make)](const base::RunningTask&) { return write_file_atomically(path, make()); },
       [this, path](const std::string& problem) {
-        messages_.say(problem.empty() ? fill(tr("Wrote {file}"), arg("file", file_name(path))) : problem);
+        if (problem.empty()) messages_.say(fill(tr("Wrote {file}"), arg("file", file_name(path))));
+        else messages_.refuse(problem);
       },
       [this, path](const std::string& why) {
-        messages_.say(fill(tr("{file} was not written: {problem}"), arg("file", file_name(path)), arg("problem", why)));
+        messages_.refuse(
+            fill(tr("{file} was not written: {problem}"), arg("file", file_name(path)), arg("problem", why)));
       });
   task.kind = "write:" + path;
   task.name = fill(tr("Writing {file}"), arg("file", file_name(path)));

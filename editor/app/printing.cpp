@@ -49,10 +49,10 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
           return problem;
         },
         [this, path](const std::string& problem) {
-          messages_.say(problem.empty() ? fill(tr("Printed to {path}"), arg("path", path))
-                                        : fill(tr("Not printed: {problem}"), arg("problem", problem)));
+          if (problem.empty()) messages_.say(fill(tr("Printed to {path}"), arg("path", path)));
+          else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", problem)));
         },
-        [this](const std::string& why) { messages_.say(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+        [this](const std::string& why) { messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", why))); });
     task.kind = "print:" + path;
     task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));
     task.finishes = true;

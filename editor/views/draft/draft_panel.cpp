@@ -11,6 +11,7 @@
 #include "views/draft/drag_scroll.h"
 #include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
+#include "views/draft/leading_marks.h"
 #include "views/draft/select_input.h"
 #include "views/draft/selection_draw.h"
 #include "views/draft/thread_labels.h"
@@ -67,6 +68,16 @@ const char* paint_hint(GridId id) {
   }
 }
 
+/// Says how to use the grid; a pointer over a locked one says that it takes nothing.
+void tell_about(DraftContext& c, GridId id) {
+  const bool locked = c.select.tool != Tool::kSelect && is_locked(c, id);
+  if (locked) {
+    c.frame.hint = tr("Locked, because it follows. Unlock it by the padlock or in the Draft menu");
+    return ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
+  }
+  c.frame.hint = c.select.tool == Tool::kPaint ? paint_hint(id) : tool_hint(c.select.tool);
+}
+
 /// A click with the tool that types numbers.
 void place_cursor(DraftContext& c, const GridPane& pane, Cell at) {
   if (ImGui::IsItemActivated() && at.valid())
@@ -95,7 +106,7 @@ bool grid_input(DraftContext& c, const GridPane& pane) {
   const ImVec2 hand = hand_at(c.style);
   if (ImGui::IsItemHovered() || active) {
     c.frame.hover = {pane.id, active ? pane.nearest(hand) : pane.at(hand)};
-    c.frame.hint = c.select.tool == Tool::kPaint ? paint_hint(pane.id) : tool_hint(c.select.tool);
+    tell_about(c, pane.id);
   }
   use_tool(c, pane, hand);
   return active;
@@ -225,6 +236,7 @@ void draw_grids(ImDrawList* dl, DraftContext& c, const DraftLayout& l, DraftPict
   draw_long_floats(dl, c, l.drawdown);
   draw_differences(dl, c, l.drawdown);
   if (c.settings.show_repeat) draw_repeat(dl, c, l.drawdown);
+  draw_leading(dl, c, l);
 }
 
 }  // namespace
@@ -251,6 +263,7 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   draw_grids(dl, c, l, pictures);
   draw_chosen(dl, c, l);
   draw_rulers(dl, c, l);
+  draw_locks(dl, c, l);
   draw_origin(dl, c, l);
   draw_shape(dl, c, l);
   draw_selection(dl, c, l);

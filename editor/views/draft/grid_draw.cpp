@@ -8,6 +8,7 @@
 #include "session/editing/paint.h"
 #include "ui/imgui_compat.h"
 #include "views/common/cell_image.h"
+#include "views/draft/leading_marks.h"
 
 namespace weftlight::views {
 namespace {
@@ -209,7 +210,8 @@ void draw_coverage(ImDrawList* dl, const DraftContext& c, const GridPane& p, boo
 void draw_bits(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   const ImVec2 a = p.min(), b = p.max();
   dl->PushClipRect(a, {b.x + 1, b.y + 1}, true);
-  dl->AddRectFilled(a, b, c.style.color.paper);
+  // A locked grid lies in the panel, as paper that cannot be written on.
+  dl->AddRectFilled(a, b, is_locked(c, p.id) ? c.style.color.panel : c.style.color.paper);
   draw_lines(dl, c, p);
   if (std::min(p.x.pitch, p.y.pitch) < 1) {
     draw_coverage(dl, c, p, p.x.pitch < p.y.pitch);

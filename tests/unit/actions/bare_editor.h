@@ -53,6 +53,7 @@ class BareEditor {
                           .set_text = [this](const std::string& text) { clipboard_ = text; }},
             .settings = settings_,
             .window = {.say = [](const std::string&) {},
+                       .refuse = [](const std::string&) {},
                        .hover = [] { return Hover{}; },
                        .focus = [](const std::string&) {},
                        .show_commands = nothing,

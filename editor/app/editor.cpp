@@ -10,6 +10,7 @@
 #include "base/user_folders.h"
 #include "session/library/gallery.h"
 #include "ui/imgui_compat.h"
+#include "ui/keyboard.h"
 #include "ui/widgets.h"
 #include "views/shell/tour.h"
 
@@ -69,6 +70,7 @@ Subjects Editor::subjects() {
                      .refuse = [this](std::string text) { messages_.refuse(std::move(text)); },
                      .hover = [this] { return notes_.hover; },
                      .focus = [this](std::string control) { focus_ = std::move(control); },
+                     .open_menus = [this] { opens_menus_ = true; },
                      .show_commands = [this] { tools_.show_commands(); },
                      .show_remarks = [this] { messages_.show_remarks(); },
                      .toggle_keys = [this] { tools_.toggle_keys(); },
@@ -174,7 +176,7 @@ void Editor::frame() {
   restyle_ = false;
   apply_waiting_input();
   cloth_.ask_picture(window_.pixel_ratio());
-  window_.begin_frame();
+  begin_frame();
   apply_input();
   draw_window();
   window_.end_frame(style_.color.window);
@@ -187,12 +189,19 @@ void Editor::frame() {
 void Editor::apply_waiting_input() {
   const double until = Window::seconds() + kInputS;
   while (window_.has_input() && Window::seconds() < until && !tabs_.leaving()) {
-    window_.begin_frame();
+    begin_frame();
     apply_input();
     draw_window();
     Window::drop_frame();
     window_.wait(0);
   }
+}
+
+void Editor::begin_frame() {
+  begin_keyboard();
+  const int open = open_popups();
+  window_.begin_frame();
+  popup_closed_ = open_popups() < open;
 }
 
 void Editor::apply_input() {
@@ -202,7 +211,7 @@ void Editor::apply_input() {
   editing_.strokes().frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
   const std::vector<std::string> keys = window_.take_keys();
   if (pressed || !keys.empty()) messages_.begin_action();
-  for (const std::string& key : keys) apply_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
+  for (const std::string& key : keys) apply_key(key == "Alt" ? "F10" : key);
   if (dialogs_.any() && !dialogs_.shows<GalleryPrompt>()) return;
   for (const std::string& path : window_.take_dropped_files()) {
     if (dialogs_.any()) close_popups();
@@ -211,22 +220,31 @@ void Editor::apply_input() {
   }
 }
 
+/// The keys of dialogs, menus and lists. True if the key is theirs; a command closes menus and runs.
+bool Editor::walk_through_popup(const std::string& key) {
+  if (key == "Tab" || key == "Shift+Tab") step_focus(map_, key == "Tab" ? 1 : -1);
+  if (key == "Enter") press_focused(map_);
+  if (dialogs_.any()) return true;  // they close themselves
+  const bool of_menus = key == "Alt" || key == "F10", command = runs_while_typing(key) && !of_menus;
+  if (of_menus || command) close_popups();
+  // ImGui may have closed it already.
+  if (key == "Escape" && !popup_closed_) close_popups_above(open_popups() - 1);
+  return !command;
+}
+
 /// Handles a key that types no text: closes a popup or runs an action.
 void Editor::apply_key(const std::string& key) {
   if (tools_.take_key(key)) return;
-  if (dialogs_.any()) return;  // dialogs handle their own keys
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-    const bool command = runs_while_typing(key);
-    if (key == "Escape" || command) close_popups();
-    if (!command) return;
-  }
+  if (open_popups() > 0 && walk_through_popup(key)) return;
+  if (dialogs_.any()) return;
   if (tools_.shows_commands() || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
   DocumentView& view = editing_.view();
   if (const std::string id = view.at_loom.open ? key_at_loom(key) : ""; !id.empty()) return actions_.run(id);
   if (view.select.tool == Tool::kType &&
       editing_.commit(type_key(view, editing_.document().now(), settings_, key, Window::seconds())))
     return;
-  actions_.run_key(key);
+  // Redo by Ctrl+Y, too, unless it was given to another command.
+  if (!actions_.run_key(key) && key == "Ctrl+Y") actions_.run("redo");
 }
 
 void Editor::draw_window() {
@@ -237,13 +255,15 @@ void Editor::draw_window() {
   map_.clear();
   tip_.begin(schedule_.rest_s(Window::seconds()));
   notes_ = {};
+  notes_.popup_closed = popup_closed_;
   Intents wanted;
   const Document& document = editing_.document();
   PanelContext c{
       {style_, map_, tip_, focus_}, document.now(), document.cells(), session_.revision(), settings_, notes_, wanted};
   push_font(style_.font.text);
   const std::vector<ActionItem> items = actions_.items();
-  wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
+  wanted.add_action(
+      draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_, std::exchange(opens_menus_, false)));
   const float tabs_height = tabs_.height(style_);
   const TabRequest requested = tabs_.draw(c, tabs_height);
   panels_.draw(c, tabs_height, items, {trouble_, tabs_.awaits()});

@@ -326,7 +326,7 @@ DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   const DialogSizes room = sizes_in(c);
   const Exporter::State state = p.exporter->state();
   heading(c, tr("Export texture set"));
-  ImGui::BeginChild("choices", {room.column, room.height});
+  begin_list("choices", {room.column, room.height});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(kLabels + 8);
   draw_targets(c, p, width);
   ImGui::Dummy({0, c.style.px(2)});

@@ -86,7 +86,7 @@ void draw_sheet(PanelContext& c, const PrintPrompt& p, const PrintOptions& o) {
   if (problem.empty() && !p.preview->texture().empty()) dl->AddImage(p.preview->texture().id(), a, b);
   dl->AddRect(a, b, c.style.color.line_strong);
   ImGui::SetCursorScreenPos(a);
-  hit_area("sheet", size);
+  ImGui::Dummy(size);
   c.map.add_item("print.sheet");
   if (problem.empty() && last.sheets > 0 && last.sheet == std::min(p.sheet, last.sheets - 1) && !p.preview->busy())
     c.map.add_item("print.ready");
@@ -181,7 +181,7 @@ DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p) {
   ImGui::EndGroup();
   ImGui::SameLine(0, c.style.px(20));
   ImGui::BeginGroup();
-  ImGui::BeginChild("choices", {c.style.px(kColumn), c.style.px(kPreviewHeight)});
+  begin_list("choices", {c.style.px(kColumn), c.style.px(kPreviewHeight)});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(112);
   draw_paper(c, p, width);
   draw_scale(c, p, width);

@@ -101,7 +101,7 @@ void draw_strip(const PanelContext& c, const Page& page, const ThreadSection& se
 }
 
 void draw_sections(PanelContext& c, Page& page) {
-  ImGui::BeginChild("sections", {c.style.px(kWidth), c.style.px(kSections)});
+  begin_list("sections", {c.style.px(kWidth), c.style.px(kSections)});
   int deleted = -1;
   for (size_t i = 0; i < page.assembly.sections.size(); ++i) {
     const ThreadSection& section = page.assembly.sections[i];
@@ -146,7 +146,7 @@ RowRequest draw_row(PanelContext& c, const OrderRow& row, int index, int& times)
   ImGui::SameLine(c.style.px(170));
   ImGui::SetNextItemWidth(c.style.px(90));
   ImGui::InputInt("##times", &times);
-  c.map.add_item("sections.times:" + number);
+  c.map.add_field("sections.times:" + number, field_of_number("##times"));
   times = std::clamp(times, 1, kMaxThreads);
   const auto button = [&](const char* id, const char* label, const char* tip, RowRequest to) {
     ImGui::SameLine(0, c.style.px(4));
@@ -190,7 +190,7 @@ void draw_order(PanelContext& c, Page& page) {
   page.changed |= ImGui::InputTextWithHint("##order", "A 4x, (B C) 3x, A", &page.assembly.order);
   c.map.add_item("sections.order");
   Order order = read_order(page.assembly.order);
-  ImGui::BeginChild("order", {c.style.px(kWidth), c.style.px(kRows)});
+  begin_list("order", {c.style.px(kWidth), c.style.px(kRows)});
   if (order.why.empty()) {
     const std::vector<OrderRow> rows = order_rows(order.items);
     RowRequest requested = RowRequest::kNone;

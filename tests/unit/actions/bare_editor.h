@@ -56,6 +56,7 @@ class BareEditor {
                        .refuse = [](const std::string&) {},
                        .hover = [] { return Hover{}; },
                        .focus = [](const std::string&) {},
+                       .open_menus = nothing,
                        .show_commands = nothing,
                        .show_remarks = nothing,
                        .toggle_keys = nothing,

@@ -59,6 +59,7 @@ GeneratedWeave with_weave(Design design, const WeaveUse& requested) {
   if (!kind) return {std::move(design), fill(tr("there is no weave named '{name}'"), arg("name", requested.weave))};
   if (use.ends == 0 || use.picks == 0) return {std::move(design), tr("no threads are selected")};
   use.values = complete_values(*kind, requested.values);
+  if (std::string why = why_refused(*kind, use.values); !why.empty()) return {std::move(design), std::move(why)};
   GeneratedWeave made = kind->make(use.values, {use.ends, use.picks});
   if (use.ends == d.ends() && use.picks == d.picks()) {
     if (kind->colors == WeaveColors::kOwn) {

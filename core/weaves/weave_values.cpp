@@ -30,8 +30,17 @@ bool is(const WeaveValues& values, std::string_view id, std::string_view choice)
 OverUnder ratio(const WeaveValues& values, std::string& why) {
   OverUnder order = read_ratio(text(values, "ratio"));
   if (!order.empty()) return order;
-  why = fill(tr("'{text}' is not a ratio such as 2/2, which is used instead"), arg("text", text(values, "ratio")));
-  return {2, 2};
+  why =
+      fill(tr("'{text}' is no ratio. Write the threads that the warp passes over and under in turn: 2/2, or 3/1/1/3."),
+           arg("text", text(values, "ratio")));
+  return {2, 2};  // a stand-in: why_refused() keeps it from becoming a draft
+}
+
+std::string why_refused(const WeaveKind& kind, const WeaveValues& values) {
+  std::string why;
+  for (const WeaveParameter& parameter : kind.parameters)
+    if (std::string_view(parameter.id) == "ratio") ratio(complete_values(kind, values), why);
+  return why;
 }
 
 std::vector<int> profile(const WeaveValues& values, int blocks, std::string& why, const char* id) {

@@ -132,6 +132,7 @@ double Editor::sleep_s() {
   if (sleep == 0) return sleep;
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
+  if (const double at = panels_.changes_at_s(); at >= 0) sooner(std::max(0.0, at - ImGui::GetTime()));
   if (const auto until = waits_until(editing_.view())) sooner(std::max(0.0, *until - now));
   if (dialogs_.busy() || tasks_.busy() || exports_.busy()) sooner(kDialogPollS);
   if (session_.busy() || live_export_.busy()) sooner(kTroublePollS);
@@ -170,6 +171,7 @@ void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
   const bool changed = update_background();
+  if (const double at = panels_.changes_at_s(); at >= 0 && ImGui::GetTime() >= at) schedule_.draw(2);
   if (!schedule_.is_due() && !changed && !schedule_.is_tip_due(now) && !ImGui::GetIO().WantTextInput) return;
   schedule_.drawn(now);
   if (restyle_ || now == 0) window_.use_style(style_);

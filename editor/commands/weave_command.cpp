@@ -68,6 +68,7 @@ int weave_command(const WeaveOptions& options) {
   }
   WeaveValues values;
   if (!read_values(*kind, options.set, values)) return kUsage;
+  if (const std::string why = why_refused(*kind, values); !why.empty()) return refuse(why);
   GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
   generated.design.title = kind->name;
   if (!generated.why.empty()) {

@@ -44,7 +44,7 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
     changed = true;
   }
   ImGui::SameLine(0, c.style.px(16));
-  ImGui::BeginChild("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
+  begin_list("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
   muted_text(c, tr(kind_of(p).description));
   ImGui::PopTextWrapPos();
@@ -52,7 +52,10 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   if (changed) result.edit = preview_edit(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, p.why);
+  if (!why_refused(kind_of(p), p.use.values).empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
+  else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::TextUnformatted(p.why.c_str());
+  ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
   const DialogResult button = dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true));

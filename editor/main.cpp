@@ -6,8 +6,10 @@
 #include "commands/commands.h"
 #include "platform/language.h"
 
-int main(int argc, char** argv) {
-  using namespace weftlight;
+namespace weftlight {
+namespace {
+
+int run(int argc, char** argv) {
   try {
     platform::use_language(commands::requested_language(argc, argv), base::languages_dir());
     const commands::CommandLine line = commands::run_command_line(argc, argv);
@@ -17,3 +19,8 @@ int main(int argc, char** argv) {
     return commands::kNotWritten;
   }
 }
+
+}  // namespace
+}  // namespace weftlight
+
+int main(int argc, char** argv) { return weftlight::run(argc, argv); }

@@ -8,11 +8,9 @@
 
 namespace weftlight::analysis {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using draft::Draft, draft::ShedControl, draft::System, draft::Threads, draft::drawdown, draft::for_each_bit,
+    draft::lifts;
 
 namespace {
 

@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/names.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::analysis {
+
+using design::Design;
+using draft::BitMatrix, draft::CellRect;
 
 struct Difference {
   std::string what;          // English: "threading", "tie-up", "warp colours", "title" ...; show tr(what)

@@ -10,6 +10,9 @@
 #include <utility>
 
 namespace weftlight::analysis {
+
+using draft::complement, draft::transposed;
+
 namespace {
 
 bool any(const BitMatrix& m) {

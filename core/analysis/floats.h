@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "analysis/names.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::analysis {
+
+using draft::BitMatrix, draft::Face, draft::System;
 
 /// Longest float, in threads crossed, of each system on each face.
 struct LongestFloats {

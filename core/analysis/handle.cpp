@@ -9,6 +9,10 @@
 #include "design/finish.h"
 
 namespace weftlight::analysis {
+
+using design::Yarn, design::fibre_of, design::tex_of;
+using draft::System, draft::Threads, draft::kFromYarn;
+
 namespace {
 
 constexpr double kGravity = 9.81, kCrimp = 1.05;  // length of a thread over that of the cloth

@@ -1,10 +1,11 @@
 #pragma once
 // The handle of a cloth: its weight and bending stiffness, computed from its yarns and its sett alone.
 
-#include "analysis/names.h"
 #include "design/design.h"
 
 namespace weftlight::analysis {
+
+using design::Design;
 
 /// Bending stiffness is the geometric mean of warp and weft, per metre of width.
 ///

@@ -8,6 +8,10 @@
 #include "draft/drawdown.h"
 
 namespace weftlight::analysis {
+
+using design::Yarn, design::tex_of;
+using draft::ShedControl, draft::Threads, draft::differences, draft::for_each_bit, draft::lifts, draft::transposed;
+
 namespace {
 
 std::vector<int> marks_of_columns(const BitMatrix& m) {

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/names.h"
 #include "design/design.h"
 
 namespace weftlight::analysis {
+
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::System;
 
 /// Heddles on each shaft, ends on none, and how often each shaft and treadle is used.
 struct LoomUse {

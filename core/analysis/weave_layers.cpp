@@ -14,6 +14,9 @@
 #include <numeric>
 
 namespace weftlight::analysis {
+
+using draft::transposed;
+
 namespace {
 
 // Threads of one system, those most often on top first.

@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "analysis/names.h"
 #include "draft/bit_matrix.h"
 
 namespace weftlight::analysis {
+
+using draft::BitMatrix;
 
 /// Threads that cannot be separated without cutting. A layer of ends only or of picks only is a loose thread.
 struct WeaveLayer {

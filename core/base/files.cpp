@@ -10,12 +10,12 @@
 #include "platform/unique_name.h"
 
 namespace weftlight::base {
+
 namespace fs = std::filesystem;
 
-namespace {
+using platform::File, platform::FileKind;
 
-using platform::File;
-using platform::FileKind;
+namespace {
 
 std::string not_read(const std::error_code& error) {
   return fill(tr("cannot be read: {cause}"), arg("cause", cause_of(error)));

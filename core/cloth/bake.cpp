@@ -9,6 +9,9 @@
 #include "cloth/layer_plan.h"
 
 namespace weftlight::cloth {
+
+using base::for_each_job;
+
 namespace {
 
 constexpr int kBandRows = 32;

@@ -7,7 +7,6 @@
 
 #include "cloth/horizon.h"
 #include "cloth/maps.h"
-#include "cloth/names.h"
 #include "cloth/surface_sampler.h"
 
 namespace weftlight::cloth {

@@ -17,6 +17,9 @@
 #include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
+
+using draft::BitMatrix;
+
 namespace {
 
 // An unconstrained float rises by at most this fraction of its thickness in an open cloth; touching neighbours hold it

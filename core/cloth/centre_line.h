@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 
 namespace weftlight::cloth {
+
+using draft::CellRect, draft::System;
 
 /// A float's height depends on its ends up to this many threads away; further away it has reached the bound of the
 /// weave's tightness. This limits what a changed cell can affect.

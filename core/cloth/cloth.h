@@ -4,11 +4,13 @@
 
 #include <vector>
 
-#include "cloth/names.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::cloth {
+
+using design::Design, design::Yarn;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::System;
 
 /// Linear-light colour.
 struct Linear {

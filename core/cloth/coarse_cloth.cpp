@@ -3,6 +3,9 @@
 #include <algorithm>
 
 namespace weftlight::cloth {
+
+using draft::BitMatrix;
+
 namespace {
 
 /// The thread that represents each group. Its position within the group follows the golden ratio: at equal distances

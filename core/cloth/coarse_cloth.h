@@ -2,7 +2,6 @@
 // A cloth of fewer, wider threads that looks the same in the far field, for maps whose texels hold many threads.
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 
 namespace weftlight::cloth {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cloth/maps.h"
-#include "cloth/names.h"
 
 namespace weftlight::cloth {
 

@@ -16,6 +16,11 @@
 #include "design/repeat.h"
 
 namespace weftlight::cloth {
+
+using cloth::thread_formulas::mix_bits, cloth::thread_formulas::unit_of;
+using design::Design, design::Finish, design::Repeat, design::Yarn, design::design_repeat, design::finished;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::System, draft::Threads, draft::kFromYarn;
+
 namespace {
 
 // Spacing over width where the draft gives no spacing: a balanced cloth of touching threads is a few percent open (1 -

@@ -16,6 +16,9 @@
 #include "design/repeat.h"
 
 namespace weftlight::cloth {
+
+using design::Repeat, design::structure_repeat;
+
 namespace {
 
 constexpr int kMaxLayers = 8;

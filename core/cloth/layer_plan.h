@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 
 namespace weftlight::cloth {
+
+using draft::BitMatrix, draft::System;
 
 /// The layer of each thread. Where two layers change places (pockets) a thread keeps its layer, which is above in some
 /// groups of threads and below in others.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 
 namespace weftlight::cloth {
 

@@ -11,6 +11,10 @@
 #include "cloth/texel_cover.h"
 
 namespace weftlight::cloth {
+
+using base::for_each_job;
+using draft::BitMatrix, draft::System, draft::for_each_bit;
+
 namespace {
 
 // Overhead of a rectangle in texels: to set up a sampler, and to upload a patch.

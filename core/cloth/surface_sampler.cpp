@@ -13,6 +13,9 @@
 #include "cloth/thickness.h"
 
 namespace weftlight::cloth {
+
+using cloth::thread_formulas::fibre_colour;
+
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;

@@ -7,10 +7,11 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/maps.h"
-#include "cloth/names.h"
 #include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
+
+using draft::System;
 
 /// Sample grid of one period. A texel holds per_texel_x x per_texel_y samples, so that each thread gets about
 /// `samples_a_thread` where the map has fewer texels.

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "cloth/maps.h"
-#include "cloth/names.h"
 #include "draft/bit_matrix.h"
 
 namespace weftlight::cloth {
+
+using draft::BitMatrix;
 
 /// Sets the bits [from, to) of a row.
 void set_run(std::span<uint64_t> row, int from, int to);

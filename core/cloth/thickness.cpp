@@ -6,6 +6,10 @@
 #include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
+
+using cloth::thread_formulas::slubs_in, cloth::thread_formulas::thickness_factor,
+    cloth::thread_formulas::uneven_section;
+
 namespace {
 
 using thread_formulas::slubs_in, thread_formulas::thickness_factor, thread_formulas::uneven_section;

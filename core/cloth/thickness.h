@@ -6,9 +6,11 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 
 namespace weftlight::cloth {
+
+using design::Finish, design::Yarn;
+using draft::System;
 
 /// Fraction of the threads' relief that the densest nap removes; by eye.
 inline constexpr float kNapFlattening = 0.93f;

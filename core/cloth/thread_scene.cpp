@@ -9,6 +9,9 @@
 #include "cloth/thickness.h"
 
 namespace weftlight::cloth {
+
+using draft::System;
+
 namespace {
 
 constexpr int kBinsAThread = 4;  // of shaders/threads.glsl

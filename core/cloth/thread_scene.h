@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 #include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
+
+using draft::CellRect, draft::Face;
 
 /// The data that the formulas fetch. Systems: 0 warp, 1 weft.
 struct ThreadTables {

@@ -5,6 +5,10 @@
 #include <numbers>
 
 namespace weftlight::cloth {
+
+using cloth::thread_formulas::mix_bits, cloth::thread_formulas::unit_of;
+using design::Twist, design::clamped;
+
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;

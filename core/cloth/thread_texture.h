@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "cloth/names.h"
 #include "shaders/interop.h"
 
 namespace weftlight::cloth {
+
+using design::Yarn;
+using draft::System;
 
 namespace thread_formulas {
 using glm::uint;

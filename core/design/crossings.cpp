@@ -10,6 +10,8 @@
 namespace weftlight::design {
 
 using base::tr;
+using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown, draft::lifts, draft::transposed,
+    draft::with_drawdown, draft::with_lifts;
 
 namespace {
 

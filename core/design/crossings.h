@@ -8,6 +8,8 @@
 
 namespace weftlight::design {
 
+using draft::BitMatrix, draft::Selection, draft::Write;
+
 /// A design after a stroke in the drawdown; if the loom cannot weave it, unchanged, with the reason.
 struct Painted {
   Design design;

@@ -2,6 +2,8 @@
 
 namespace weftlight::design {
 
+using draft::is_consistent;
+
 bool is_consistent(const Design& design) {
   return !design.yarns.empty() && is_consistent(design.draft, design.yarns.size());
 }

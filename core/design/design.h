@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "design/finish.h"
-#include "design/names.h"
 #include "design/yarn.h"
 #include "draft/draft.h"
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads;
 
 /// Shading method (methods.h); kAuto chooses by the pixel footprint.
 enum class Method { kAuto, kFlat, kVrst03, kIrawan, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };

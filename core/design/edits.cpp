@@ -11,6 +11,11 @@
 #include "draft/skeleton.h"
 
 namespace weftlight::design {
+
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Factored, draft::ShedControl, draft::Skeleton,
+    draft::Threads, draft::blank_draft, draft::kFromYarn, draft::kMaxCells, draft::kMaxColors, draft::kMaxThreads,
+    draft::lifts, draft::skeleton_tieup, draft::with_lifts;
+
 namespace {
 
 bool within(int index, int count) { return index >= 0 && index < count; }

@@ -10,6 +10,8 @@
 
 namespace weftlight::design {
 
+using draft::Rgb, draft::System, draft::kMaxShafts;
+
 /// `only`: the thread is first removed from its other shafts or treadles, as a weaver expects of a click.
 Design with_threading(Design design, int end, int shaft, bool on, bool only = true);
 Design with_tieup(Design design, int treadle, int shaft, bool on);

@@ -5,6 +5,9 @@
 #include <utility>
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::Threads;
+
 namespace {
 
 size_t bytes(const BitMatrix& m) { return static_cast<size_t>(m.rows()) * m.words() * sizeof(uint64_t); }

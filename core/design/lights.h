@@ -12,6 +12,8 @@
 
 namespace weftlight::design {
 
+using draft::Rgb;
+
 struct LightingPreset {
   const char* id;     // Scene::lights, and the file in presets/lights
   const char* label;  // show tr(label), tr(tip)

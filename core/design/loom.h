@@ -10,6 +10,8 @@
 
 namespace weftlight::design {
 
+using draft::BitGrid, draft::LoomSize;
+
 /// Shafts and treadles that painting may take: those of the loom; where that is unknown, kDefaultLimit or as
 /// many as the draft has.
 inline constexpr int kDefaultLimit = 32;

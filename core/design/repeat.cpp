@@ -4,6 +4,9 @@
 #include <functional>
 
 namespace weftlight::design {
+
+using draft::Draft, draft::Threads;
+
 namespace {
 
 // Smallest divisor d of n such that each thread equals the one d before it.

@@ -6,6 +6,8 @@
 
 namespace weftlight::design {
 
+using draft::BitMatrix;
+
 /// Smallest period in ends and in picks (each divides the count, or is the count itself).
 struct Repeat {
   int ends = 0, picks = 0;

@@ -9,6 +9,10 @@
 #include "draft/factor.h"
 
 namespace weftlight::design {
+
+using draft::System, draft::cells_of, draft::clipped, draft::covered, draft::whole_grid, draft::with_cells,
+    draft::without_spare;
+
 namespace {
 
 int wrapped(int64_t i, int n) { return static_cast<int>(((i % n) + n) % n); }

@@ -11,6 +11,8 @@
 
 namespace weftlight::design {
 
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Selection, draft::Write;
+
 /// Puts a block with its first cell at (a, b), clipped to the grid. A block in the liftplan makes the liftplan the shed
 /// control; crossings are painted as in crossings.h. A locked grid is unchanged.
 Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write);

@@ -4,6 +4,9 @@
 #include <cstdint>
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Threads, draft::kMaxCells, draft::kMaxThreads;
+
 namespace {
 
 using Order = std::vector<ThreadSource>;

@@ -9,6 +9,8 @@
 
 namespace weftlight::design {
 
+using draft::System;
+
 /// Half-open range of ends or picks.
 struct ThreadRange {
   System system = System::kWarp;

@@ -10,6 +10,9 @@
 #include "design/edits.h"
 
 namespace weftlight::design {
+
+using draft::Threads, draft::kFromYarn, draft::kMaxThreads;
+
 namespace {
 
 constexpr std::string_view kColors = "weftlight colours:", kThickness = "weftlight thickness:";

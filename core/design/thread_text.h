@@ -11,6 +11,8 @@
 
 namespace weftlight::design {
 
+using draft::Draft, draft::Rgb, draft::System;
+
 /// Either colours or thicknesses; the other is empty.
 struct ThreadProperties {
   std::vector<Rgb> colors;

@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <string>
 
-#include "design/names.h"
 #include "draft/draft.h"
 
 namespace weftlight::design {
+
+using draft::Rgb;
 
 enum class Twist : uint8_t { kNone, kS, kZ };
 

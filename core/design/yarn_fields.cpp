@@ -4,6 +4,9 @@
 #include <cmath>
 
 namespace weftlight::design {
+
+using draft::Rgb;
+
 namespace {
 
 float clamped_or(float value, float low, float high, float fallback) {

@@ -15,9 +15,7 @@
 
 namespace weftlight::draft {
 
-using base::arg;
-using base::fill;
-using base::tr_n;
+using base::arg, base::fill, base::tr_n;
 
 namespace {
 

@@ -6,7 +6,6 @@
 
 #include "drape/bodies.h"
 #include "drape/garments.h"
-#include "drape/names.h"
 
 namespace weftlight::drape {
 

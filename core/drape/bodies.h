@@ -4,7 +4,6 @@
 #include <array>
 
 #include "drape/mesh.h"
-#include "drape/names.h"
 #include "drape/solver.h"
 
 namespace weftlight::drape {

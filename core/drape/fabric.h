@@ -2,7 +2,6 @@
 // A pattern as simulated cloth: particles with mass, stiff springs along the threads, soft ones along the bias, and
 // stiffness against bending. Units: mm, kg, s; a stiffness of 1 N/m is 1 kg/s2.
 
-#include "drape/names.h"
 #include "drape/pattern.h"
 #include "drape/vec.h"
 

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "drape/names.h"
 #include "drape/pattern.h"
 #include "drape/vec.h"
 

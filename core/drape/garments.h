@@ -2,7 +2,6 @@
 // A drape before it is simulated, and the sewn garments.
 
 #include "drape/fabric.h"
-#include "drape/names.h"
 #include "drape/solver.h"
 
 namespace weftlight::drape {

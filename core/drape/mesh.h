@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "drape/names.h"
-
 namespace weftlight::drape {
 
 using Vec3 = glm::vec3;

@@ -2,7 +2,6 @@
 // Finds particles that are close in space but not along the cloth.
 
 #include "drape/fabric.h"
-#include "drape/names.h"
 
 namespace weftlight::drape {
 

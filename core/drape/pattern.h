@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "drape/mesh.h"
-#include "drape/names.h"
 
 namespace weftlight::drape {
 

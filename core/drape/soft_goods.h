@@ -2,7 +2,6 @@
 // Drapes with few seams that are not flat sheets: a scarf around the neck, a cushion.
 
 #include "drape/garments.h"
-#include "drape/names.h"
 
 namespace weftlight::drape {
 

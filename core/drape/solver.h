@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "drape/fabric.h"
-#include "drape/names.h"
 
 namespace weftlight::drape {
 

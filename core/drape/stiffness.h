@@ -7,7 +7,6 @@
 
 #include "drape/fabric.h"
 #include "drape/mesh.h"
-#include "drape/names.h"
 #include "drape/solver.h"
 
 namespace weftlight::drape {

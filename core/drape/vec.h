@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "drape/mesh.h"
-#include "drape/names.h"
 
 namespace weftlight::drape {
 

@@ -12,15 +12,15 @@
 #include "drape/stiffness.h"
 
 namespace weftlight::files {
+
+using base::ErrorKind, base::Result, base::arg, base::cache_folder, base::cause_of, base::failure, base::fill,
+    base::keep_newest, base::presets_dir, base::tr;
+using drape::DrapeParameters, drape::Vec2, drape::drape_file, drape::drape_names, drape::drape_parameters,
+    drape::drape_stiffness_of, drape::simulate_drape;
+
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
 constexpr size_t kMaxCached = 48;  // files of half a megabyte
 
 /// Name, without extension, of the shipped version for the fabric.

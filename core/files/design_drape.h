@@ -6,9 +6,11 @@
 #include <string>
 
 #include "files/files.h"
-#include "files/names.h"
 
 namespace weftlight::files {
+
+using design::Design;
+using drape::Mesh;
 
 /// Like load_drape() of the scene's mesh. A shipped drape is taken in the version for the fabric
 /// (presets/meshes/NAME.glb, NAME_limp.glb, NAME_stiff.glb); the simulated drape if the scene asks for it and it is in

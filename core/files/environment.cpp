@@ -13,16 +13,10 @@
 #include "base/text.h"
 
 namespace weftlight::files {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::failed;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
-using base::tr_n;
+using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::tr, base::tr_n;
+
+namespace {
 
 constexpr int kMaxWidth = 32768;
 constexpr int kBandRows = 32;

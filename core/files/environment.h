@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "files/files.h"
-#include "files/names.h"
 
 namespace weftlight::files {
 

@@ -8,9 +8,11 @@
 #include "base/result.h"
 #include "cloth/maps.h"
 #include "drape/mesh.h"
-#include "files/names.h"
 
 namespace weftlight::files {
+
+using cloth::Linear;
+using drape::Mesh;
 
 /// Interleaved float image, row 0 at the top.
 struct Image {

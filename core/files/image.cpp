@@ -18,14 +18,11 @@
 #include "files/written.h"
 
 namespace weftlight::files {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
+using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, base::fill, base::tr,
+    base::write_file_atomically, base::write_through;
+
+namespace {
 
 constexpr int kMaxSide = 65536;
 constexpr int kMaxChannels = 256;

@@ -19,11 +19,12 @@
 #include "files/files.h"
 
 namespace weftlight::files {
+
+using base::FileBytes, base::arg, base::fill, base::message, base::read_file, base::tr;
+using drape::Mesh, drape::Vec2, drape::Vec3, drape::compute_frames;
+
 namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
 using nlohmann::json;
 
 constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;

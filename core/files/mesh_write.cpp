@@ -23,14 +23,13 @@
 #include "files/written.h"
 
 namespace weftlight::files {
+
+using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, base::fill, base::tr,
+    base::write_file_atomically, base::write_through;
+using drape::Mesh, drape::Vec2, drape::Vec3;
+
 namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
 using nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 

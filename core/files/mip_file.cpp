@@ -15,14 +15,10 @@
 #include "base/text.h"
 
 namespace weftlight::files {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
+using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, base::fill, base::tr;
+
+namespace {
 
 constexpr int kMaxSide = 16384;  // with all levels 1.4 GiB, within a long of every system
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "files/files.h"
-#include "files/names.h"
 
 namespace weftlight::files {
 

@@ -16,10 +16,12 @@
 
 namespace weftlight::files {
 
-using namespace wif;
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::message, base::tr;
+using design::Design;
+using draft::BitMatrix, draft::Rgb, draft::kMaxShafts, draft::kMaxThreads;
+using weaves::PictureWeave, weaves::Pixels, weaves::Reduced, weaves::jacquard_design, weaves::picture_weave,
+    weaves::reduced_colors;
+using wif::Severity, wif::WifFile, wif::WifRead, wif::write_new_wif;
 
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "files/names.h"
 #include "wif/wif.h"
 
 namespace weftlight::files {

@@ -5,6 +5,10 @@
 #include "files/files.h"
 
 namespace weftlight::files {
+
+using base::Result, base::fill, base::presets_dir, base::tr;
+using drape::Mesh, drape::drape_names, drape::simulate_drape;
+
 namespace fs = std::filesystem;
 using base::arg;
 using base::fill;

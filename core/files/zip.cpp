@@ -17,11 +17,10 @@
 #include "files/written.h"
 
 namespace weftlight::files {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cause_of, base::fill, base::tr, base::write_through;
+
+namespace {
 
 constexpr uint16_t kVersion = 20, kMadeBy = 63;  // FAT in the upper byte
 constexpr uint16_t kUtf8Names = 1u << 11;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "files/names.h"
 
 namespace weftlight::files {
 

@@ -13,6 +13,10 @@
 #include "cloth/layer_plan.h"
 
 namespace weftlight::light {
+
+using cloth::ThreadBody, cloth::front_layer, cloth::one_layer;
+using draft::BitMatrix, draft::differences;
+
 namespace {
 
 constexpr int kCosines = 32, kAzimuths = 24;  // entries of the table of g

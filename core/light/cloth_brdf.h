@@ -4,10 +4,11 @@
 
 #include "cloth/cloth.h"
 #include "light/formulas.h"
-#include "light/names.h"
 #include "light/tables.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Linear;
 
 struct ClothBrdf {
   formulas::Vrst03 p;  // complete: c_warp, c_weft and mean_hn are set

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "cloth/maps.h"
-#include "light/names.h"
 #include "light/thread_samples.h"
 
 namespace weftlight::light {
+
+using cloth::Linear;
 
 inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // uniform in the slope's angle, -90 to 90 degrees
 

@@ -14,6 +14,10 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
+
+using base::for_each_job;
+using cloth::Linear;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

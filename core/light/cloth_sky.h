@@ -10,6 +10,8 @@
 
 namespace weftlight::light {
 
+using cloth::Cloth;
+
 /// Fills `sky` of both systems, `sky_from` and `near_sky`. samples, scale: those of the response and their area scale;
 /// seen: visible area of both systems so scaled, by view.
 void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples,

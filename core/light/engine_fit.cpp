@@ -12,6 +12,9 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
+
+using cloth::Linear;
+
 namespace {
 
 using formulas::EngineMaterial;

@@ -10,9 +10,10 @@
 #include "light/cloth_response.h"
 #include "light/engine_texels.h"
 #include "light/formulas.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth;
 
 /// Surface samples for the response that sets are fitted to: means are then within 4 percent.
 inline constexpr int kFitSamples = 512;

@@ -9,6 +9,9 @@
 #include "cloth/layer_plan.h"
 
 namespace weftlight::light {
+
+using cloth::Direction, cloth::Linear, cloth::Slope, cloth::ThreadBody, cloth::layer_count, cloth::linear_from_srgb;
+
 namespace {
 
 constexpr float kMaxSlope = 4.0f;  // 76 degrees, so that one grazing facet does not make a wide lobe

@@ -9,9 +9,11 @@
 
 #include "cloth/maps.h"
 #include "light/formulas.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Maps;
+using design::Lobes;
 
 /// Covariance (xx, xy, yy) of the micro-slopes of a yarn's facets about their normal, on the axes of the texture.
 glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes);

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "light/names.h"
 #include "light/thread_samples.h"
 
 namespace weftlight::light {

@@ -11,11 +11,8 @@
 
 namespace weftlight::light {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::tr;
+using base::ErrorKind, base::arg, base::failure, base::fill, base::tr;
+using design::kShadedMethods, design::method_from_name;
 
 namespace {
 

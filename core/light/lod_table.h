@@ -10,9 +10,10 @@
 #include "base/result.h"
 #include "design/methods.h"
 #include "light/formulas.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using design::Method;
 
 /// One measured point, merged over scenes and views.
 struct LodPoint {

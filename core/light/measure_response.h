@@ -5,6 +5,8 @@
 
 namespace weftlight::light {
 
+using cloth::Cloth, cloth::Maps;
+
 inline constexpr int kResponseSamples = 2048;  // means are then within 4 percent on the charted cloths
 
 /// From `samples` surface samples of the threads and the means of the maps. Without threads or maps: all tables zero.

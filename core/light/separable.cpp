@@ -10,6 +10,9 @@
 #include "base/loops.h"
 
 namespace weftlight::light {
+
+using base::for_each_job;
+
 namespace {
 
 constexpr int kRounds = 6;  // the error has converged to three digits

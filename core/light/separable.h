@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "light/cloth_brdf.h"
-#include "light/names.h"
 
 namespace weftlight::light {
 

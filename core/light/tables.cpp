@@ -12,6 +12,9 @@
 #include "light/formulas.h"
 
 namespace weftlight::light {
+
+using base::for_each_job;
+
 namespace {
 
 constexpr int kOpenings = 20, kSpreads = 24;  // entries of the albedo table
@@ -277,7 +280,7 @@ const LightTables& light_tables() {
 
 namespace weftlight::formulas {
 
-using namespace light;
+using light::Table, light::albedo_at, light::cell_of, light::light_tables, light::plane_at;
 
 vec4 albedo_table(float opening, float along, float across) {
   return albedo_at(light_tables().albedo, opening, along, across);

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "light/names.h"
-
 namespace weftlight::light {
 
 /// A regular grid over 0..1 in each axis, entries at both ends; x runs fastest, channels inside.

@@ -12,6 +12,13 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
+
+namespace thread_formulas = cloth::thread_formulas;
+
+using base::for_each_job;
+using cloth::ThreadBody, cloth::ThreadTexture, cloth::thread_textures;
+using design::Method;
+
 namespace {
 
 using Scene = thread_formulas::ThreadScene;

@@ -6,9 +6,10 @@
 
 #include "cloth/cloth.h"
 #include "light/lod_table.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth;
 
 /// Yarns a pixel (square root of its area).
 inline constexpr std::array<float, 5> kErrorFootprints{0.0625f, 0.125f, 0.25f, 0.5f, 1};

@@ -12,6 +12,15 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
+
+namespace thread_formulas = cloth::thread_formulas;
+
+using base::for_each_job;
+using cloth::Texel, cloth::ThreadBody, cloth::ThreadScene, cloth::ThreadTexture, cloth::texture_at,
+    cloth::thread_textures;
+using design::Lobes;
+using draft::BitMatrix;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

@@ -8,9 +8,11 @@
 
 #include "cloth/cloth.h"
 #include "light/formulas.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth;
+using draft::CellRect;
 
 // Directions on a grid: elevation-major, azimuth 0 along the weft, 90 degrees along the warp. Views have twice as many
 // azimuths as lights: where threads hide each other, visibility changes sharply near the threads' own directions.

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "cloth/thread_scene.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::ThreadScene;
 
 /// Unit vectors, all above the cloth or all below it, stored by component for vectorisation; identified by number.
 struct Directions {

@@ -8,6 +8,8 @@
 
 namespace weftlight::light {
 
+using cloth::Cloth;
+
 /// Fills `transmitted` and `transmission_gradient` of both systems. seen: visible projected area by view, over the
 /// cloth's.
 void measure_transmission(ClothResponse& response, const Cloth& cloth, const ThreadSamples& threads,

@@ -8,6 +8,10 @@
 #include "design/yarn_fields.h"
 
 namespace weftlight::light {
+
+using cloth::linear_from_srgb;
+using design::clamped;
+
 namespace {
 
 float unit(float v) { return v >= 0 ? std::min(v, 1.0f) : 0; }  // NaN: 0

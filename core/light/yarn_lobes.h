@@ -7,9 +7,11 @@
 #include "cloth/cloth.h"
 #include "design/yarn.h"
 #include "light/formulas.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Linear, cloth::ThreadBody;
+using design::Lobes;
 
 /// Components of the mirrored light: reflectance of clear fibres at normal incidence, its fraction in the thread's
 /// colour, and the body. Clear fibres lie in layers: n layers that each reflect r and pass the rest reflect n r / (1 +

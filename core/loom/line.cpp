@@ -9,13 +9,8 @@
 
 namespace weftlight::loom {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using platform::LineAddress;
-using platform::LineProblem;
-using platform::SerialAddress;
-using platform::TcpAddress;
+using base::arg, base::fill, base::tr;
+using platform::LineAddress, platform::LineProblem, platform::SerialAddress, platform::TcpAddress;
 
 namespace {
 

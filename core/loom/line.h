@@ -6,7 +6,6 @@
 #include <stop_token>
 #include <string>
 
-#include "loom/names.h"
 #include "platform/line.h"
 
 namespace weftlight::loom {

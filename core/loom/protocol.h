@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "draft/draft.h"
-#include "loom/names.h"
 
 namespace weftlight::loom {
+
+using draft::BitMatrix, draft::Draft;
 
 /// kPlain: "C0000000f". kSeguin: the same after "=". kToikaEs: four bytes, big-endian, without any reply.
 enum class Protocol { kPlain, kSeguin, kToikaEs };

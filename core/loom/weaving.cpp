@@ -6,9 +6,7 @@
 
 namespace weftlight::loom {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 

@@ -8,6 +8,8 @@
 
 namespace weftlight::loom {
 
+using draft::BitMatrix, draft::Draft;
+
 /// The picks that are woven, repeated without end: all of them, or a section.
 struct PickRange {
   int first = 0, end = 0;  // half-open; empty: the whole draft

@@ -9,10 +9,9 @@
 
 namespace weftlight::print {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::System, draft::drawdown;
 
 namespace {
 

@@ -10,10 +10,11 @@
 
 namespace weftlight::print {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using analysis::ClothPlan, analysis::LoomUse, analysis::YarnNeed, analysis::YarnReport, analysis::loom_use,
+    analysis::yarn_report;
+using base::arg, base::fill, base::tr, base::tr_n;
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::System, draft::Threads, draft::drawdown;
 
 namespace {
 

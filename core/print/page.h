@@ -14,6 +14,9 @@
 
 namespace weftlight::print {
 
+using design::Design;
+using draft::BitMatrix, draft::Rgb;
+
 inline constexpr double kMargin = 14;  // mm
 inline constexpr Rgb kInk{0.13f, 0.14f, 0.17f}, kFaint{0.78f, 0.78f, 0.79f}, kMuted{0.45f, 0.46f, 0.5f};
 

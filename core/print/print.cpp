@@ -16,13 +16,7 @@
 
 namespace weftlight::print {
 
-using base::ErrorKind;
-using base::failed;
-using base::failure;
-using base::Result;
-
-using base::mark;
-using base::tr;
+using base::ErrorKind, base::Result, base::failed, base::failure, base::mark, base::tr;
 
 namespace {
 

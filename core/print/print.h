@@ -10,9 +10,11 @@
 #include "base/mark.h"
 #include "base/result.h"
 #include "design/design.h"
-#include "print/names.h"
 
 namespace weftlight::print {
+
+using analysis::ClothPlan;
+using design::Design;
 
 struct Paper {
   double width_mm = 210, height_mm = 297;

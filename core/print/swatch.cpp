@@ -10,6 +10,12 @@
 #include "print/page.h"
 
 namespace weftlight::print {
+
+using base::for_each_job;
+using cloth::Cloth, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::layer_count, cloth::srgb_from_linear;
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::Rgb;
+
 namespace {
 
 constexpr uint32_t kPaper = 0xffffff;

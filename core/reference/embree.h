@@ -7,8 +7,6 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include "reference/names.h"
-
 namespace weftlight::reference {
 
 /// Closest hit of one ray.

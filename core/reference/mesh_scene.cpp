@@ -8,9 +8,8 @@
 
 namespace weftlight::reference {
 
-using base::ErrorKind;
-using base::failure;
-using base::tr;
+using base::ErrorKind, base::failure, base::tr;
+using drape::Vec2, drape::Vec3;
 
 namespace {
 

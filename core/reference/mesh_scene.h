@@ -6,9 +6,10 @@
 
 #include "base/result.h"
 #include "drape/mesh.h"
-#include "reference/names.h"
 
 namespace weftlight::reference {
+
+using drape::Mesh;
 
 struct MeshHit {
   float t = 0;

@@ -8,6 +8,9 @@
 #include "base/loops.h"
 
 namespace weftlight::reference {
+
+using base::for_each_job;
+
 namespace {
 
 constexpr int kMaxLayers = 8;            // of cloth behind cloth, through gaps

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "reference/mesh_scene.h"
-#include "reference/names.h"
 #include "reference/trace.h"
 
 namespace weftlight::reference {

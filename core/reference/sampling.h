@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "reference/names.h"
-
 namespace weftlight::reference {
 
 /// Repeatable random numbers.

@@ -8,6 +8,14 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::reference {
+
+namespace thread_formulas = cloth::thread_formulas;
+
+using cloth::Cloth, cloth::Texel, cloth::ThreadBody, cloth::texture_at, cloth::thread_textures;
+using design::Yarn;
+using draft::System;
+using light::yarn_lobes;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "cloth/thread_texture.h"
-#include "reference/names.h"
 #include "reference/sampling.h"
 #include "reference/tubes.h"
 
 namespace weftlight::reference {
+
+using cloth::ThreadTexture;
 
 /// Surroundings of a point of the cloth.
 struct Surroundings {

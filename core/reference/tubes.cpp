@@ -17,11 +17,10 @@
 
 namespace weftlight::reference {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::tr;
+using base::ErrorKind, base::arg, base::failure, base::fill, base::tr;
+using cloth::CentreLines, cloth::CentrePoint, cloth::CentreStep, cloth::ThreadBody, cloth::centre_at,
+    cloth::centre_lines, cloth::centre_step, cloth::half_section, cloth::layer_count, cloth::layer_of, cloth::one_layer,
+    cloth::tallest_half;
 
 namespace {
 

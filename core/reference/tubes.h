@@ -9,9 +9,11 @@
 
 #include "base/result.h"
 #include "cloth/cloth.h"
-#include "reference/names.h"
 
 namespace weftlight::reference {
+
+using cloth::Cloth;
+using draft::System;
 
 struct TubeOptions {
   int around = 48;                     // facets of a section

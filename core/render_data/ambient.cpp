@@ -11,6 +11,12 @@
 #include "reference/mesh_scene.h"
 
 namespace weftlight::render_data {
+
+using base::for_each_job;
+using drape::Vec3, drape::body_mesh;
+using reference::MeshScene;
+using scene::bounds_of;
+
 namespace {
 
 constexpr int kDirections = 64, kFewDirections = 16,

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "drape/mesh.h"
-#include "render_data/names.h"
 #include "scene/camera.h"
 
 namespace weftlight::render_data {
+
+using drape::Mesh;
+using scene::Bounds;
 
 /// Visible fraction of the cosine-weighted sky, 0..1, on the side of the normal and on the other.
 struct SkyVisibility {

@@ -8,6 +8,10 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::render_data {
+
+using cloth::Direction, cloth::Linear, cloth::ThreadBody;
+using light::mean_yarn, light::thread_spacing_mm;
+
 namespace {
 
 // Threads with this coverage count as touching: the slits between them are dark.

@@ -2,10 +2,11 @@
 // The parameters of a cloth that the shaders read as uniforms (interop::ClothData).
 
 #include "cloth/maps.h"
-#include "render_data/names.h"
 #include "shaders/interop.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth, cloth::Maps;
 
 struct FaceInput {
   const Cloth& cloth;

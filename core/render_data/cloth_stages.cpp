@@ -14,9 +14,12 @@
 
 namespace weftlight::render_data {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using cloth::Cloth, cloth::MapsSize, cloth::Period, cloth::TexelRect, cloth::bake, cloth::highest_thread, cloth::rebake,
+    cloth::thread_crossings;
+using design::Design, design::Repeat, design::design_repeat;
+using draft::BitMatrix, draft::CellRect, draft::Draft, draft::drawdown, draft::update_drawdown;
+using light::CubeMap, light::Separable, light::Split, light::cloth_brdf, light::factorise;
 
 namespace {
 

@@ -5,6 +5,8 @@
 
 namespace weftlight::render_data {
 
+using draft::Face;
+
 /// Draft -> drawdown. A painted cell changes a part of it.
 Outcome update_cells(StageWork& work, Change input);
 /// Drawdown, threads -> the period that is drawn.

@@ -12,6 +12,12 @@
 #include "light/measure_response.h"
 
 namespace weftlight::render_data {
+
+using cloth::Linear, cloth::Maps, cloth::MapsSize, cloth::ThreadBody, cloth::bake, cloth::linear_from_srgb;
+using design::Lobes;
+using light::EngineFit, light::EngineLobe, light::EngineTexels, light::engine_lobes, light::engine_texels,
+    light::fit_engine, light::kFitSamples, light::kFootprintMmAtOneMetre, light::measure_response;
+
 namespace {
 
 // Texels of the maps for the far field: across a thread, and limits of the longer side.

@@ -7,6 +7,10 @@
 #include "design/repeat.h"
 
 namespace weftlight::render_data {
+
+using cloth::ThreadBody, cloth::bake, cloth::coarse_cloth, cloth::lay_out;
+using design::Repeat, design::Twist, design::Yarn, design::design_repeat;
+
 namespace {
 
 constexpr int kAzimuths = 16;

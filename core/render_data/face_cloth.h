@@ -5,9 +5,12 @@
 #include "cloth/maps.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
-#include "render_data/names.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth, cloth::Maps, cloth::MapsSize, cloth::Period, cloth::TexelRect;
+using design::Design;
+using draft::BitMatrix, draft::Face;
 
 /// Whether its yarns are so uneven that a repeat of a few threads is not representative.
 bool is_uneven(const Design& design);

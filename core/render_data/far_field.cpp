@@ -8,6 +8,12 @@
 #include "render_data/cloth_block.h"
 
 namespace weftlight::render_data {
+
+using cloth::Linear, cloth::Maps, cloth::bake;
+using light::SystemResponse, light::kLightAzimuths, light::kResponseElevations, light::kResponseLights,
+    light::kSlopeBins, light::kTransmissionAzimuths, light::kTransmissionElevations, light::kTransmissionLights,
+    light::kViewAzimuths, light::measure_response;
+
 namespace {
 
 // Texels across a thread, and limits of a side; means need no fine maps.

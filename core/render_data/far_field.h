@@ -5,10 +5,12 @@
 #include <glm/glm.hpp>
 
 #include "light/measure_response.h"
-#include "render_data/names.h"
 #include "shaders/interop.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth;
+using light::ClothResponse, light::kResponseSamples;
 
 struct FarField {
   interop::ClothData numbers{};  // of the first face only

@@ -18,6 +18,9 @@
 #include "light/formulas.h"
 
 namespace weftlight::render_data {
+
+using drape::PositionOrder, drape::Vec3;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

@@ -9,10 +9,12 @@
 
 #include "draft/drawdown.h"
 #include "render_data/ambient.h"
-#include "render_data/names.h"
 #include "shaders/interop.h"
 
 namespace weftlight::render_data {
+
+using draft::Face;
+using drape::Mesh;
 
 /// Flyaway fibres on the front (0) and back (1) of the mesh.
 struct FlyawayGrowth {

@@ -11,6 +11,13 @@
 #include "render_data/thread_block.h"
 
 namespace weftlight::render_data {
+
+using base::for_each_job;
+using cloth::Cloth, cloth::Period;
+using design::Design, design::Yarn, design::finished;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using light::ThreadErrors, light::kResponseSamples, light::thread_errors;
+
 namespace {
 
 constexpr int kQuickSamples = 256;

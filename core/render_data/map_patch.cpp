@@ -3,6 +3,9 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace weftlight::render_data {
+
+using scene::bounds_of;
+
 namespace {
 
 constexpr float kAway = 1e6f;  // mm; the rays of a patch of 10 cm differ by less than a hundredth of a degree

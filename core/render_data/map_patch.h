@@ -6,9 +6,11 @@
 #include "draft/drawdown.h"
 #include "light/formulas.h"
 #include "render_data/ambient.h"
-#include "render_data/names.h"
 
 namespace weftlight::render_data {
+
+using draft::Face;
+using scene::Camera;
 
 /// Pixel (x, y), row 0 on top, covers the parallelogram at corner_mm + x step_x_mm + y step_y_mm.
 struct FlatPatch {

@@ -7,6 +7,10 @@
 #include "light/formulas.h"
 
 namespace weftlight::render_data {
+
+using drape::Mesh, drape::Vec2, drape::Vec3;
+using light::Plan, light::expected, light::plan_of;
+
 namespace {
 
 // Of the cloth: simplified folds have a few triangles that are extremely stretched.

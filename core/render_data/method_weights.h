@@ -6,10 +6,12 @@
 
 #include "light/lod_table.h"
 #include "render_data/ambient.h"
-#include "render_data/names.h"
 #include "scene/camera.h"
 
 namespace weftlight::render_data {
+
+using light::LodDemand, light::LodTable;
+using scene::Camera;
 
 /// A method below this weight changes no colour visibly.
 inline constexpr float kNegligibleWeight = 0.05f;

@@ -13,6 +13,10 @@
 #include "cloth/srgb_table.h"
 
 namespace weftlight::render_data {
+
+using base::for_each_job;
+using cloth::Linear, cloth::Plane, cloth::Slope, cloth::SrgbTable, cloth::shadow_map;
+
 namespace {
 
 uint8_t unorm(float v) { return static_cast<uint8_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); }

@@ -11,10 +11,13 @@
 #include "cloth/maps.h"
 #include "draft/drawdown.h"
 #include "light/thread_error.h"
-#include "render_data/names.h"
 #include "shaders/interop.h"
 
 namespace weftlight::render_data {
+
+using cloth::Maps, cloth::TexelRect;
+using draft::CellRect, draft::Face;
+using light::ThreadErrors;
 
 /// Content of a texture, which decides how its mips are averaged.
 enum class PackedKind : uint8_t {

@@ -13,8 +13,13 @@
 
 namespace weftlight::render_data {
 
-using base::failed;
-using base::Result;
+using base::Result, base::failed;
+using cloth::Period, cloth::lay_out, cloth::linear_from_srgb, cloth::srgb_from_linear;
+using draft::BitMatrix, draft::drawdown;
+using files::drape_key, files::load_design_drape;
+using reference::DrapePicture, reference::LightSample, reference::RandomStream, reference::trace_drape;
+using scene::Camera, scene::DistantLight, scene::Environment, scene::SceneLight, scene::bounds_of,
+    scene::load_light_rig, scene::place_camera, scene::scene_light, scene::sky_radiance, scene::turned;
 
 namespace {
 

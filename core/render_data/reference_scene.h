@@ -10,11 +10,17 @@
 #include "design/design.h"
 #include "files/files.h"
 #include "reference/picture.h"
-#include "render_data/names.h"
 #include "scene/camera.h"
 #include "scene/light_rig.h"
 
 namespace weftlight::render_data {
+
+using design::Design, design::Finish, design::Scene, design::Yarn;
+using draft::Draft, draft::Face;
+using drape::Mesh;
+using files::Image;
+using reference::MeshScene, reference::Progress, reference::TracedImage, reference::TubeOptions, reference::TubeScene;
+using scene::Bounds, scene::LightRig;
 
 /// View and quality of a traced picture.
 struct ReferenceView {

@@ -8,6 +8,11 @@
 #include "base/loops.h"
 
 namespace weftlight::render_data {
+
+using base::for_each_job;
+using light::ClothResponse, light::SystemResponse, light::kResponseLights, light::kResponseViews,
+    light::kTransmissionElevations, light::kTransmissionLights, light::measure_response, light::response_views;
+
 namespace {
 
 using Faces = std::array<ClothResponse, 2>;

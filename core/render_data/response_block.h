@@ -6,10 +6,12 @@
 
 #include "light/measure_response.h"
 #include "render_data/cloth_block.h"
-#include "render_data/names.h"
 #include "render_data/packed_maps.h"
 
 namespace weftlight::render_data {
+
+using light::kLightAzimuths, light::kResponseElevations, light::kResponseSamples, light::kTransmissionAzimuths,
+    light::kViewAzimuths;
 
 // Azimuths with the first repeated at the end. Reflected light and gradient are side by side, those of light from
 // behind below.

@@ -5,6 +5,13 @@
 #include "files/design_drape.h"
 
 namespace weftlight::render_data {
+
+using base::message;
+using design::Design;
+using drape::Mesh, drape::drape_names, drape::simulate_drape;
+using files::load_design_drape;
+using scene::LightRig, scene::load_light_rig;
+
 namespace {
 
 base::Result<Mesh> find_mesh(const Design& design) {

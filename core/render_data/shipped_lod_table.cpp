@@ -6,9 +6,8 @@
 
 namespace weftlight::render_data {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::FileBytes, base::arg, base::fill, base::message, base::presets_dir, base::read_file, base::tr;
+using light::default_lod_table, light::read_lod_table;
 
 ShippedLodTable shipped_lod_table() {
   constexpr uint64_t kMaxBytes = uint64_t{1} << 24;

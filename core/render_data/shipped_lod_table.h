@@ -4,9 +4,10 @@
 #include <string>
 
 #include "light/lod_table.h"
-#include "render_data/names.h"
 
 namespace weftlight::render_data {
+
+using light::LodTable;
 
 struct ShippedLodTable {
   LodTable lod_table;

@@ -11,12 +11,16 @@
 #include "design/design.h"
 #include "draft/drawdown.h"
 #include "render_data/ambient.h"
-#include "render_data/names.h"
 #include "render_data/packed_maps.h"
 #include "render_data/stage_list.h"
 #include "scene/light_rig.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth, cloth::Maps, cloth::Period, cloth::TexelRect;
+using design::Design;
+using draft::BitMatrix, draft::CellRect, draft::Face;
+using scene::LightRig;
 
 /// Changes of one update for the renderer; empty parts did not change.
 struct StageResult {

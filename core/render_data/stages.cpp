@@ -13,6 +13,12 @@
 #include "render_data/visible_preview.h"
 
 namespace weftlight::render_data {
+
+using base::for_each_job;
+using design::Lobes, design::Method, design::Yarn;
+using draft::Draft, draft::Face;
+using files::drape_key;
+
 namespace {
 
 /// A part of the design that stages read.

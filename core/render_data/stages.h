@@ -7,11 +7,12 @@
 
 #include "design/design.h"
 #include "render_data/method_weights.h"
-#include "render_data/names.h"
 #include "render_data/stage_data.h"
 #include "scene/light_rig.h"
 
 namespace weftlight::render_data {
+
+using design::Design;
 
 class Stages {
  public:

@@ -10,6 +10,15 @@
 #include "shaders/interop.h"
 
 namespace weftlight::render_data {
+
+namespace thread_formulas = cloth::thread_formulas;
+
+using cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
+    cloth::thread_tables, cloth::thread_texture;
+using design::Yarn;
+using draft::System;
+using light::yarn_data;
+
 namespace {
 
 /// Appends a record as texels.

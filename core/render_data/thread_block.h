@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "render_data/names.h"
 #include "render_data/packed_maps.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth;
+using draft::CellRect;
 
 /// Drafts with more crossings (128 MB) are not drawn thread by thread.
 inline constexpr int64_t kMaxCrossings = int64_t{1} << 24;

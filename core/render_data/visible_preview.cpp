@@ -9,6 +9,11 @@
 #include "render_data/thread_block.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth, cloth::MapsSize, cloth::Period, cloth::TexelRect, cloth::ThreadBody, cloth::highest_thread,
+    cloth::thread_crossings;
+using draft::BitMatrix, draft::CellRect, draft::Draft, draft::Face, draft::differences, draft::update_drawdown;
+
 namespace {
 
 // Changed all over the cloth: updating the maps would take too long to be interactive.

@@ -8,6 +8,8 @@
 
 namespace weftlight::render_data {
 
+using design::Design;
+
 /// Bakes the preview if `now` differs from `before`, which the renderer shows, only in its crossings, and these are too
 /// many to wait for; `again`: the renderer shows a preview, which must be replaced however few they are. False: not
 /// baked.

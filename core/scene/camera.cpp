@@ -6,6 +6,9 @@
 #include <limits>
 
 namespace weftlight::scene {
+
+using drape::Vec3;
+
 namespace {
 
 constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, like a portrait lens

@@ -5,9 +5,11 @@
 
 #include "design/design.h"
 #include "drape/mesh.h"
-#include "scene/names.h"
 
 namespace weftlight::scene {
+
+using design::Scene;
+using drape::Mesh;
 
 struct Bounds {
   glm::vec3 low{0}, high{0};

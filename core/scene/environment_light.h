@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "files/files.h"
-#include "scene/names.h"
 
 namespace weftlight::scene {
+
+using files::Image;
 
 struct DistantLight {
   glm::vec3 towards{0, 1, 0};  // unit

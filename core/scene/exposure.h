@@ -4,10 +4,11 @@
 
 #include "design/design.h"
 #include "scene/light_rig.h"
-#include "scene/names.h"
 #include "shaders/interop.h"
 
 namespace weftlight::scene {
+
+using design::Look;
 
 /// Mean reflectance (luminance, 0..1) of the visible parts of both faces, without the gaps: body and shine.
 float mean_reflectance(const interop::ClothData& cloth);

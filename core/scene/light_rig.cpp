@@ -14,9 +14,7 @@
 
 namespace weftlight::scene {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 

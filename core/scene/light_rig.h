@@ -12,9 +12,10 @@
 #include "base/result.h"
 #include "design/design.h"
 #include "scene/environment_light.h"
-#include "scene/names.h"
 
 namespace weftlight::scene {
+
+using design::Scene;
 
 inline constexpr float kKeyIrradiance = 2.3f;  // at normal incidence; a white Lambertian then has radiance 0.73
 inline constexpr float kKeyRadius = 0.09f;     // default sine of the key light's half angle: a soft box

@@ -9,13 +9,10 @@
 
 namespace weftlight::scene {
 
-using base::arg;
-using base::ErrorKind;
-using base::failed;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
+using base::ErrorKind, base::FileBytes, base::Result, base::arg, base::failed, base::failure, base::fill,
+    base::presets_dir, base::read_file, base::tr;
+using design::is_environment;
+using files::EnvironmentPicture, files::read_environment;
 
 namespace {
 

@@ -7,6 +7,7 @@
 namespace weftlight::scene {
 
 using base::tr;
+using draft::System, draft::Threads;
 
 namespace {
 

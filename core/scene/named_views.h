@@ -9,9 +9,10 @@
 
 #include "base/text.h"
 #include "design/design.h"
-#include "scene/names.h"
 
 namespace weftlight::scene {
+
+using design::Design, design::NamedView, design::Scene;
 
 /// The drape of a flat swatch.
 inline constexpr const char* kFlatMesh = "plane";

@@ -6,6 +6,8 @@
 
 namespace weftlight::scene {
 
+using design::Scene;
+
 SceneLight scene_light(const LightRig& rig, const Scene& scene) {
   SceneLight out;
   const bool pictured = rig.environment != nullptr;

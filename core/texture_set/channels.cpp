@@ -8,9 +8,12 @@
 #include "cloth/srgb_table.h"
 
 namespace weftlight::texture_set {
+
+using base::for_each_job, base::mark;
+using cloth::SrgbTable;
+
 namespace {
 
-using base::mark;
 using enum Channel;
 
 float encoded(float linear, bool srgb) {

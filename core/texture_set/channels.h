@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "files/files.h"
-#include "texture_set/names.h"
 #include "texture_set/surface_texels.h"
 
 namespace weftlight::texture_set {
+
+using cloth::Plane;
+using files::Image, files::PixelType;
 
 /// The content of a channel of an image; 0..1 unless noted.
 enum class Channel {

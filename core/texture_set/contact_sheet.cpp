@@ -8,9 +8,13 @@
 #include "base/text.h"
 
 namespace weftlight::texture_set {
-namespace {
 
-using base::tr;
+using base::for_each_job, base::tr;
+using cloth::Linear, cloth::Plane, cloth::srgb_from_linear;
+using draft::Rgb;
+using files::draw_text;
+
+namespace {
 
 // Pixels of the sheet.
 constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40;

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "files/files.h"
-#include "texture_set/names.h"
 #include "texture_set/surface_texels.h"
 
 namespace weftlight::texture_set {
+
+using files::Image;
 
 struct SheetEntry {
   std::string label;

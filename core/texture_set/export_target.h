@@ -7,9 +7,10 @@
 
 #include "light/engine_fit.h"
 #include "texture_set/channels.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using light::EngineModel;
 
 struct SetFacts;
 

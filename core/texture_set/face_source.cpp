@@ -7,6 +7,14 @@
 #include "light/measure_response.h"
 
 namespace weftlight::texture_set {
+
+using base::for_each_job;
+using cloth::MapsSize, cloth::bake;
+using light::ClothResponse, light::EngineTexels, light::FootprintLobe, light::LobePart, light::check_engine,
+    light::engine_texels, light::fit_engine, light::footprint_lobe, light::grain_of, light::kFitSamples,
+    light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
+    light::thread_spacing_mm;
+
 namespace {
 
 constexpr int kMinSide = 16;

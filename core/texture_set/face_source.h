@@ -8,10 +8,12 @@
 #include "cloth/cloth.h"
 #include "light/engine_fit.h"
 #include "light/engine_texels.h"
-#include "texture_set/names.h"
 #include "texture_set/surface_texels.h"
 
 namespace weftlight::texture_set {
+
+using cloth::Cloth, cloth::Linear, cloth::Maps, cloth::Plane;
+using light::EngineCheck, light::EngineFit, light::EngineModel, light::EngineScore;
 
 /// Size of the images in texels: the longer side has `size`, the other the power of two that keeps texels closest to
 /// square, at least 16.

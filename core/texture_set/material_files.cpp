@@ -8,6 +8,13 @@
 #include "files/files.h"
 
 namespace weftlight::texture_set {
+
+using base::content_hash, base::problem_of;
+using cloth::Cloth, cloth::ThreadBody;
+using design::Lobes;
+using drape::Vec2, drape::compute_frames;
+using files::write_mesh;
+
 namespace {
 
 constexpr float kQuadMm = 100;

@@ -8,9 +8,12 @@
 #include "drape/mesh.h"
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using design::Design;
+using draft::Face;
+using drape::Mesh;
 
 /// A set whose images are already written.
 struct SetFacts {

@@ -10,6 +10,8 @@
 namespace weftlight::texture_set {
 
 using base::Result;
+using cloth::Plane;
+using files::PixelType, files::extension_of;
 
 namespace {
 

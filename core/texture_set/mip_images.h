@@ -11,9 +11,10 @@
 #include "files/mip_file.h"
 #include "texture_set/channels.h"
 #include "texture_set/face_source.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using files::Image, files::MipContainer, files::MipFile;
 
 /// Factors on the coverage of each level, from the finest of `size` on, so that the same fraction of texels as in the
 /// finest is above one half. Levels finer than `small` have factor 1.

@@ -13,15 +13,14 @@
 #include "platform/unique_name.h"
 
 namespace weftlight::texture_set {
+
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using platform::FileLock, platform::LockAnswer;
+
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::fill;
-using base::tr;
 using nlohmann::json;
-using platform::FileLock;
-using platform::LockAnswer;
 
 constexpr const char* kList = "texture_set.json";
 constexpr const char* kFormat = "weftlight texture set";

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "platform/file_lock.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
 

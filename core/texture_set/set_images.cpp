@@ -10,6 +10,11 @@
 #include "texture_set/texture_set.h"
 
 namespace weftlight::texture_set {
+
+using base::core_count, base::for_each_job, base::message, base::problem_of;
+using cloth::Plane;
+using files::Image, files::ImageRows, files::PixelType, files::write_image, files::write_mipmapped_exr;
+
 namespace {
 
 using nlohmann::json;

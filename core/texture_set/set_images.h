@@ -11,9 +11,11 @@
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
 #include "texture_set/mip_images.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using draft::Face;
+using files::MipContainer;
 
 /// A set while it is written, with the records for the contact sheet and the list.
 struct SetImages {

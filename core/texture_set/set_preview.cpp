@@ -9,9 +9,11 @@
 #include "texture_set/material_files.h"
 
 namespace weftlight::texture_set {
-namespace {
 
 using base::tr;
+using files::PixelType, files::encode_png;
+
+namespace {
 
 constexpr float kMaxRepeats = 40;  // of the tile, across a swatch
 constexpr float kPizRatio = 0.7f;  // compressed size of half floats of our maps

@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "texture_set/names.h"
 #include "texture_set/texture_set.h"
 
 namespace weftlight::texture_set {
+
+using design::Design;
+using draft::Face;
+using files::Image;
 
 struct PreviewImage {
   std::string file;

@@ -14,6 +14,12 @@
 #include "light/engine_fit.h"
 
 namespace weftlight::texture_set {
+
+using base::for_each_job;
+using cloth::Direction, cloth::Slope, cloth::ThreadBody, cloth::linear_from_srgb;
+using design::Lobes, design::Yarn;
+using light::FacetAlphas, light::facet_alphas, light::facet_covariance;
+
 namespace {
 
 // A gap has no colour, but engines filter across its edge, so its colour has a small weight.

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "cloth/maps.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using cloth::Cloth, cloth::Linear, cloth::Maps, cloth::Plane;
 
 /// A texel of the surface. Axes: x along the weft (u), y along the warp (v), z towards the viewer.
 struct SurfaceTexel {

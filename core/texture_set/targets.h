@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "texture_set/export_target.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
 namespace targets {

@@ -18,12 +18,17 @@
 #include "texture_set/set_images.h"
 
 namespace weftlight::texture_set {
+
+using base::arg, base::fill, base::problem_of, base::tr, base::write_file_atomically;
+using cloth::ClothLayer, cloth::Period, cloth::ThreadBody, cloth::lay_out;
+using design::Twist, design::Yarn;
+using draft::BitMatrix, draft::drawdown;
+using files::PixelType, files::extension_of, files::write_image;
+using light::EngineCheck, light::EngineFit, light::EngineScore, light::kFootprintMmAtOneMetre;
+
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::fill;
-using base::tr;
 using nlohmann::json;
 
 constexpr size_t kMaxTileThreads = 8192;  // per system, in a tile of several repeats

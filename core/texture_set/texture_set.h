@@ -12,10 +12,15 @@
 #include "drape/mesh.h"
 #include "files/mip_file.h"
 #include "texture_set/face_source.h"
-#include "texture_set/names.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using cloth::Cloth;
+using design::Design;
+using draft::Face;
+using drape::Mesh;
+using files::MipContainer;
 
 struct TextureSetOptions {
   const ExportTarget* target = &targets::kGltf;  // never null

@@ -11,9 +11,10 @@
 
 namespace weftlight::weaves {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::Design, design::WeaveUse, design::loom_size;
+using draft::BitMatrix, draft::Draft, draft::Factored, draft::Rgb, draft::ShedControl, draft::drawdown,
+    draft::first_equal_rows, draft::lifts, draft::with_drawdown;
 
 namespace {
 

@@ -8,6 +8,10 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
+
+using design::Design, design::Yarn, design::with_thickness;
+using draft::Rgb, draft::kMaxThreads;
+
 namespace {
 
 std::vector<int> in_range(std::vector<int> blocks, int count) {

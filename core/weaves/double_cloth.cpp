@@ -6,6 +6,10 @@
 #include "weaves/families.h"
 
 namespace weftlight::weaves {
+
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::System;
+
 namespace {
 
 // picks x ends of one layer: 1 where the end is up.

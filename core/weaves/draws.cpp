@@ -5,6 +5,9 @@
 
 namespace weftlight::weaves {
 
+using design::Design;
+using draft::Draft, draft::blank_draft;
+
 std::vector<int> satin_steps(int shafts) {
   std::vector<int> steps;
   for (int s = 2; s < shafts - 1; ++s)

@@ -7,6 +7,9 @@
 
 namespace weftlight::weaves {
 
+using design::Design;
+using draft::BitMatrix, draft::Rgb, draft::kMaxShafts;
+
 // ---- weavers' notations (text.cpp)
 /// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... One number counts for both. Empty if it cannot be read:
 /// other signs, a 0, an odd number of numbers, or more than kMaxShafts threads.

@@ -11,9 +11,9 @@
 
 namespace weftlight::weaves {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::Design;
+using draft::Draft, draft::Face, draft::kMaxShafts;
 
 namespace {
 

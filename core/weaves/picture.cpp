@@ -18,6 +18,11 @@
 #include "weaves/families.h"
 
 namespace weftlight::weaves {
+
+using design::Design, design::Leading;
+using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::blank_draft, draft::kMaxCells, draft::kMaxShafts,
+    draft::kMaxThreads;
+
 namespace {
 
 constexpr int kSteps = 32;  // per channel

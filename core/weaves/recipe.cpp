@@ -14,6 +14,11 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
+
+using design::Design, design::Yarn;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::Threads, draft::blank_draft, draft::drawdown,
+    draft::kMaxThreads, draft::transposed;
+
 namespace {
 
 constexpr float kGapAtPlain = 1.0f / 7.0f;  // fraction of the width that is open in plain weave

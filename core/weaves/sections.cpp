@@ -10,9 +10,10 @@
 
 namespace weftlight::weaves {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::why_locked;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Threads, draft::for_each_bit,
+    draft::kMaxCells, draft::kMaxThreads;
 
 namespace {
 

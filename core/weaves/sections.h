@@ -12,6 +12,9 @@
 
 namespace weftlight::weaves {
 
+using design::Assembly, design::Design, design::ThreadRange, design::ThreadSection;
+using draft::System;
+
 inline constexpr int kMaxOrderDepth = 32;     // nested groups
 inline constexpr int kMaxOrderItems = 10000;  // sections and groups of an order, before repeats
 inline constexpr size_t kMaxSections = 500, kMaxSectionNameBytes = 40;

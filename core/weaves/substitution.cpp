@@ -9,10 +9,8 @@
 
 namespace weftlight::weaves {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using draft::kMaxShafts;
 
 namespace {
 

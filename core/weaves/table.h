@@ -13,6 +13,8 @@
 
 namespace weftlight::weaves {
 
+using design::Design, design::WeaveUse;
+
 enum class ParameterKind {
   kCount,   // a whole number of low..high
   kChoice,  // one of `choices`

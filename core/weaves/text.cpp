@@ -10,9 +10,8 @@
 
 namespace weftlight::weaves {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using draft::Rgb, draft::kMaxShafts, draft::kMaxThreads;
 
 namespace {
 

@@ -8,6 +8,10 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
+
+using design::Design;
+using draft::Face, draft::kMaxShafts, draft::kMaxThreads;
+
 namespace {
 
 int wrapped(int i, int n) { return ((i % n) + n) % n; }

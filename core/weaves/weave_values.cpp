@@ -7,10 +7,7 @@
 
 namespace weftlight::weaves {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
 
 std::string text(const WeaveValues& values, std::string_view id) {
   for (const auto& [key, value] : values)

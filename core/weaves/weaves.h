@@ -10,6 +10,9 @@
 
 namespace weftlight::weaves {
 
+using design::Design;
+using draft::Face, draft::Rgb;
+
 struct ClothSize {
   int ends = 64, picks = 64;
 };

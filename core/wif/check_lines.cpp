@@ -8,9 +8,8 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cut_utf8, base::fill, base::is_utf8, base::tr;
+
 namespace {
 
 /// Sections in which every line must be a key; others may hold free text.

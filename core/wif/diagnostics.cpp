@@ -6,10 +6,8 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::cut_utf8, base::fill, base::is_utf8, base::tr, base::tr_n;
+
 namespace {
 
 constexpr size_t kMaxListedLines = 8;

@@ -7,6 +7,9 @@
 #include "wif/numbers.h"
 
 namespace weftlight::wif {
+
+using base::utf8_sequence;
+
 namespace {
 
 /// Code points of bytes 0x80..0x9F; the five unassigned bytes map to themselves.

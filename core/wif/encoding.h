@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "wif/names.h"
-
 namespace weftlight::wif {
 
 enum class Encoding { kUtf8, kLatin1 };

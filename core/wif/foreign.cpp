@@ -6,6 +6,8 @@
 
 namespace weftlight::wif {
 
+using draft::ShedControl;
+
 std::string quoted(std::string_view text) {
   std::string out(1, '\'');
   return out.append(text).append("'");

@@ -8,6 +8,8 @@
 
 namespace weftlight::wif {
 
+using draft::Rgb;
+
 inline constexpr size_t kMaxForeignBytes = size_t{1} << 26;
 
 std::string quoted(std::string_view text);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "wif/names.h"
 #include "wif/sections.h"
 
 namespace weftlight::wif {

@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "wif/names.h"
-
 namespace weftlight::wif {
 
 bool is_blank(char c);

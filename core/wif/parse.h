@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "wif/names.h"
 #include "wif/text.h"
 #include "wif/wif.h"
 
 namespace weftlight::wif {
+
+using design::Design;
 
 /// Collects diagnostics, one for each kind, with the other lines that it concerns or their number. Texts are single
 /// lines of UTF-8, whatever they quote from the file; they are in the user's language.

@@ -9,9 +9,10 @@
 #include "design/design.h"
 #include "design/methods.h"
 #include "design/yarn_fields.h"
-#include "wif/names.h"
 
 namespace weftlight::wif {
+
+using design::Look, design::Scene;
 
 inline constexpr std::string_view kPrivate = "PRIVATE WEFTLIGHT ";
 

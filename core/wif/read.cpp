@@ -11,9 +11,10 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::System, draft::kMaxCells, draft::kMaxShafts,
+    draft::kMaxThreads, draft::lifts;
 
 int row_base(const WifSection& section, int count) {
   bool zero = false;

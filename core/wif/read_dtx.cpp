@@ -10,9 +10,10 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Threads, draft::kMaxCells, draft::kMaxColors,
+    draft::kMaxShafts, draft::kMaxThreads;
+
 namespace {
 
 constexpr double kSpacingStepMm = 0.53;  // of warp and weft spacing

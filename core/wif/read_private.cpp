@@ -13,6 +13,14 @@
 namespace weftlight::wif {
 
 using base::tr;
+using design::Assembly, design::Design, design::Finish, design::Leading, design::Loom, design::Method,
+    design::MethodFacts, design::NamedView, design::Scene, design::ThreadSection, design::Twist, design::WeaveUse,
+    design::Yarn, design::YarnField, design::clamped, design::is_environment, design::kFinishFields,
+    design::kLobeFields, design::kMethods, design::kPliesFacts, design::kTwistNames, design::kYarnFields,
+    design::lighting_preset;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn,
+    draft::kMaxShafts, draft::kMaxThreads;
+
 namespace {
 
 const WifSection* private_section(const WifText& text, std::string_view name) {

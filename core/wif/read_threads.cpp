@@ -8,9 +8,9 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using draft::Draft, draft::Rgb, draft::System, draft::Threads, draft::kFromYarn, draft::kMaxColors;
+
 namespace {
 
 constexpr double kMmPerInch = 25.4;

@@ -8,9 +8,9 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Threads, draft::kFromYarn, draft::kMaxCells;
+
 namespace {
 
 constexpr int kLastVersion = 7, kFirstByteColors = 4;  // earlier versions have channels of 0..63

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/text.h"
-#include "wif/names.h"
 #include "wif/numbers.h"
 #include "wif/parse.h"
 

@@ -9,6 +9,8 @@
 
 namespace weftlight::wif {
 
+using draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::for_each_bit, draft::kFromYarn, draft::lifts;
+
 std::string bit_list(const BitMatrix& bits, int row, int base) {
   std::string list;
   for_each_bit(bits.row(row), [&](int at) {

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "wif/names.h"
 #include "wif/parse.h"
 
 namespace weftlight::wif {
+
+using design::Design;
+using draft::BitMatrix;
 
 struct WifEntry {
   int number = -1;  // of a numbered row; -1: a named key

@@ -9,9 +9,8 @@
 
 namespace weftlight::wif {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::is_utf8, base::tr;
+
 namespace {
 
 constexpr std::string_view kBom = "\xEF\xBB\xBF";

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "wif/encoding.h"
-#include "wif/names.h"
 
 namespace weftlight::wif {
 

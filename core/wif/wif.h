@@ -9,9 +9,10 @@
 
 #include "base/files.h"
 #include "design/design.h"
-#include "wif/names.h"
 
 namespace weftlight::wif {
+
+using design::Design;
 
 enum class Severity { kNote, kWarning, kError };
 

@@ -7,6 +7,10 @@
 #include "wif/numbers.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::to_liftplan, design::to_treadling;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::System, draft::Threads;
+
 namespace {
 
 constexpr std::string_view kEol = "\r\n";

@@ -8,6 +8,12 @@
 #include "wif/sections.h"
 
 namespace weftlight::wif {
+
+using design::Assembly, design::Design, design::Finish, design::Look, design::Loom, design::NamedView, design::Scene,
+    design::ThreadSection, design::WeaveUse, design::Yarn, design::YarnField, design::kFinishFields,
+    design::kLobeFields, design::kPliesFacts, design::kTwistNames, design::kYarnFields, design::method_name;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn;
+
 namespace {
 
 void add(WifEntries& section, std::string key, std::string value, bool is_text = false) {

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "actions/actions.h"
-#include "actions/names.h"
 #include "base/text.h"
 
 namespace weftlight::actions {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using session::Settings;
 
 using Actions = std::vector<Action>;
 

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "actions/names.h"
 #include "actions/subjects.h"
 #include "session/action_item.h"
 
 namespace weftlight::actions {
+
+using session::ActionItem;
 
 struct Action {
   ActionItem item;  // `enabled` and `checked` are filled in by show()

@@ -3,11 +3,12 @@
 
 #include <functional>
 
-#include "actions/names.h"
 #include "session/document/document.h"
 #include "session/editing/document_view.h"
 
 namespace weftlight::actions {
+
+using session::Document, session::DocumentView, session::Edit, session::SlowEdit;
 
 struct ActiveDraft {
   std::function<const Document&()> document;

@@ -6,6 +6,12 @@
 #include "files/design_drape.h"
 
 namespace weftlight::actions {
+
+using base::fill, base::tr;
+using design::Design, design::LightingPreset, design::is_environment, design::kLightingPresets, design::lit_by;
+using drape::drape_names;
+using session::Compare, session::DrapeStage, session::Settings, session::simulated_drape_edit;
+
 namespace {
 
 void add_simulated_drape(Actions& all, const ActiveDraft& draft, const ClothActions& cloth) {

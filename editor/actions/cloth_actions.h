@@ -4,10 +4,11 @@
 #include <functional>
 #include <string>
 
-#include "actions/names.h"
 #include "session/jobs/draper.h"
 
 namespace weftlight::actions {
+
+using session::DrapeState;
 
 struct ClothActions {
   std::function<void()> reset_view;

@@ -3,10 +3,11 @@
 
 #include <functional>
 
-#include "actions/names.h"
 #include "session/report.h"
 
 namespace weftlight::actions {
+
+using session::Report;
 
 struct ComparisonActions {
   /// Asks for a draft to compare with.

@@ -9,6 +9,12 @@
 
 namespace weftlight::actions {
 
+using base::fill, base::tr;
+using design::Design, design::Leading, design::loom_size, design::to_liftplan, design::to_skeleton,
+    design::to_treadling, design::with_leading, design::with_lock, design::with_rising;
+using draft::ShedControl, draft::treadles_needed;
+using session::Edit, session::larger_loom_edit;
+
 namespace {
 
 /// Which grid leads and which follow.

@@ -3,8 +3,6 @@
 
 #include <functional>
 
-#include "actions/names.h"
-
 namespace weftlight::actions {
 
 struct DraftDialogs {

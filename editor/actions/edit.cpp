@@ -4,6 +4,9 @@
 
 namespace weftlight::actions {
 
+using base::fill, base::tr;
+using session::Settings;
+
 void add_history_actions(Actions& all, const ActiveDraft& draft, Settings& settings) {
   Action& undo = add(all, "Edit", "undo", tr("Undo"), "Ctrl+Z", draft.undo);
   undo.enabled = [&draft] { return draft.document().history().can_undo(); };

@@ -9,6 +9,11 @@
 #include "weaves/table.h"
 
 namespace weftlight::actions {
+
+using base::fill, base::mark, base::tr;
+using session::LibraryFile, session::library_files;
+using weaves::WeaveKind, weaves::weave_kinds;
+
 namespace {
 
 void add_recent(Actions& all, const FileActions& files, const std::vector<std::string>& recent) {

@@ -4,8 +4,6 @@
 #include <functional>
 #include <string>
 
-#include "actions/names.h"
-
 namespace weftlight::actions {
 
 struct FileActions {

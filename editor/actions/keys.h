@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "actions/names.h"
-
 namespace weftlight::actions {
 
 /// True if a text field has no use for the shortcut, written as in menus ("Ctrl+S").

@@ -4,6 +4,8 @@
 
 namespace weftlight::actions {
 
+using base::mark, base::tr;
+
 void add_loom_actions(Actions& all, const ActiveDraft& draft, const LoomActions& loom) {
   const auto at_loom = [&draft] { return draft.view().at_loom.open; };
   const auto one = [&all](const char* id, const char* label, const char* key, std::function<void()> run) {

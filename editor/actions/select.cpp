@@ -8,6 +8,23 @@
 #include "session/editing/typing.h"
 
 namespace weftlight::actions {
+
+using base::fill, base::mark, base::message, base::tr;
+using design::Design, design::RepeatExtent, design::ThreadRange, design::half_turned, design::inverted,
+    design::mirrored_across, design::mirrored_down, design::threads_of, design::with_advancing_repeat,
+    design::with_bare_threads, design::with_block, design::with_cleared, design::with_doubled_threads,
+    design::with_half_turn, design::with_inverted, design::with_mirrored_across, design::with_mirrored_down,
+    design::with_point_repeat, design::with_repeated, design::with_reversed_threads, design::with_shifted,
+    design::without_threads;
+using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Selection, draft::System, draft::Write,
+    draft::block_text, draft::cells_of, draft::clipped, draft::columns_of, draft::for_each_bit, draft::kMaxBlockCells,
+    draft::read_block_text, draft::rows_of, draft::whole_grid;
+using session::Cell, session::DrawingState, session::MaybeEdit, session::SelectDrag, session::SelectState,
+    session::Tool, session::begin_typing, session::bit_grid_of, session::cancel_drag, session::drop_block,
+    session::escape, session::extend_selection, session::hold_block, session::hold_block_over,
+    session::missed_crossings, session::missed_text, session::move_selection, session::screen_step,
+    session::select_cells, session::size_text, session::turn_held_block;
+
 namespace {
 
 using SelectionEdit = Design (*)(Design, const Selection&, bool with_properties);

@@ -10,12 +10,13 @@
 #include "actions/export_actions.h"
 #include "actions/file_actions.h"
 #include "actions/loom_actions.h"
-#include "actions/names.h"
 #include "actions/tab_actions.h"
 #include "actions/window_actions.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::actions {
+
+using session::Settings;
 
 /// No function is empty. The compiler refuses an initializer that leaves one out (-Wmissing-field-initializers).
 struct Subjects {

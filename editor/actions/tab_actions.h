@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <functional>
 
-#include "actions/names.h"
-
 namespace weftlight::actions {
 
 struct TabActions {

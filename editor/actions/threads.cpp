@@ -8,6 +8,14 @@
 #include "design/thread_text.h"
 
 namespace weftlight::actions {
+
+using base::fill, base::mark, base::message, base::tr, base::tr_n;
+using design::Design, design::ThreadProperties, design::color_text, design::read_thread_properties,
+    design::thickness_text, design::with_properties, design::with_thread_color, design::with_thread_spacing,
+    design::with_thread_thickness;
+using draft::Draft, draft::System, draft::kFromYarn;
+using session::ThreadChoice, session::ThreadProperty, session::concerned, session::thread_label, session::threads_alike;
+
 namespace {
 
 Action& add_one(Actions& all, const char* id, const char* label, const char* key, std::function<void()> run) {

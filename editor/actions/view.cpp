@@ -7,6 +7,13 @@
 #include "scene/named_views.h"
 
 namespace weftlight::actions {
+
+using base::fill, base::mark, base::tr;
+using draft::Face, draft::Draft;
+using scene::ShippedView, scene::kShippedViews;
+using session::DraftView, session::DrawdownStyle, session::Report, session::Settings, session::page_ends,
+    session::page_picks, session::show_place, session::zoomed_pitch;
+
 namespace {
 
 void add_drawdown_styles(Actions& all, const ActiveDraft& draft, Settings& settings) {

@@ -4,10 +4,11 @@
 #include <functional>
 #include <string>
 
-#include "actions/names.h"
 #include "session/editing/grid.h"
 
 namespace weftlight::actions {
+
+using session::Hover;
 
 struct WindowActions {
   /// Shows a message in the status line until it is read.

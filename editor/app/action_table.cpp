@@ -4,6 +4,10 @@
 
 namespace weftlight::app {
 
+using actions::make_actions;
+using design::NamedView;
+using session::Settings;
+
 void ActionTable::follow(const Document& document) {
   const Settings& settings = subjects_.settings;
   const std::vector<NamedView>& views = document.now().views;

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "actions/actions.h"
-#include "app/names.h"
 #include "session/document/document.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::app {
+
+using actions::Action, actions::Subjects, actions::show;
+using session::ActionItem, session::Document;
 
 class ActionTable {
  public:

@@ -15,6 +15,8 @@
 namespace weftlight::app {
 
 using base::tr;
+using commands::fail, commands::kDone, commands::refuse;
+using session::Settings, session::load_settings;
 
 namespace {
 

@@ -1,10 +1,11 @@
 #pragma once
 // The window: opens the editor and runs until it is closed.
 
-#include "app/names.h"
 #include "commands/commands.h"
 
 namespace weftlight::app {
+
+using commands::EditorOptions;
 
 /// Returns an exit code of the contract (kNoGraphics without a display).
 int run_editor(const EditorOptions& options);

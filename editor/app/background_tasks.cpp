@@ -6,6 +6,8 @@
 
 namespace weftlight::app {
 
+using views::draw_task_line;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -6,12 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "app/names.h"
 #include "app/window.h"
 #include "base/tasks.h"
 #include "views/common/panel.h"
 
 namespace weftlight::app {
+
+using views::PanelContext;
 
 class BackgroundTasks {
  public:

@@ -13,10 +13,13 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::message, base::tr;
+using design::NamedView, design::is_environment, design::lit_by_environment;
+using files::check_environment;
+using scene::kFlatMesh, scene::view_named;
+using session::MaybeEdit, session::flat_orbit, session::free_view_name, session::keep_view_edit, session::orbit_of,
+    session::rename_views_edit, session::seen_scene, session::with_orbit;
+using views::NamePrompt, views::NamesPrompt, views::draw_preview;
 
 ClothPane::ClothPane(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
                      Messages& messages, FrameSchedule& schedule)

@@ -12,12 +12,16 @@
 #include "app/editing.h"
 #include "app/frame_schedule.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "app/preview_pane.h"
 #include "session/files/user_files.h"
 #include "session/jobs/draper.h"
 
 namespace weftlight::app {
+
+using actions::ClothActions;
+using design::Design;
+using session::ClothView, session::Document, session::DrapeState, session::Draper, session::Settings;
+using views::PanelContext;
 
 class ClothPane {
  public:

@@ -9,10 +9,10 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using session::DocumentView, session::with_file_ending;
+using views::ClosestWeavePrompt, views::DialogOutcome, views::DialogResult, views::PathPrompt, views::Question,
+    views::draw_dialog;
 
 void Dialogs::ask(Dialog dialog, std::function<void(int)> then) {
   dialog_ = std::move(dialog);

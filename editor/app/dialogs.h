@@ -8,7 +8,6 @@
 
 #include "app/frame_schedule.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "platform/desktop.h"
 #include "session/session.h"
 #include "views/dialogs/dialogs.h"
@@ -16,6 +15,8 @@
 namespace weftlight::app {
 
 using platform::FileAsk;
+using session::Session;
+using views::Dialog, views::PanelContext, views::update_dialog;
 
 class Dialogs {
  public:

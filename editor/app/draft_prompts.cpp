@@ -13,8 +13,13 @@
 
 namespace weftlight::app {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using design::Design, design::Loom, design::ThreadRange, design::WeaveUse, design::threads_of, design::with_size;
+using draft::BitGrid, draft::Draft, draft::Selection, draft::System;
+using session::Edit, session::Origin, session::scroll_to;
+using views::ClosestWeavePrompt, views::NotesPrompt, views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt,
+    views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
+using weaves::WeaveKind, weaves::free_section_name, weaves::weave_kinds;
 
 namespace {
 

@@ -7,9 +7,11 @@
 #include "app/dialogs.h"
 #include "app/editing.h"
 #include "app/files.h"
-#include "app/names.h"
 
 namespace weftlight::app {
+
+using actions::DraftDialogs;
+using session::Document, session::DocumentView;
 
 class DraftPrompts {
  public:

@@ -5,6 +5,8 @@
 
 namespace weftlight::app {
 
+using session::OpenDocument;
+
 void Editing::commit(const Edit& edit) {
   if (session_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited_();
   if (!edit.why) return;

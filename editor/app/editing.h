@@ -10,13 +10,16 @@
 #include "actions/active_draft.h"
 #include "app/background_tasks.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "session/editing/strokes.h"
 #include "session/editing/typing.h"
 #include "session/session.h"
 #include "session/slow_edits.h"
 
 namespace weftlight::app {
+
+using actions::ActiveDraft;
+using session::Document, session::DocumentView, session::Edit, session::Session, session::SlowEdit, session::SlowEdits,
+    session::Strokes, session::TypedKey;
 
 class Editing {
  public:

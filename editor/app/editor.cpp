@@ -16,9 +16,15 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using actions::key_at_loom, actions::runs_while_typing;
+using base::arg, base::fill, base::state_folder, base::tr;
+using session::ActionItem, session::Document, session::DocumentView, session::Edit, session::Gesture, session::GoToStep,
+    session::Intent, session::MaybeEdit, session::RunAction, session::SelectDrag, session::SelectState,
+    session::SettingsChange, session::Tool, session::load_settings, session::opens_with_gallery, session::save_settings,
+    session::type_after_wait, session::type_key, session::waits_until;
+using ui::close_popups, ui::push_font, ui::open_popups, ui::begin_keyboard, ui::close_popups_above;
+using views::GalleryPrompt, views::PanelContext, views::TabRequest, views::draw_context_menu, views::draw_menu_bar,
+    views::draw_tour;
 
 namespace {
 

@@ -17,7 +17,6 @@
 #include "app/live_export_writer.h"
 #include "app/loom_window.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "app/panels.h"
 #include "app/printing.h"
 #include "app/reports.h"
@@ -36,6 +35,12 @@
 #include "session/session.h"
 
 namespace weftlight::app {
+
+using actions::Subjects;
+using commands::EditorOptions;
+using session::Intents, session::Session, session::Settings;
+using ui::Style, ui::Tip, ui::UiMap;
+using views::FrameNotes;
 
 class Editor {
  public:

@@ -5,8 +5,7 @@
 namespace weftlight::app {
 
 using base::tr;
-using platform::FileAsk;
-using platform::FileFilter;
+using platform::FileAsk, platform::FileFilter;
 
 std::vector<FileFilter> file_filters(FileAsk what, const std::string& ending) {
   if (what == FileAsk::kFolder) return {};

@@ -11,10 +11,12 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::presets_dir, base::tr, base::write_file_atomically;
+using session::FileChange, session::OpenDocument, session::changed_since, session::identify, session::open_document,
+    session::remember, session::remove_stale_files;
+using views::Question;
+using weaves::find_weave;
+using wif::Severity, wif::write_plain_wif;
 
 namespace {
 

@@ -10,12 +10,14 @@
 #include "app/dialogs.h"
 #include "app/live_export_writer.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "session/files/user_files.h"
 #include "session/saver.h"
 #include "session/session.h"
 
 namespace weftlight::app {
+
+using session::Document, session::FileIdentity, session::OpenResult, session::Origin, session::SaveResult,
+    session::Saver, session::Session, session::Settings;
 
 class Files {
  public:

@@ -3,10 +3,11 @@
 
 #include <imgui.h>
 
-#include "app/names.h"
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {
+
+using views::PaneRect;
 
 inline constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |

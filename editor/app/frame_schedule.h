@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "app/names.h"
-
 namespace weftlight::app {
 
 class FrameSchedule {

@@ -5,9 +5,8 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::state_folder, base::tr;
+using session::same_file;
 
 LiveExportWriter::LiveExportWriter(const std::string& path)
     : out_(std::make_shared<LiveExport>(path, state_folder())) {}

@@ -4,12 +4,13 @@
 #include <memory>
 #include <string>
 
-#include "app/names.h"
 #include "session/document/document.h"
 #include "session/files/own_output.h"
 #include "session/jobs/background_writer.h"
 
 namespace weftlight::app {
+
+using session::BackgroundWriter, session::Document, session::LiveExport;
 
 class LiveExportWriter {
  public:

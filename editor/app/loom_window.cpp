@@ -6,6 +6,9 @@
 
 namespace weftlight::app {
 
+using session::greet, session::hear, session::step_by_hand;
+using views::draw_loom;
+
 LoomWindow::LoomWindow(Session& session, Editing& editing, const Settings& settings)
     : session_(session), editing_(editing), settings_(settings), link_(Window::wake) {}
 

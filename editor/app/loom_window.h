@@ -6,13 +6,16 @@
 
 #include "actions/loom_actions.h"
 #include "app/editing.h"
-#include "app/names.h"
 #include "session/files/user_files.h"
 #include "session/loom/loom_link.h"
 #include "session/session.h"
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {
+
+using actions::LoomActions;
+using session::AtLoom, session::LoomLink, session::LoomStep, session::Session, session::Settings;
+using views::PanelContext, views::WindowLayout;
 
 class LoomWindow {
  public:

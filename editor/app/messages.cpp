@@ -8,9 +8,7 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 

@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/names.h"
 #include "views/common/panel.h"
 #include "views/shell/status_bar.h"
 #include "wif/wif.h"
 
 namespace weftlight::app {
+
+using views::PanelContext, views::StatusMessage;
+using wif::Diagnostic;
 
 class Messages {
  public:

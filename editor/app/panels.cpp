@@ -17,8 +17,12 @@
 
 namespace weftlight::app {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using session::DocumentView;
+using ui::hit_area, ui::segmented, ui::tooltip;
+using views::draw_accuracy, views::draw_closest_weave_notice, views::draw_draft, views::draw_draft_header,
+    views::draw_palette, views::draw_scene, views::draw_status_bar, views::draw_threads, views::draw_yarns,
+    views::fitting_width, views::lay_out_window, views::shared_width;
 
 Panels::Panels(Editing& editing, const Settings& settings, ClothPane& cloth, LoomWindow& loom, Reports& reports,
                BackgroundTasks& tasks, Messages& messages)

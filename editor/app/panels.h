@@ -9,7 +9,6 @@
 #include "app/editing.h"
 #include "app/loom_window.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "app/reports.h"
 #include "session/action_item.h"
 #include "session/files/user_files.h"
@@ -18,6 +17,10 @@
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {
+
+using session::ActionItem, session::Settings;
+using ui::Style;
+using views::DraftPictures, views::PanelContext, views::WindowLayout, views::YarnStrip;
 
 class Panels {
  public:

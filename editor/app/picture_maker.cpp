@@ -9,9 +9,9 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::message, base::tr;
+using design::Method;
+using session::PictureComparison;
 
 namespace {
 

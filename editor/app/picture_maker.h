@@ -8,13 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "app/names.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
 #include "session/files/user_files.h"
 #include "session/jobs/reference_tracer.h"
 
 namespace weftlight::app {
+
+using design::Design, design::Look, design::Scene;
+using gl::Frame, gl::FrameStats, gl::Pipeline, gl::Renderer;
+using session::Compare, session::ReferenceTracer, session::TraceJob;
 
 /// The picture that the window requests.
 struct PictureRequest {

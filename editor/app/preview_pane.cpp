@@ -9,9 +9,9 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::caught, base::fill, base::message, base::tr;
+using gl::HeadlessContext, gl::Pipeline;
+using session::Compare, session::PictureComparison;
 
 namespace {
 

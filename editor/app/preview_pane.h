@@ -11,12 +11,15 @@
 #include <thread>
 #include <vector>
 
-#include "app/names.h"
 #include "app/picture_maker.h"
 #include "ui/pixel_texture.h"
 #include "views/cloth/preview_panel.h"
 
 namespace weftlight::app {
+
+using design::Design;
+using ui::PixelTexture;
+using views::PreviewPicture;
 
 class PreviewPane {
  public:

@@ -9,10 +9,9 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::problem_of, base::tr, base::write_file_atomically;
+using session::Document;
+using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::plan_of;
 
 void Printing::ask() {
   const Document& document = editing_.document();

@@ -7,10 +7,12 @@
 #include "app/dialogs.h"
 #include "app/editing.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::app {
+
+using session::Settings;
+using views::PrintPrompt;
 
 class Printing {
  public:

@@ -13,6 +13,9 @@
 namespace weftlight::app {
 
 using base::tr;
+using session::DifferenceView, session::Document, session::DocumentView, session::OpenDocument, session::OpenResult,
+    session::OtherDraft;
+using views::draw_analysis, views::draw_comparison, views::draw_report, views::draw_yarn_need;
 
 void Reports::start() {
   const DocumentView& v = editing_.view();

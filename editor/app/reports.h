@@ -6,7 +6,6 @@
 #include "app/editing.h"
 #include "app/files.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "app/window.h"
 #include "session/files/user_files.h"
 #include "session/report.h"
@@ -14,6 +13,10 @@
 #include "views/analysis/analysis_panel.h"
 
 namespace weftlight::app {
+
+using actions::ComparisonActions;
+using session::Report, session::Reporter, session::Session, session::Settings;
+using views::AnalysisState, views::PanelContext;
 
 class Reports {
  public:

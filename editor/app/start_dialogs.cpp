@@ -15,9 +15,11 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cache_folder, base::fill, base::tr;
+using session::GalleryCard, session::OpenDocument, session::library_cards, session::name_of, session::recent_cards,
+    session::time_in_words;
+using views::GalleryPictures, views::GalleryPrompt, views::RecoveryPrompt;
+using wif::Severity;
 
 namespace {
 

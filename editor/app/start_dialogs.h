@@ -10,11 +10,12 @@
 #include "app/dialogs.h"
 #include "app/files.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "session/files/user_files.h"
 #include "session/session.h"
 
 namespace weftlight::app {
+
+using session::LeftWork, session::OpenResult, session::Session, session::Settings;
 
 class StartDialogs {
  public:

@@ -10,11 +10,9 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using session::Document, session::OpenDocument, session::Saver;
+using views::Question, views::draw_tab_strip;
 
 void Tabs::step(int by) {
   session_.step(by);

@@ -12,11 +12,16 @@
 #include "app/dialogs.h"
 #include "app/files.h"
 #include "app/frame_schedule.h"
-#include "app/names.h"
 #include "session/session.h"
 #include "views/shell/tab_strip.h"
 
 namespace weftlight::app {
+
+using actions::TabActions;
+using session::ActionItem, session::Session;
+using ui::Style;
+using views::PanelContext, views::Tab, views::TabRequest, views::TabStrip, views::draw_tab_menu,
+    views::tab_strip_height;
 
 class Tabs {
  public:

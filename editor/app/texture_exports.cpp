@@ -12,6 +12,8 @@
 namespace weftlight::app {
 
 using base::tr;
+using session::Document, session::jobs_of;
+using views::ExportPrompt, views::ExportStage;
 
 TextureExports::TextureExports(Session& session, Dialogs& dialogs, Messages& messages)
     : session_(session), dialogs_(dialogs), messages_(messages), exporter_(Window::wake) {}

@@ -6,11 +6,12 @@
 
 #include "app/dialogs.h"
 #include "app/messages.h"
-#include "app/names.h"
 #include "session/jobs/exporter.h"
 #include "session/session.h"
 
 namespace weftlight::app {
+
+using session::ExportPlan, session::Exporter, session::Session;
 
 class TextureExports {
  public:

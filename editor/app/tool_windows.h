@@ -4,12 +4,15 @@
 #include <span>
 #include <string>
 
-#include "app/names.h"
 #include "session/document/document.h"
 #include "views/shell/action_list.h"
 #include "views/shell/history_window.h"
 
 namespace weftlight::app {
+
+using session::ActionItem, session::Document;
+using views::CommandPalette, views::HistoryWindow, views::KeysWindow, views::PanelContext, views::draw_command_palette,
+    views::draw_history, views::draw_keys_window;
 
 class ToolWindows {
  public:

@@ -6,6 +6,9 @@
 
 namespace weftlight::app {
 
+using base::write_file_atomically;
+using ui::UiControl, ui::UiGrid;
+
 std::string ui_map_json(const UiMap& map, uint64_t frame) {
   nlohmann::ordered_json json = {
       {"frame", frame}, {"controls", nlohmann::json::array()}, {"grids", nlohmann::json::array()}};

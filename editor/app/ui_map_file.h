@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <string>
 
-#include "app/names.h"
 #include "ui/ui_map.h"
 
 namespace weftlight::app {
+
+using ui::UiMap;
 
 std::string ui_map_json(const UiMap& map, uint64_t frame);
 

@@ -20,9 +20,10 @@
 
 namespace weftlight::app {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using session::InputEvent, session::InputQueue, session::Modifiers;
+using ui::apply, ui::dark_colors, ui::feed_button, ui::feed_key, ui::feed_modifiers, ui::feed_pointer, ui::feed_wheel,
+    ui::feed_whole_frames, ui::light_colors, ui::load_fonts;
 
 namespace {
 

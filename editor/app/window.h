@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/names.h"
 #include "base/result.h"
 #include "ui/redraw.h"
 #include "ui/style.h"
@@ -14,6 +13,8 @@ struct GLFWwindow;
 struct GLFWcursor;
 
 namespace weftlight::app {
+
+using ui::Style;
 
 class Window {
  public:

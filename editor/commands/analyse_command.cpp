@@ -18,13 +18,20 @@
 #include "draft/factor.h"
 
 namespace weftlight::commands {
+
+using analysis::ClothPlan, analysis::Comparison, analysis::Difference, analysis::Float, analysis::Interlacing,
+    analysis::LongFloats, analysis::LongestFloats, analysis::LoomUse, analysis::WeaveLayer, analysis::YarnNeed,
+    analysis::YarnReport, analysis::compare, analysis::interlacing, analysis::long_floats, analysis::longest_floats,
+    analysis::loom_use, analysis::sett_per_cm, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm,
+    analysis::yarn_report;
+using base::arg, base::fill, base::tr, base::tr_n;
+using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat, design::tex_of,
+    design::warp_up_fraction;
+using draft::BitMatrix, draft::Face, draft::LoomSize, draft::Rgb, draft::System, draft::drawdown, draft::fewest_for;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
 
 struct DraftAnalysis {
   Repeat structure, design;

@@ -19,11 +19,17 @@
 #include "platform/environment.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using chart::Brightness, chart::ChartBench, chart::ChartEffort, chart::ChartLight, chart::ChartRow,
+    chart::ChartSelection, chart::CountedDraw, chart::DrapeRow, chart::DrawCounter, chart::TruthNoise,
+    chart::chart_cells, chart::chart_csv, chart::chart_effort, chart::drape_cells, chart::drapes_csv,
+    chart::kChartScenes, chart::kFrameFootprints, chart::kFrameSizes, chart::kFrameTolerances, chart::light_name,
+    chart::lod_table_csv, chart::lod_table_of, chart::mark_pareto_front, chart::read_chart, chart::write_chart_figures;
+using design::Look, design::Method, design::method_name;
+using light::LodTable;
+
+namespace {
 
 constexpr std::array<double, 7> kAlbedoViews{0, 20, 40, 55, 70, 80, 85};
 

@@ -17,11 +17,10 @@
 #include "commands/verbs.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cause_of, base::fill, base::tr;
+
+namespace {
 
 constexpr std::string_view kLanguageOption = "--language";
 

@@ -17,12 +17,14 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using chart::ChartScene, chart::ChartSelection, chart::kChartFootprints, chart::kChartScenes, chart::kChartViews;
+using design::LightingPreset, design::MethodFacts, design::kLightingPresets, design::kMethods;
+using drape::drape_names;
+using texture_set::ExportTarget, texture_set::kTargets;
+
+namespace {
 
 constexpr float kUnset = std::numeric_limits<float>::quiet_NaN();
 

@@ -9,7 +9,6 @@
 #include "analysis/threads.h"
 #include "base/result.h"
 #include "chart/rows.h"
-#include "commands/names.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
@@ -18,6 +17,11 @@
 #include "wif/wif.h"
 
 namespace weftlight::commands {
+
+using analysis::ClothPlan;
+using design::Design;
+using draft::Face;
+using wif::Diagnostic, wif::WifFile;
 
 /// The exit codes of the command-line contract.
 enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWritten = 5 };

@@ -11,13 +11,15 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
+using design::Design, design::to_liftplan, design::to_treadling;
+using draft::Factored, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown, draft::kMaxShafts,
+    draft::within_loom;
+using files::is_picture;
+using wif::PlainShedControl, wif::WifFile, wif::write_plain_wif, wif::write_wif;
+
+namespace {
 
 bool asks_for_loom(const ConvertOptions& o) { return o.loom != LoomSize{}; }
 

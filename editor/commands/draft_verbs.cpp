@@ -11,10 +11,11 @@
 #include "commands/verbs.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using draft::kMaxShafts, draft::kMaxThreads;
+
+namespace {
 
 constexpr double kMaxLengthMm = 1e7;
 

@@ -14,11 +14,15 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cause_of, base::fill, base::tr, base::why_not_writable;
+using design::Design;
+using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
+    drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
+using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh,
+    files::written;
+
+namespace {
 
 int write_one(const Mesh& mesh, const std::string& path) {
   if (const auto saved = write_mesh(path, mesh, nullptr); !saved) return fail(saved.error());

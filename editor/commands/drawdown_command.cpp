@@ -12,11 +12,11 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using draft::BitMatrix, draft::Draft, draft::Face, draft::complement, draft::drawdown;
+
+namespace {
 
 std::string as_text(const BitMatrix& cells) {
   std::string text;

@@ -12,11 +12,12 @@
 #include "files/written.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr, base::write_through;
+using draft::Rgb;
+using files::Image, files::PixelType, files::write_image;
+
+namespace {
 
 constexpr int64_t kMaxPixels = int64_t{1} << 27;  // 1.6 GB of float texels
 constexpr int64_t kMaxDrawn = 4'000'000;          // crossings in a vector drawing

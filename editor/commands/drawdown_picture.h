@@ -4,10 +4,11 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "commands/names.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::commands {
+
+using draft::BitMatrix, draft::Draft;
 
 /// Writes a .png, .jpg or .tif, its longer side about 1,024 pixels.
 base::Result<void> write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,

@@ -25,12 +25,21 @@
 #include "wif/other_formats.h"
 
 namespace weftlight::commands {
+
+using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr;
+using design::Design;
+using drape::Mesh;
+using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
+    files::load_drape, files::write_zip;
+using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::alpha_named,
+    texture_set::digest, texture_set::file_name_of, texture_set::fill_template, texture_set::is_complete,
+    texture_set::key_of, texture_set::listed_files, texture_set::lists_archive, texture_set::size_for,
+    texture_set::target_named, texture_set::warnings_of, texture_set::write_texture_set;
+using wif::is_draft_name, wif::is_wif_name;
+
 namespace {
 
 namespace fs = std::filesystem;
-using base::arg;
-using base::fill;
-using base::tr;
 
 constexpr auto kWatchStep = std::chrono::milliseconds(500);
 

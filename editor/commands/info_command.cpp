@@ -9,12 +9,14 @@
 #include "design/repeat.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using analysis::LongestFloats, analysis::longest_floats;
+using base::arg, base::fill, base::mark, base::tr;
+using design::Repeat, design::design_repeat;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::drawdown;
+using wif::Diagnostic, wif::Severity;
+
+namespace {
 
 /// For JSON; tr() of it for people.
 const char* severity_name(Severity severity) {

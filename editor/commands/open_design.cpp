@@ -7,10 +7,9 @@
 
 namespace weftlight::commands {
 
-using base::arg;
-using base::ErrorKind;
-using base::fill;
-using base::tr;
+using base::ErrorKind, base::FileBytes, base::arg, base::fill, base::message, base::read_file, base::tr;
+using files::is_picture, files::read_picture_draft;
+using wif::Diagnostic, wif::Severity, wif::WifRead, wif::read_draft;
 
 void print_diagnostic(const std::string& path, const Diagnostic& d) {
   const std::string file = d.line > 0 ? path + ":" + std::to_string(d.line) : path;

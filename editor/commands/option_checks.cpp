@@ -7,15 +7,15 @@
 
 #include "base/text.h"
 #include "base/utf8.h"
-#include "commands/names.h"
 #include "design/lights.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::as_utf8, base::cut_utf8, base::fill, base::tr;
+using design::is_environment;
+using draft::Face;
+
+namespace {
 
 constexpr double kMaxAngleDeg = 89.9;
 constexpr size_t kMaxAngles = 10000;

@@ -14,11 +14,16 @@
 #include "scene/named_views.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::message, base::tr, base::why_not_writable;
+using design::Method, design::NamedView, design::Scene, design::is_environment, design::lighting_preset, design::lit_by,
+    design::lit_by_environment, design::method_from_name;
+using draft::Draft;
+using files::PixelType, files::can_drape, files::drape_cloth, files::is_draped, files::write_image, files::written;
+using gl::upload_once;
+using scene::drawn_scene, scene::view_named, scene::view_names;
+
+namespace {
 
 std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 

@@ -6,12 +6,15 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "commands/names.h"
 #include "commands/status_line.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 
 namespace weftlight::commands {
+
+using design::Design;
+using files::Image;
+using gl::Frame, gl::HeadlessContext, gl::Renderer;
 
 struct PictureSetup {
   Design design;

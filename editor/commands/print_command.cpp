@@ -10,11 +10,7 @@
 
 namespace weftlight::commands {
 
-using base::arg;
-using base::ErrorKind;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
 
 int print_command(const PrintCommand& options) {
   const bool pdf = options.out.ends_with(".pdf"), svg = options.out.ends_with(".svg");

@@ -7,11 +7,15 @@
 #include "render_data/reference_scene.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::message, base::tr;
+using design::Design, design::Scene;
+using files::Image;
+using gl::Frame, gl::FrameStats;
+using reference::Progress, reference::TracedImage;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
+
+namespace {
 
 Progress progress_on(StatusLine& status) {
   return [&status, last = -1](float done) mutable {

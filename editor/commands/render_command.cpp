@@ -13,11 +13,14 @@
 #include "wif/wif.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using design::Look, design::Method, design::Scene, design::method_name;
+using files::written;
+using gl::Frame, gl::FrameStats;
+using render_data::kCoarsestTolerance;
+
+namespace {
 
 base::Result<void> write_stats(const std::string& path, const FrameStats& stats, float tolerance,
                                const PictureOptions& o) {

@@ -20,14 +20,19 @@
 #include "render_data/stages.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::ErrorKind;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
+using base::ErrorKind, base::Result, base::arg, base::failure, base::fill, base::message, base::tr,
+    base::why_not_writable, base::write_file_atomically;
+using cloth::Cloth, cloth::Period;
+using design::Design, design::Look, design::Method, design::method_from_name;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using files::Image, files::written;
+using gl::HeadlessContext, gl::Renderer;
+using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
+using render_data::FarField, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages,
+    render_data::face_cloth, render_data::far_field, render_data::far_field_radiance;
+
+namespace {
 
 constexpr int kTracedPixels = 32;  // along each side of the repeat, each with `spp` rays
 constexpr int kDrawnPixels = 8;    // along each side of a patch

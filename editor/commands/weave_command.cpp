@@ -10,11 +10,13 @@
 #include "weaves/table.h"
 
 namespace weftlight::commands {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
+using weaves::GeneratedWeave, weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues,
+    weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
+using wif::write_new_wif;
+
+namespace {
 
 /// "(2 to 32)", "(own, point)", or nothing for a text.
 std::string range_text(const WeaveParameter& parameter) {

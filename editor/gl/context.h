@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "base/result.h"
-#include "gl/names.h"
 
 namespace weftlight::gl {
 

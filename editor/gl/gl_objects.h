@@ -5,8 +5,6 @@
 
 #include <utility>
 
-#include "gl/names.h"
-
 namespace weftlight::gl {
 
 template <void (*Make)(GLuint&), void (*Free)(GLuint)>

@@ -6,6 +6,12 @@
 #include "render_data/response_block.h"
 
 namespace weftlight::gl {
+
+using draft::Face;
+using light::LightTables, light::kResponseViews, light::kSlopeBins, light::light_tables;
+using render_data::CrossingPatch, render_data::PackedPatch, render_data::PackedTexture, render_data::kResponseHeight,
+    render_data::kResponseWidth, render_data::kSlopeRows, render_data::kViewTableHeight, render_data::kViewTableWidth;
+
 namespace {
 
 struct Format {

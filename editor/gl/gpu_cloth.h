@@ -4,12 +4,16 @@
 #include <array>
 
 #include "gl/gl_objects.h"
-#include "gl/names.h"
 #include "render_data/packed_maps.h"
 #include "render_data/thread_block.h"
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
+
+using draft::CellRect;
+using light::ThreadErrors;
+using render_data::ClothLobes, render_data::ClothPatches, render_data::HalfCrossing, render_data::PackedCloth,
+    render_data::ResponseTables, render_data::ThreadKind, render_data::kPackedKinds;
 
 class GpuCloth {
  public:

@@ -6,6 +6,9 @@
 #include "gl/shader_program.h"
 
 namespace weftlight::gl {
+
+using render_data::Flyaway, render_data::hems_of, render_data::scatter_flyaways;
+
 namespace {
 
 void attribute(Attribute slot, int size, size_t offset) {

@@ -6,10 +6,11 @@
 #include "base/result.h"
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
-#include "gl/names.h"
 #include "render_data/flyaways.h"
 
 namespace weftlight::gl {
+
+using render_data::FlyawayGrowth, render_data::FlyawayView, render_data::Hem;
 
 class GpuFlyaways {
  public:

@@ -6,6 +6,9 @@
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
+
+using drape::Vec2, drape::Vec3;
+
 namespace {
 
 struct Vertex {

@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "gl/gl_objects.h"
-#include "gl/names.h"
 #include "render_data/ambient.h"
 
 namespace weftlight::gl {
+
+using drape::Mesh;
+using render_data::PreparedMesh, render_data::SkyVisibility;
 
 enum class TriangleOrder { kFrontToBack, kBackToFront };
 

@@ -6,7 +6,6 @@
 
 #include "base/result.h"
 #include "gl/gl_objects.h"
-#include "gl/names.h"
 
 namespace weftlight::gl {
 

@@ -9,6 +9,11 @@
 #include "render_data/stages.h"
 
 namespace weftlight::gl {
+
+using render_data::ClothLobes, render_data::ClothPatches, render_data::Effort, render_data::PackedCloth,
+    render_data::PreparedMesh, render_data::StageResult, render_data::Stages;
+using scene::LightRig;
+
 namespace {
 
 template <class T>

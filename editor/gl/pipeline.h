@@ -8,10 +8,12 @@
 
 #include "base/result.h"
 #include "design/design.h"
-#include "gl/names.h"
 #include "gl/renderer.h"
 
 namespace weftlight::gl {
+
+using design::Design;
+using render_data::VisiblePart;
 
 class Pipeline {
  public:

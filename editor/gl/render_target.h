@@ -3,9 +3,10 @@
 
 #include "files/files.h"
 #include "gl/gl_objects.h"
-#include "gl/names.h"
 
 namespace weftlight::gl {
+
+using files::Image;
 
 class RenderTarget {
  public:

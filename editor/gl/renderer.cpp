@@ -25,6 +25,17 @@
 #include "scene/exposure.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
+using cloth::Linear, cloth::linear_from_srgb;
+using design::method_facts, design::method_name;
+using light::LodDemand, light::Plan, light::expected_error, light::fitted, light::plan_of, light::samples_at;
+using render_data::FlyawayGrowth, render_data::MethodWeights, render_data::ShippedLodTable, render_data::ThreadKind,
+    render_data::expected_ms, render_data::flyaway_growth, render_data::kShadowAzimuths, render_data::method_weights,
+    render_data::patch_camera, render_data::patch_mesh, render_data::shipped_lod_table;
+using scene::Camera, scene::DistantLight, scene::SceneLight, scene::exposure_stops, scene::load_light_rig,
+    scene::place_camera, scene::scene_light;
+
 namespace {
 
 constexpr int kFullTaps = 12, kQuickTaps = 4;

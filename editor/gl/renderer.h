@@ -11,7 +11,6 @@
 #include "design/design.h"
 #include "drape/mesh.h"
 #include "files/files.h"
-#include "gl/names.h"
 #include "light/formulas.h"
 #include "light/lod_table.h"
 #include "render_data/ambient.h"
@@ -21,6 +20,15 @@
 #include "scene/light_rig.h"
 
 namespace weftlight::gl {
+
+using design::Look, design::Method, design::Scene;
+using draft::Face;
+using drape::Mesh;
+using files::Image;
+using light::LodTable;
+using render_data::ClothLobes, render_data::ClothPatches, render_data::FlatPatch, render_data::PackedCloth,
+    render_data::PreparedMesh, render_data::VisiblePart, render_data::prepare_mesh;
+using scene::LightRig;
 
 struct Frame {
   int width = 0, height = 0;  // pixels of the finished picture

@@ -12,13 +12,7 @@
 
 namespace weftlight::gl {
 
-using base::arg;
-using base::ErrorKind;
-using base::failed;
-using base::failure;
-using base::fill;
-using base::Result;
-using base::tr;
+using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::shaders_dir, base::tr;
 
 namespace {
 

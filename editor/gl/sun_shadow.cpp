@@ -8,6 +8,10 @@
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
+
+using render_data::PreparedMesh;
+using scene::Bounds, scene::bounds_of;
+
 namespace {
 
 /// Beyond its border a map is lit.

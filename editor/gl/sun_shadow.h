@@ -10,10 +10,11 @@
 #include "base/result.h"
 #include "gl/gl_objects.h"
 #include "gl/gpu_mesh.h"
-#include "gl/names.h"
 #include "scene/environment_light.h"
 
 namespace weftlight::gl {
+
+using scene::DistantLight, scene::kMaxLights;
 
 /// The view of a light.
 struct ShadowView {

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 struct ActionItem {

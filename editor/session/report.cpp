@@ -6,9 +6,9 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::design_repeat;
+using draft::Face;
 
 namespace {
 

@@ -16,9 +16,11 @@
 #include "base/tasks.h"
 #include "design/repeat.h"
 #include "session/document/other_draft.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Repeat;
+using draft::BitMatrix, draft::CellRect;
 
 struct Report {
   uint64_t revision = 0;  // of the design

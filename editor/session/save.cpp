@@ -4,6 +4,8 @@
 
 namespace weftlight::session {
 
+using base::write_file_atomically;
+
 SaveResult write(const SaveJob& job) {
   SaveResult result;
   if (job.known) {

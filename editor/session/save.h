@@ -7,7 +7,6 @@
 #include <string>
 
 #include "session/files/file_identity.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

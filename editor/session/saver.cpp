@@ -7,9 +7,7 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 void Saver::save(uint64_t document, const std::string& path, bool over_changes, Then then) {
   Request request{session_.save_job(document, path), over_changes, {}};

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/tasks.h"
-#include "session/files/names.h"
 #include "session/session.h"
 
 namespace weftlight::session {

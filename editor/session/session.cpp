@@ -8,6 +8,8 @@
 
 namespace weftlight::session {
 
+using design::Design, design::History;
+
 Session::Session(std::string recovery, Document first, bool per_inch)
     : recovery_(std::move(recovery)), journal_(recovery_) {
   all_.push_back(made(std::move(first), Origin::kFirst, per_inch));

@@ -11,12 +11,13 @@
 #include "session/document/bring_back.h"
 #include "session/document/document.h"
 #include "session/editing/document_view.h"
-#include "session/files/names.h"
 #include "session/recovery/journal.h"
 #include "session/recovery/recovery.h"
 #include "session/save.h"
 
 namespace weftlight::session {
+
+using wif::Diagnostic;
 
 /// Where a document comes from. An unedited document is replaced by the next: the initial one by any other, a shipped
 /// draft by the next shipped one, so that browsing the library does not pile up tabs.

@@ -9,10 +9,11 @@
 
 #include "base/tasks.h"
 #include "session/document/edit.h"
-#include "session/files/names.h"
 #include "session/session.h"
 
 namespace weftlight::session {
+
+using design::Design;
 
 class SlowEdits {
  public:

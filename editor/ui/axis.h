@@ -2,8 +2,6 @@
 // One direction of a grid on the screen: which pixels a thread, shaft or treadle covers. Index 0 lies at
 // the low pixel (left, top) or, reversed, at the high one.
 
-#include "ui/names.h"
-
 namespace weftlight::ui {
 
 struct Axis {

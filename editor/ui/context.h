@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "ui/names.h"
 #include "ui/style.h"
 #include "ui/ui_map.h"
 

@@ -8,6 +8,9 @@
 #include "ui/imgui_compat.h"
 
 namespace weftlight::ui {
+
+using platform::font_file;
+
 namespace {
 
 constexpr const char* kTextFonts[] = {"Inter", "Inter Variable", "Noto Sans", "DejaVu Sans"};

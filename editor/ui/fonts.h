@@ -2,7 +2,6 @@
 // Inter for text, JetBrains Mono for figures, Font Awesome for icons, found by fontconfig. ImGui's built-in font
 // replaces a missing one.
 
-#include "ui/names.h"
 #include "ui/style.h"
 
 namespace weftlight::ui {

@@ -5,8 +5,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "ui/names.h"
-
 #if IMGUI_VERSION_NUM < 18600
 #error "Weftlight takes Dear ImGui 1.86 or newer"
 #endif

@@ -2,7 +2,6 @@
 // Dialogs, menus and lists by keyboard alone. While one is open, the arrows and Space are ImGui's; Tab, Enter and
 // Escape are ours: versions of ImGui differ in them. Nothing here acts on the main window, whose arrows are shortcuts.
 
-#include "ui/names.h"
 #include "ui/ui_map.h"
 
 namespace weftlight::ui {

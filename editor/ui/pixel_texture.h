@@ -7,7 +7,6 @@
 #include <span>
 
 #include "ui/imgui_compat.h"
-#include "ui/names.h"
 
 namespace weftlight::ui {
 

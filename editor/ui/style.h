@@ -3,8 +3,6 @@
 
 #include <imgui.h>
 
-#include "ui/names.h"
-
 namespace weftlight::ui {
 
 struct Colors {

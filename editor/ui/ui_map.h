@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "ui/names.h"
-
 namespace weftlight::ui {
 
 struct UiControl {

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "ui/context.h"
-#include "ui/names.h"
 
 namespace weftlight::ui {
 

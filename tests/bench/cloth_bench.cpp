@@ -8,6 +8,10 @@
 #include "design/edits.h"
 
 namespace weftlight::cloth {
+
+using design::Design, design::to_liftplan;
+using draft::BitMatrix, draft::Draft, draft::Face, draft::blank_draft, draft::drawdown, draft::update_drawdown;
+
 namespace {
 
 /// A straight draft on 8 shafts, satin of step 5, with the default spacing of the yarn.

@@ -9,6 +9,15 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
+
+using base::problem_of;
+using cloth::Cloth, cloth::Maps, cloth::Period, cloth::bake, cloth::lay_out;
+using design::Design;
+using draft::Face, draft::drawdown;
+using drape::Mesh, drape::simulate_drape;
+using files::Image, files::PixelType, files::read_mesh, files::write_image, files::write_mesh;
+using weaves::Lean, weaves::twill;
+
 namespace {
 
 Cloth sample_cloth() {

@@ -13,6 +13,11 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Maps, cloth::Period, cloth::bake, cloth::lay_out;
+using design::Design, design::Lobes;
+using draft::BitMatrix, draft::Face, draft::blank_draft;
+
 namespace {
 
 void light_tables_of_all_cloths(benchmark::State& state) {

@@ -18,6 +18,12 @@
 
 namespace weftlight::bench {
 
+using base::problem_of;
+using design::Design, design::to_liftplan;
+using draft::ShedControl;
+using ui::Style, ui::Tip, ui::UiMap, ui::apply, ui::light_colors, ui::load_fonts;
+using weaves::Lean, weaves::twill;
+
 using namespace session;
 using namespace views;
 

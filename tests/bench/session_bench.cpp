@@ -22,6 +22,11 @@ using namespace weftlight::session;
 using namespace weftlight::views;
 using namespace weftlight::bench;
 
+using weftlight::design::Design, weftlight::design::with_inverted, weftlight::design::with_threading;
+using weftlight::draft::BitGrid, weftlight::draft::Selection, weftlight::draft::ShedControl,
+    weftlight::draft::whole_grid;
+using weftlight::wif::WifRead, weftlight::wif::read_draft, weftlight::wif::write_new_wif;
+
 Edit to_shaft(int shaft) {
   return {"Paint", [shaft](Design d) { return with_threading(std::move(d), d.draft.ends() / 2, shaft, true); }};
 }

@@ -7,6 +7,10 @@
 #include "wif/wif.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::with_threading;
+using draft::blank_draft;
+
 namespace {
 
 /// 2,600 ends and picks on 16 shafts, with all rows listed.

@@ -32,6 +32,19 @@ namespace {
 using namespace weftlight;
 using namespace weftlight::bench;
 
+using weftlight::design::Design;
+using weftlight::draft::ShedControl;
+using weftlight::session::ActionItem, weftlight::session::Document, weftlight::session::DocumentView,
+    weftlight::session::Report, weftlight::session::report_on, weftlight::session::view_of;
+using weftlight::views::AnalysisState, weftlight::views::DraftPictures, weftlight::views::PaneRect,
+    weftlight::views::PanelContext, weftlight::views::WindowLayout, weftlight::views::YarnStrip,
+    weftlight::views::draw_accuracy, weftlight::views::draw_analysis, weftlight::views::draw_context_menu,
+    weftlight::views::draw_draft, weftlight::views::draw_draft_header, weftlight::views::draw_menu_bar,
+    weftlight::views::draw_palette, weftlight::views::draw_preview, weftlight::views::draw_report,
+    weftlight::views::draw_scene, weftlight::views::draw_status_bar, weftlight::views::draw_threads,
+    weftlight::views::draw_yarn_need, weftlight::views::draw_yarns, weftlight::views::lay_out_window;
+using weftlight::weaves::Lean, weftlight::weaves::twill;
+
 enum Tab { kThreads, kYarns, kCloth, kAnalysis };
 
 /// Draws like the editor (app/panels.cpp), with its own panel state.

@@ -10,6 +10,9 @@
 #include "files/files.h"
 
 namespace weftlight::files {
+
+using base::problem_of;
+
 namespace {
 
 // RMS over all channels, 0..1. Another CPU or driver changes the last bit of many pixels and a few edge pixels; a

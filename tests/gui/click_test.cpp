@@ -12,9 +12,10 @@
 #include "on_display.h"
 
 namespace weftlight::gui {
-namespace {
 
 using design::Leading;
+
+namespace {
 
 /// Where the grids begin, and what leads.
 struct Way {

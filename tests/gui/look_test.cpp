@@ -10,7 +10,9 @@
 
 namespace weftlight::gui {
 
+using base::problem_of;
 using files::Image;
+
 namespace {
 
 namespace fs = std::filesystem;

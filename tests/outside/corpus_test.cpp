@@ -16,6 +16,11 @@
 #include "wif/wif.h"
 
 namespace weftlight::wif {
+
+using base::FileBytes, base::read_file;
+using design::Design, design::is_consistent;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::Threads, draft::drawdown;
+
 namespace {
 
 struct Facts {

@@ -11,6 +11,11 @@
 #include "draft/drawdown.h"
 
 namespace weftlight::wif {
+
+using base::read_file;
+using design::Design, design::is_consistent;
+using draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::drawdown, draft::lifts;
+
 namespace {
 
 std::string formats_dir() {

@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "wif/names.h"
 namespace weftlight::wif {
 
 std::string sha256_hex(std::string_view bytes);

@@ -6,6 +6,8 @@
 
 namespace weftlight::cloth {
 
+using draft::CellRect, draft::System;
+
 /// Height (mm above the middle plane, signed) of a thread's centre line at distance s_mm along it (y for an end, x for
 /// a pick), periodic.
 inline float centre_height_mm(const Cloth& cloth, System system, int thread, float s_mm) {

@@ -12,6 +12,8 @@
 
 namespace weftlight::design {
 
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::blank_draft;
+
 using Rows = std::vector<std::string>;
 
 inline Rows text_of(const BitMatrix& cells) {

@@ -10,6 +10,8 @@
 
 namespace weftlight {
 
+using design::clamped;
+
 /// The first where there is none of that name.
 inline const design::Yarn& yarn_preset(std::string_view name) {
   const auto all = design::yarn_presets();

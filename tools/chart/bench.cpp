@@ -28,11 +28,18 @@
 #include "wif/other_formats.h"
 
 namespace weftlight::chart {
-namespace {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::message, base::presets_dir, base::read_file, base::shaders_dir, base::tr;
+using cloth::lay_out;
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using reference::FlatPicture, reference::TubeOptions, reference::trace_flat;
+using render_data::HalfCrossing, render_data::PackedFace, render_data::PackedTexture, render_data::StageResult,
+    render_data::Stages, render_data::choose_period, render_data::shipped_lod_table;
+using scene::kKeyIrradiance, scene::kKeyRadius;
+using wif::WifRead, wif::read_draft;
+
+namespace {
 
 constexpr glm::vec3 kIrradiance{kKeyIrradiance};
 constexpr glm::vec2 kCorner{0.37f, 0.61f};  // mm; pixels do not align with threads

@@ -11,7 +11,6 @@
 #include "chart/counter.h"
 #include "chart/drapes.h"
 #include "chart/error.h"
-#include "chart/names.h"
 #include "chart/rows.h"
 #include "chart/scene.h"
 #include "gl/context.h"
@@ -20,6 +19,14 @@
 #include "render_data/packed_maps.h"
 
 namespace weftlight::chart {
+
+using cloth::Cloth;
+using design::Look, design::Method;
+using files::Image;
+using gl::Frame, gl::FrameStats, gl::HeadlessContext, gl::Renderer;
+using light::LodTable;
+using reference::MeshScene, reference::TracedImage, reference::TubeScene;
+using render_data::FlatPatch, render_data::PackedCloth, render_data::PreparedMesh;
 
 /// The traced patch as two halves with independent random numbers.
 struct Truth {

@@ -10,6 +10,16 @@
 #include "scene/light_rig.h"
 
 namespace weftlight::chart {
+
+using base::message;
+using design::Look, design::Method, design::Scene;
+using drape::Mesh;
+using gl::Frame, gl::FrameStats;
+using reference::DrapePicture, reference::MeshScene, reference::trace_drape;
+using render_data::PreparedMesh;
+using scene::Camera, scene::LightRig, scene::SceneLight, scene::load_light_rig, scene::place_camera, scene::scene_light,
+    scene::sky_radiance;
+
 namespace {
 
 Frame frame_of(double yarns_per_pixel, int width, int height) {

@@ -8,6 +8,9 @@
 #include "platform/environment.h"
 
 namespace weftlight::chart {
+
+using light::LodPoint;
+
 namespace {
 
 constexpr int kSmall = 4, kLarge = 12;  // pixels along the sides of the two patches

@@ -8,11 +8,13 @@
 #include <optional>
 #include <utility>
 
-#include "chart/names.h"
 #include "light/lod_table.h"
 #include "platform/step_counter.h"
 
 namespace weftlight::chart {
+
+using design::Method;
+using light::LodTable;
 
 struct CountedDraw {
   size_t scene = 0;

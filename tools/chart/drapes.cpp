@@ -4,6 +4,8 @@
 
 namespace weftlight::chart {
 
+using design::method_name;
+
 std::vector<DrapeRow> drape_cells(const std::vector<Method>& methods, const ChartEffort& effort) {
   std::vector<DrapeRow> cells;
   for (const char* scene : kDrapedScenes) {

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "chart/names.h"
 #include "chart/scene.h"
 #include "design/design.h"
 #include "design/methods.h"
 
 namespace weftlight::chart {
+
+using design::Method, design::Scene;
 
 inline constexpr const char* kChartDrape = "curtain";         // fills the picture, without a body behind it
 inline constexpr std::array kDrapedScenes{"plain", "satin"};  // the least and the most glossy

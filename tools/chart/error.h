@@ -6,8 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "chart/names.h"
-
 namespace weftlight::chart {
 
 using Pixels = std::vector<glm::vec3>;

@@ -12,9 +12,13 @@
 #include "chart/scene.h"
 
 namespace weftlight::chart {
-namespace {
 
-using namespace plot;
+using base::write_file_atomically;
+using design::Method, design::method_name;
+using plot::Axis, plot::Curve, plot::Figure, plot::Ink, plot::KeyEntry, plot::Marker, plot::Panel, plot::PlotPoint,
+    plot::fit_log, plot::write_figure;
+
+namespace {
 
 constexpr double kModelGoal = 0.15, kFilteringGoal = 0.05;
 constexpr double kMinError = 1e-4;  // smaller errors are drawn here

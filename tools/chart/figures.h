@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "chart/names.h"
 #include "chart/rows.h"
 
 namespace weftlight::chart {

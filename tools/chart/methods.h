@@ -9,6 +9,9 @@
 
 namespace weftlight::chart {
 
+using design::Method;
+using render_data::PackedKind, render_data::kPackedKinds;
+
 /// Bits for what a method reads beside the lights.
 constexpr unsigned reads(PackedKind map) { return 1u << static_cast<unsigned>(map); }
 inline constexpr unsigned kReadsMaps = 0b111;       // colour, relief and horizons

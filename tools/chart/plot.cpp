@@ -12,6 +12,9 @@
 #include "base/text.h"
 
 namespace weftlight::chart::plot {
+
+using base::write_through;
+
 namespace {
 
 constexpr double kLeft = 52, kRight = 56, kTop = 30, kBottom = 44;  // margins in a panel

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "chart/names.h"
-
 namespace weftlight::chart::plot {
 
 struct Ink {

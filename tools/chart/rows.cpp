@@ -12,6 +12,10 @@
 #include "light/formulas.h"
 
 namespace weftlight::chart {
+
+using design::method_from_name, design::method_name;
+using light::LodPoint, light::expected_cost, light::expected_error;
+
 namespace {
 
 std::string number(double v) {

@@ -6,10 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "chart/names.h"
 #include "light/lod_table.h"
 
 namespace weftlight::chart {
+
+using design::Method;
+using light::LodTable;
 
 struct ChartRow {
   std::string scene;

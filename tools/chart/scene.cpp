@@ -4,6 +4,9 @@
 #include <cmath>
 
 namespace weftlight::chart {
+
+using draft::Rgb;
+
 namespace {
 
 constexpr double kViewAzimuth = -73, kLightAzimuth = 35, kLightTilt = 40;  // degrees; 0 is along the weft

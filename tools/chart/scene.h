@@ -5,11 +5,12 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "chart/names.h"
 #include "design/design.h"
 #include "light/lod_table.h"
 
 namespace weftlight::chart {
+
+using design::Design;
 
 struct ChartScene {
   const char* name;

@@ -5,6 +5,10 @@
 #include "texture_set/targets/gltf.h"
 
 namespace weftlight::texture_set {
+
+using base::write_file_atomically;
+using light::EngineFit, light::EngineModel;
+
 namespace {
 
 using enum Channel;
@@ -37,7 +41,6 @@ NAME = "{NAME}"
 SIZE_MM = ({WIDTH_MM}, {DEPTH_MM})
 MM_UV = True
 
-
 def folder():
     """The folder of this script; if it is not saved, that of the .blend."""
     texts = [text.filepath for text in bpy.data.texts if os.path.basename(text.filepath) == NAME + ".py"]
@@ -45,7 +48,6 @@ def folder():
         return os.path.dirname(bpy.path.abspath(texts[0]))
     here = globals().get("__file__", "")
     return os.path.dirname(os.path.abspath(here)) if os.path.isfile(here) else bpy.path.abspath("//")
-
 
 FOLDER = folder()
 THROUGH = {THROUGH}  # diffuse transmission as a fraction of the diffuse light
@@ -62,7 +64,6 @@ place.inputs["Scale"].default_value = (1 / SIZE_MM[0], 1 / SIZE_MM[1], 1) if MM_
 place.inputs["Location"].default_value = (0, -1 / SIZE_MM[1], 0) if MM_UV else (0, 0, 0)
 links.new(nodes.new("ShaderNodeTexCoord").outputs["UV"], place.inputs["Vector"])
 
-
 def image(suffix, colour=False):
     node = nodes.new("ShaderNodeTexImage")
     node.image = bpy.data.images.load(os.path.join(FOLDER, NAME + suffix))
@@ -70,13 +71,11 @@ def image(suffix, colour=False):
     links.new(place.outputs["Vector"], node.inputs["Vector"])
     return node.outputs["Color"]
 
-
 def feed(shader, output, *names):
     for name in names:
         if name in shader.inputs:
             links.new(output, shader.inputs[name])
             return
-
 
 def number(value):
     """As a node: a linked value may exceed the range of the socket."""
@@ -84,12 +83,10 @@ def number(value):
     node.outputs[0].default_value = value
     return node.outputs[0]
 
-
 def normal_map(suffix):
     node = nodes.new("ShaderNodeNormalMap")
     links.new(image(suffix), node.inputs["Color"])
     return node.outputs["Normal"]
-
 
 def times(colour, factor):
     node = nodes.new("ShaderNodeMixRGB")
@@ -98,7 +95,6 @@ def times(colour, factor):
     links.new(colour, node.inputs["Color1"])
     links.new(factor, node.inputs["Color2"])
     return node.outputs["Color"]
-
 
 def face(side):
     tint, specular = FACES[side]
@@ -129,7 +125,6 @@ def face(side):
     links.new(translucent.outputs["BSDF"], both.inputs[1])
     return both.outputs["Shader"]
 
-
 def without_back(mesh):
     """{NAME}.glb repeats its triangles for the back; this material handles both sides."""
     back = [at for at, other in enumerate(mesh.materials) if other and other.name.startswith(NAME + "_back")]
@@ -138,7 +133,6 @@ def without_back(mesh):
     bmesh.ops.delete(shape, geom=[face for face in shape.faces if face.material_index in back], context="FACES")
     shape.to_mesh(mesh)
     shape.free()
-
 
 both = nodes.new("ShaderNodeMixShader")
 links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], both.inputs[0])

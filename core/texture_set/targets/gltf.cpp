@@ -7,6 +7,11 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::problem_of;
+using draft::Face;
+using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::encode_png, files::write_mesh;
+
 namespace {
 
 using enum Channel;

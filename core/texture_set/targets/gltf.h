@@ -4,7 +4,6 @@
 #include <string>
 
 #include "texture_set/material_files.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
 

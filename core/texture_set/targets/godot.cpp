@@ -7,6 +7,10 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::write_file_atomically;
+using draft::Face;
+
 namespace {
 
 using enum Channel;

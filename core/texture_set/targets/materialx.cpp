@@ -11,6 +11,11 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::problem_of, base::write_file_atomically;
+using draft::Face;
+using files::ZipEntry, files::ZipKind, files::write_zip;
+
 namespace {
 
 using enum Channel;

@@ -14,6 +14,13 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::problem_of, base::write_file_atomically;
+using cloth::Cloth, cloth::ThreadBody, cloth::srgb_from_linear;
+using design::Design, design::Yarn;
+using draft::BitMatrix, draft::Face, draft::Rgb;
+using files::ZipEntry, files::ZipKind, files::write_zip;
+
 namespace {
 
 using nlohmann::json;

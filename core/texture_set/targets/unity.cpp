@@ -4,6 +4,10 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::write_file_atomically;
+using drape::Mesh, drape::Vec2, drape::Vec3;
+
 namespace {
 
 constexpr const char* kTextureMeta = R"(fileFormatVersion: 2

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "texture_set/material_files.h"
-#include "texture_set/names.h"
 
 namespace weftlight::texture_set {
+
+using draft::Face;
 
 /// The texture of a material that takes the image with this suffix.
 struct UnitySlot {

@@ -8,6 +8,11 @@
 #include "texture_set/targets/unity.h"
 
 namespace weftlight::texture_set {
+
+using cloth::srgb_encoded;
+using draft::Face;
+using light::EngineModel;
+
 namespace {
 
 using enum Channel;

@@ -4,6 +4,9 @@
 #include "texture_set/targets/unity.h"
 
 namespace weftlight::texture_set {
+
+using draft::Face;
+
 namespace {
 
 using enum Channel;

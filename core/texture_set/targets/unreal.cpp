@@ -6,6 +6,9 @@
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
+
+using base::write_file_atomically;
+
 namespace {
 
 using enum Channel;
@@ -44,7 +47,6 @@ KINDS = {  # suffix: (sRGB, compression)
 }
 lib = unreal.MaterialEditingLibrary
 
-
 def texture(side, kind):
     srgb, compression = KINDS[kind]
     task = unreal.AssetImportTask()
@@ -58,7 +60,6 @@ def texture(side, kind):
         asset.set_editor_property("alpha_coverage_thresholds", unreal.Vector4(0, 0, 0, 0.5))
     unreal.EditorAssetLibrary.save_loaded_asset(asset)
     return asset
-
 
 def material(side, specular):
     asset = "M_" + NAME + side
@@ -105,7 +106,6 @@ def material(side, specular):
     lib.connect_material_property(shine, "", slot.MP_SPECULAR)
     lib.recompile_material(made)
     unreal.EditorAssetLibrary.save_loaded_asset(made)
-
 
 material("", {SPECULAR})
 material("_back", {BACK_SPECULAR})

@@ -9,9 +9,9 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::Design;
+using wif::Severity, wif::WifRead, wif::read_wif;
 
 namespace {
 

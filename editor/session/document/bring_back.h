@@ -2,7 +2,6 @@
 // Reopens the unsaved work of a crashed session as a document.
 
 #include "session/document/document.h"
-#include "session/files/names.h"
 #include "session/recovery/recovery.h"
 
 namespace weftlight::session {

@@ -11,8 +11,9 @@
 
 namespace weftlight::session {
 
-using base::mark;
-using base::tr;
+using base::FileBytes, base::content_hash, base::mark, base::read_file, base::tr;
+using draft::drawdown, draft::update_drawdown;
+using wif::Severity, wif::WifRead, wif::read_draft, wif::write_new_wif, wif::write_wif;
 
 namespace {
 

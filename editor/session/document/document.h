@@ -10,11 +10,14 @@
 #include "design/history.h"
 #include "session/document/edit.h"
 #include "session/files/file_identity.h"
-#include "session/files/names.h"
 #include "session/recovery/journal_format.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using design::Design, design::History;
+using draft::BitMatrix, draft::System;
+using wif::Diagnostic, wif::WifFile, wif::WifUnit;
 
 class Document {
  public:

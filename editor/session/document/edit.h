@@ -9,9 +9,10 @@
 
 #include "base/progress.h"
 #include "design/design.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
 
 struct Edit {
   std::string label;

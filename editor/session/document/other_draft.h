@@ -5,9 +5,11 @@
 
 #include "design/design.h"
 #include "draft/drawdown.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix;
 
 struct OtherDraft {
   std::string name;  // of its file

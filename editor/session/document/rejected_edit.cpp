@@ -12,6 +12,8 @@
 namespace weftlight::session {
 
 using base::tr;
+using design::Loom, design::loom_size;
+using draft::Draft, draft::Factored, draft::closest_drawdown, draft::differences, draft::drawdown, draft::kMaxShafts;
 
 namespace {
 

@@ -10,9 +10,11 @@
 #include "analysis/difference.h"
 #include "base/progress.h"
 #include "session/document/edit.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix, draft::CellRect;
 
 /// The weave that the loom can make and that is closest to the requested design.
 struct ClosestWeave {

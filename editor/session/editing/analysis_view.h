@@ -1,8 +1,6 @@
 #pragma once
 // What the analysis of a draft is asked: the longest float allowed, and the size of the finished cloth.
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 struct AnalysisView {

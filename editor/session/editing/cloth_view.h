@@ -2,7 +2,6 @@
 // How the cloth is seen: from where, draped or as a flat swatch.
 
 #include "session/editing/orbit.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -6,7 +6,6 @@
 
 #include "session/document/other_draft.h"
 #include "session/document/rejected_edit.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

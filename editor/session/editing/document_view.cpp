@@ -9,6 +9,9 @@
 
 namespace weftlight::session {
 
+using design::Design;
+using draft::System;
+
 DocumentView view_of(const Document& document, bool per_inch) {
   constexpr double kMmPerCm = 10;
   DocumentView v;

@@ -12,11 +12,13 @@
 #include "session/editing/drawing_state.h"
 #include "session/editing/select_state.h"
 #include "session/editing/thread_choice.h"
-#include "session/files/names.h"
 #include "session/loom/at_loom.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using draft::CellRect;
+using wif::WifUnit;
 
 class Document;
 

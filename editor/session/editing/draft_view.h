@@ -3,9 +3,10 @@
 
 #include "draft/drawdown.h"
 #include "session/editing/grid.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using draft::Face, draft::System;
 
 struct DraftView {
   float pitch = 0;  // pixels per thread; 0 fits the draft

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 namespace weftlight::session {
+
+using draft::BitMatrix;
+
 namespace {
 
 bool has_mark(const BitMatrix& m, int column) {

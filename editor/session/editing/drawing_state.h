@@ -10,9 +10,11 @@
 #include "draft/factor.h"
 #include "session/editing/grid.h"
 #include "session/editing/select_state.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Draft, draft::LoomSize;
 
 enum class BarPaint { kColor, kYarn };
 

@@ -1,8 +1,6 @@
 #pragma once
 // The grids of a draft as they are drawn, and a cell of one.
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 enum class GridId { kNone, kThreading, kTieup, kTreadling, kLiftplan, kDrawdown, kWarpColors, kWeftColors };

@@ -10,10 +10,11 @@
 
 #include "session/document/edit.h"
 #include "session/editing/document_view.h"
-#include "session/files/names.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::session {
+
+using design::Design;
 
 struct RunAction {
   std::string id;  // in the table of actions

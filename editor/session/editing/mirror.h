@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "session/editing/drawing_state.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using draft::Draft, draft::Selection;
 
 /// The axis as the index of a thread plus that of its image. Not mirrored if empty.
 struct Mirror {

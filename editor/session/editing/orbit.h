@@ -3,9 +3,10 @@
 
 #include "design/design.h"
 #include "scene/named_views.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Scene;
 
 /// Scene::view_* and pan_* as the user changed them.
 struct Orbit {

@@ -12,11 +12,12 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using design::Painted, design::Yarn, design::painted_crossings, design::why_locked, design::with_drawdown_cell,
+    design::with_liftplan, design::with_thread_color, design::with_thread_yarn, design::with_threading,
+    design::with_tieup, design::with_treadling;
+using draft::BitGrid, draft::Selection, draft::ShedControl, draft::System, draft::Threads, draft::Write, draft::clipped,
+    draft::without_spare;
 
 namespace {
 

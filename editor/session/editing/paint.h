@@ -8,9 +8,11 @@
 #include "session/document/edit.h"
 #include "session/editing/document_view.h"
 #include "session/editing/mirror.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::LoomSize;
 
 /// Cells on the straight line between two cells, both included; each is a neighbour of the one before.
 std::vector<Cell> line_of_cells(Cell from, Cell to);

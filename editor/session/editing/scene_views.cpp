@@ -7,9 +7,7 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::cut_utf8, base::fill, base::tr;
 
 namespace {
 

@@ -6,9 +6,10 @@
 
 #include "session/document/edit.h"
 #include "session/editing/cloth_view.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design, design::NamedView, design::Scene;
 
 inline constexpr size_t kMaxKeptViews = 200, kLongestViewName = 80;
 

@@ -8,9 +8,11 @@
 
 #include "draft/selection.h"
 #include "session/editing/grid.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitGrid, draft::CellBlock, draft::Selection;
 
 enum class Tool { kPaint, kSelect, kLine, kRectangle, kFilledRectangle, kFill, kType };
 enum class SelectDrag { kNone, kBand, kMove };

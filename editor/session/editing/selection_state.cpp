@@ -7,10 +7,10 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
+using design::with_block, design::with_moved;
+using draft::ShedControl, draft::Write, draft::clipped, draft::columns_of, draft::missed_cells, draft::rows_of,
+    draft::turned_for;
 
 namespace {
 

@@ -9,10 +9,12 @@
 #include "design/selection_edits.h"
 #include "session/document/edit.h"
 #include "session/editing/document_view.h"
-#include "session/files/names.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Selection;
 
 std::optional<BitGrid> bit_grid_of(GridId grid);
 GridId grid_id_of(BitGrid grid);

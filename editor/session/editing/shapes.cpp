@@ -14,9 +14,10 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::Leading, design::inverted, design::may_paint, design::why_locked, design::with_block;
+using draft::BitGrid, draft::Selection, draft::System, draft::Write, draft::cells_of, draft::clipped, draft::whole_grid,
+    draft::without_spare;
 
 namespace {
 

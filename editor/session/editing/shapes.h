@@ -8,9 +8,11 @@
 #include "session/document/edit.h"
 #include "session/editing/document_view.h"
 #include "session/editing/mirror.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::Threads;
 
 /// Cells of a grid: row r, column c of `cells` is cell (at.a + c, at.b + r).
 struct CellMask {

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 class Strokes {

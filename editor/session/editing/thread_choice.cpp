@@ -11,10 +11,9 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
+using cloth::ThreadSize, cloth::thread_size;
+using draft::Threads;
 
 namespace {
 

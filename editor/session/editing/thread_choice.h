@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "design/design.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Draft, draft::System;
 
 struct ThreadChoice {
   System system = System::kWarp;

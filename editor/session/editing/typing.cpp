@@ -11,9 +11,9 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::why_locked;
+using draft::BitGrid, draft::Selection, draft::columns_of, draft::drawdown, draft::kMaxThreads, draft::rows_of;
 
 namespace {
 

@@ -8,10 +8,12 @@
 
 #include "session/document/edit.h"
 #include "session/editing/document_view.h"
-#include "session/files/names.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix, draft::Draft;
 
 /// Seconds that a number waits for another digit if one could follow: with 12 shafts 1 waits, 2 does not.
 inline constexpr double kDigitWaitS = 1.0;

@@ -6,6 +6,9 @@
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::FileBytes, base::content_hash, base::read_file;
+
 namespace fs = std::filesystem;
 
 FileIdentity facts_of(const std::string& path) {

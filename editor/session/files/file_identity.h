@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "base/hash.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 /// Appends `ending` unless the path already has it in any case: "name" becomes "name.wif". ".wifw" counts as ".wif".

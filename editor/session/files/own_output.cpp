@@ -14,8 +14,7 @@
 
 namespace weftlight::session {
 
-using base::mark;
-using base::tr;
+using base::content_hash, base::mark, base::read_file, base::tr, base::write_file_atomically;
 
 namespace {
 

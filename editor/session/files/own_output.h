@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <string>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 /// The file of --live-export. It looks like any other draft, so the hashes of the last writes are recorded in the

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 /// Removes the temporary files of `path` (platform::temporary_beside) whose owner has ended: those whose lock can be

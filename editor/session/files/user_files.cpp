@@ -11,6 +11,9 @@
 #include "base/utf8.h"
 
 namespace weftlight::session {
+
+using base::config_folder, base::is_utf8, base::read_file, base::write_file_atomically;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -6,6 +6,9 @@
 #include "base/caught.h"
 
 namespace weftlight::session {
+
+using base::caught;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -10,8 +10,6 @@
 #include <string>
 #include <thread>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 class BackgroundWriter {

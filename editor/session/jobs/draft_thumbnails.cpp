@@ -12,6 +12,10 @@
 #include "wif/other_formats.h"
 
 namespace weftlight::session {
+
+using base::FileBytes, base::content_hash, base::keep_newest, base::read_file;
+using wif::WifRead, wif::read_draft;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/tasks.h"
-#include "session/files/names.h"
 #include "session/jobs/thumbnail.h"
 
 namespace weftlight::session {

@@ -10,9 +10,10 @@
 #include "base/tasks.h"
 #include "design/design.h"
 #include "session/document/edit.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
 
 enum class DrapeStage {
   kGeneric,     // the drape that is shipped

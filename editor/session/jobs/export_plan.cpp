@@ -11,6 +11,7 @@
 namespace weftlight::session {
 
 using base::tr;
+using texture_set::existing_files_problem, texture_set::file_name_of, texture_set::listed_files, texture_set::size_for;
 
 namespace fs = std::filesystem;
 

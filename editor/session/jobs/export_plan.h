@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "session/files/names.h"
 #include "texture_set/texture_set.h"
 
 namespace weftlight::session {
 
+using design::Design;
+using files::MipContainer;
+using texture_set::Alpha, texture_set::ExportTarget, texture_set::SetFigures, texture_set::TextureSetOptions;
+
 struct ExportPlan {
-  std::vector<const ExportTarget*> targets{&targets::kGltf};  // each at most once
+  std::vector<const ExportTarget*> targets{&texture_set::targets::kGltf};  // each at most once
   bool by_density = false;
   int size = 1024;           // texels of the longer side, a power of two 16..8192
   float texels_per_mm = 40;  // with by_density: the least density

@@ -10,9 +10,9 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using files::Image;
+using texture_set::PreviewImage, texture_set::SetPreview, texture_set::key_of, texture_set::preview_set;
 
 namespace {
 

@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "base/tasks.h"
-#include "session/files/names.h"
 #include "session/jobs/export_plan.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Face;
+using texture_set::Alpha, texture_set::TextureSetOptions, texture_set::TextureSize;
 
 /// A rectangle of the atlas, in pixels.
 struct PictureRect {

@@ -10,9 +10,9 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::message, base::tr;
+using files::drape_key, files::load_design_drape;
+using texture_set::ExportProgress, texture_set::kStopped, texture_set::write_texture_set;
 
 namespace {
 

@@ -10,10 +10,12 @@
 
 #include "base/tasks.h"
 #include "drape/mesh.h"
-#include "session/files/names.h"
 #include "session/jobs/export_plan.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using drape::Mesh;
 
 class Exporter {
  public:

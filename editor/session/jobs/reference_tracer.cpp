@@ -9,9 +9,10 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::core_count, base::fill, base::message, base::tr;
+using cloth::Linear, cloth::linear_from_srgb;
+using reference::TubeOptions;
+using render_data::ReferenceView, render_data::lay_over;
 
 namespace {
 

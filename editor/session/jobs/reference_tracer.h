@@ -13,9 +13,13 @@
 #include "base/tasks.h"
 #include "files/files.h"
 #include "render_data/reference_scene.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Scene;
+using files::Image;
+using reference::TracedImage;
+using render_data::ReferenceScene;
 
 /// A view of the preview.
 struct TraceJob {

@@ -6,6 +6,9 @@
 #include "draft/drawdown.h"
 
 namespace weftlight::session {
+
+using draft::BitMatrix, draft::Rgb, draft::System, draft::Threads, draft::drawdown;
+
 namespace {
 
 constexpr int kMinAcross = 48;   // least number of ends shown; smaller drafts repeat

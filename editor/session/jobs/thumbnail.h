@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "draft/draft.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using draft::Draft;
 
 /// RGBA8, red in the lowest byte, sRGB; row 0 on top.
 struct Thumbnail {

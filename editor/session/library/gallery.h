@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 struct GalleryCard {

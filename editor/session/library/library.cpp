@@ -10,8 +10,7 @@
 
 namespace weftlight::session {
 
-using base::mark;
-using base::tr;
+using base::mark, base::presets_dir, base::tr;
 
 namespace {
 

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "session/files/names.h"
-
 namespace weftlight::session {
 
 struct LibraryFile {

@@ -9,6 +9,7 @@
 namespace weftlight::session {
 
 using base::tr;
+using draft::BitMatrix, draft::ShedControl, draft::for_each_bit, draft::lifts;
 
 namespace {
 

@@ -9,9 +9,11 @@
 #include "design/design.h"
 #include "loom/weaving.h"
 #include "session/document/edit.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Draft;
 
 struct AtLoom {
   bool open = false;  // the window shows the loom

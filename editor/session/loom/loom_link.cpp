@@ -10,7 +10,7 @@
 
 namespace weftlight::session {
 
-using base::tr;
+using base::caught, base::tr;
 
 namespace {
 

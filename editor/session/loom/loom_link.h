@@ -13,7 +13,6 @@
 #include "loom/line.h"
 #include "loom/protocol.h"
 #include "platform/line.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

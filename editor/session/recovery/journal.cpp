@@ -10,10 +10,7 @@
 
 namespace weftlight::session {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::caught, base::fill, base::mark, base::tr, base::write_file_atomically;
 using platform::File;
 
 namespace {

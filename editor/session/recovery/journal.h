@@ -14,7 +14,6 @@
 #include <string>
 #include <thread>
 
-#include "session/files/names.h"
 #include "session/recovery/recovery.h"
 
 namespace weftlight::session {

@@ -8,6 +8,10 @@
 #include "wif/encoding.h"
 
 namespace weftlight::session {
+
+using base::content_hash;
+using wif::escaped, wif::unescaped;
+
 namespace {
 
 // The magic line; then records: kind (1 byte), size of the payload (8), hash of kind, size and payload (8), payload.

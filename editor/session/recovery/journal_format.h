@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "session/files/file_identity.h"
-#include "session/files/names.h"
 
 namespace weftlight::session {
 

@@ -11,12 +11,12 @@
 
 namespace weftlight::session {
 
-using base::tr;
+using base::FileBytes, base::content_hash, base::read_file, base::tr;
+using platform::FileLock;
 
 namespace {
 
 namespace fs = std::filesystem;
-using platform::FileLock;
 constexpr const char* kLock = "lock";
 constexpr const char* kMaking = ".making";  // ending of a folder that has no lock yet
 constexpr const char* kJournal = ".journal";

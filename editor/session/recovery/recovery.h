@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "platform/file_lock.h"
-#include "session/files/names.h"
 #include "session/recovery/journal_format.h"
 
 namespace weftlight::session {

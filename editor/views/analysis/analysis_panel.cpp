@@ -11,14 +11,13 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using analysis::WeaveLayer, analysis::interlacing, analysis::loom_use, analysis::sett_per_cm, analysis::thread_list,
+    analysis::weave_layers, analysis::wraps_per_cm, analysis::yarn_report;
+using base::arg, base::fill, base::tr, base::tr_n;
+using draft::Draft, draft::fewest_for;
+using ui::fitted, ui::row_label, ui::section, ui::text_button;
 
 namespace {
-
-using namespace analysis;
 
 void analyse(const PanelContext& c, AnalysisState& s) {
   s.revision = c.revision;

@@ -8,6 +8,8 @@
 
 namespace weftlight::views {
 
+using draft::LoomSize;
+
 /// Results for one revision of the design. Computed again when it changes while the section is open.
 struct AnalysisState {
   uint64_t revision = 0;  // 0: not computed yet

@@ -11,12 +11,11 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
-
-using namespace analysis;
+using analysis::Difference, analysis::region_text, analysis::thread_list;
+using base::arg, base::fill, base::tr, base::tr_n;
+using draft::System;
+using session::DocumentView, session::scroll_to, session::show_place;
+using ui::fitted, ui::muted_text, ui::row_label, ui::section, ui::text_button, ui::tooltip;
 
 std::string difference_text(const Difference& d) {
   if (!d.threads.empty()) return thread_list(d.threads);

@@ -3,10 +3,11 @@
 
 #include "session/editing/difference_view.h"
 #include "session/report.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::DifferenceView, session::Report;
 
 /// Draws nothing unless two drafts are compared. `report`: null until the first is done.
 void draw_comparison(const PanelContext& c, const DifferenceView& differences, const Report* report);

@@ -12,10 +12,12 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
+using design::Design;
+using draft::BitGrid, draft::Draft, draft::Face, draft::System, draft::clipped;
+using session::Cell, session::DocumentView, session::MaybeEdit, session::scroll_to, session::select_cells,
+    session::selection_between;
+using ui::blend, ui::muted_text, ui::row_label, ui::section, ui::slider;
 
 namespace {
 

@@ -3,10 +3,11 @@
 
 #include "session/editing/analysis_view.h"
 #include "session/report.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::AnalysisView, session::Report;
 
 /// `report`: null until the first is done.
 void draw_report(const PanelContext& c, const AnalysisView& view, const Report* report);

@@ -11,16 +11,16 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using analysis::ClothPlan, analysis::YarnNeed, analysis::YarnReport, analysis::yarn_report;
+using base::arg, base::fill, base::tr, base::tr_n;
+using design::Yarn;
+using draft::Draft, draft::System;
+using session::DocumentView, session::kMaxLoomWasteCm;
+using ui::draw_swatch, ui::fitted, ui::muted_text, ui::row_label, ui::section, ui::slider;
 
 namespace {
 
 using Panel = ViewContext<AnalysisView>;
-
-using namespace analysis;
 
 constexpr float kMaxPrice = 1000;  // per kilogram
 

@@ -3,10 +3,12 @@
 
 #include "analysis/threads.h"
 #include "session/editing/analysis_view.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using session::AnalysisView, session::Settings;
 
 /// The plan, from the view and the settings.
 analysis::ClothPlan plan_of(const Design& design, const AnalysisView& view, const Settings& settings);

@@ -14,11 +14,14 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using cloth::srgb_from_linear;
+using design::Design, design::Method, design::NamedView, design::kShadedMethods, design::method_facts;
+using scene::ShippedView, scene::kShippedViews;
+using session::Compare, session::DocumentView, session::Edit, session::Settings, session::kDifferenceScale,
+    session::orbited, session::wrapped_degrees, session::zoomed;
+using ui::Colors, ui::blend, ui::fitted, ui::fixed, ui::font_size, ui::hit_area, ui::letter_down, ui::push_font,
+    ui::segmented, ui::texture_of, ui::tooltip, ui::with_alpha, ui::Style;
 
 namespace {
 

@@ -6,10 +6,12 @@
 
 #include "gl/renderer.h"
 #include "session/editing/cloth_view.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using gl::FrameStats;
+using session::ClothView;
 
 /// The ray-traced reference of the comparison.
 struct ReferencePicture {

@@ -5,6 +5,9 @@
 #include <cmath>
 
 namespace weftlight::views {
+
+using ui::cell_at;
+
 namespace {
 
 constexpr int kSamples = 4;  // per axis, in a pixel that covers several cells

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "ui/axis.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using draft::BitMatrix, draft::Draft, draft::Face, draft::System;
+using session::DrawdownStyle;
+using ui::Axis, ui::Colors;
 
 /// Colours of the threads of a system, as ImGui packs them.
 std::vector<ImU32> thread_colors(const Draft& draft, System system);

@@ -9,6 +9,9 @@
 #include "base/loops.h"
 
 namespace weftlight::views {
+
+using base::for_each_job;
+
 namespace {
 
 constexpr int kWord = 64;

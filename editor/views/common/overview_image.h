@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "views/common/cell_image.h"
-#include "views/common/names.h"
 
 namespace weftlight::views {
+
+using draft::BitMatrix;
 
 class OverviewImage {
  public:

@@ -11,9 +11,13 @@
 #include "session/editing/grid.h"
 #include "session/editing/intent.h"
 #include "ui/context.h"
-#include "views/common/names.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using draft::BitMatrix, draft::Rgb;
+using session::Hover, session::Intents, session::Settings;
+using ui::Context;
 
 /// What the panels of one frame tell each other and the window. Reset for every frame.
 struct FrameNotes {

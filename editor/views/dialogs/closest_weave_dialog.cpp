@@ -13,11 +13,11 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using design::Design;
+using draft::CellRect;
+using session::ClosestWeave, session::DocumentView, session::Edit, session::MaybeEdit, session::show_place;
+using ui::muted_text, ui::begin_list;
 
 namespace {
 

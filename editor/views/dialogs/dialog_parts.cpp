@@ -12,6 +12,7 @@
 namespace weftlight::views {
 
 using base::tr;
+using ui::blend, ui::content_right, ui::key_pressed, ui::push_font, ui::row_label, ui::text_button;
 
 namespace {
 

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "views/common/names.h"
 #include "views/dialogs/dialogs.h"
 
 namespace weftlight::views {
+
+using session::MaybeEdit;
+using weaves::WeaveKind, weaves::WeaveValues;
 
 void heading(PanelContext& c, const std::string& text);
 /// The id of the text field in ImGui::InputInt with steps, under its id.

@@ -14,11 +14,10 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using draft::kMaxShafts, draft::kMaxThreads;
+using ui::Colors, ui::blend, ui::fitted, ui::key_pressed, ui::muted_text, ui::row_label, ui::segmented, ui::text_button,
+    ui::begin_list, ui::open_popups, ui::close_popups_above;
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/dialogs/export_dialog.h"
 #include "views/dialogs/gallery.h"
@@ -15,6 +14,11 @@
 #include "weaves/table.h"
 
 namespace weftlight::views {
+
+using design::Assembly, design::Design, design::WeaveUse;
+using draft::System;
+using session::ClosestWeave, session::MaybeEdit;
+using weaves::ClothSize, weaves::WeaveValues;
 
 /// A question with up to four buttons; the result is the index of the pressed one, -1 for Escape. Buttons, here and in
 /// the other prompts, are marked texts.

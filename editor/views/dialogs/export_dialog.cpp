@@ -15,11 +15,15 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using files::MipContainer;
+using session::PictureRect, session::PreviewSizes, session::ShownChannel, session::ShownImage, session::bytes_on_disk,
+    session::figures_of, session::in_the_way, session::jobs_of, session::replaced_files, session::shown_bytes,
+    session::toggle;
+using texture_set::Alpha, texture_set::ExportTarget, texture_set::alpha_name, texture_set::kTargets,
+    texture_set::key_of;
+using ui::begin_combo, ui::end_combo, ui::fitted, ui::hit_area, ui::muted_text, ui::push_font, ui::row_label,
+    ui::segmented, ui::slider, ui::text_button, ui::tooltip, ui::begin_list;
 
 bool ExportStage::poll() {
   std::optional<ExportPreview> finished = preview.take();

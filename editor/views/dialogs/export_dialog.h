@@ -11,10 +11,15 @@
 #include "session/jobs/export_preview.h"
 #include "session/jobs/exporter.h"
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using draft::Face;
+using session::ExportFigures, session::ExportJob, session::ExportPlan, session::ExportPreview, session::ExportPreviewer,
+    session::Exporter;
+using ui::PixelTexture;
 
 /// The preview images: their texture, and the thread that renders them.
 struct ExportStage {

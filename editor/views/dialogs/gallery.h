@@ -11,10 +11,12 @@
 #include "session/jobs/draft_thumbnails.h"
 #include "session/library/gallery.h"
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::DraftThumbnail, session::DraftThumbnails, session::GalleryCard;
+using ui::PixelTexture;
 
 /// Thumbnails of files as textures. They are made on another thread when first requested.
 class GalleryPictures {

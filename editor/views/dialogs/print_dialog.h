@@ -8,10 +8,12 @@
 #include "base/tasks.h"
 #include "print/print.h"
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using ui::PixelTexture;
 
 /// Renders one sheet of a design on its own thread. The last picture is kept until the next is done.
 class SheetPreview {

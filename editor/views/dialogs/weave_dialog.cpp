@@ -12,10 +12,12 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::System, draft::drawdown, draft::kMaxThreads;
+using ui::muted_text, ui::begin_list;
+using weaves::ClothSize, weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::new_draft,
+    weaves::repeat_of, weaves::weave_kinds, weaves::whole_repeats;
 
 namespace {
 

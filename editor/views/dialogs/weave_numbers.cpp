@@ -14,6 +14,9 @@
 namespace weftlight::views {
 
 using base::tr;
+using ui::begin_combo, ui::begin_padded_child, ui::end_combo, ui::muted_text, ui::row_label;
+using weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues, weaves::allowed_values,
+    weaves::weave_kinds;
 
 namespace {
 

@@ -12,10 +12,11 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using design::Design;
+using session::Edit, session::MaybeEdit;
+using ui::muted_text, ui::begin_list;
+using weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::weave_kinds, weaves::with_weave;
 
 namespace {
 

@@ -10,6 +10,10 @@
 
 namespace weftlight::views {
 
+using draft::kMaxThreads;
+
+using weaves::GeneratedWeave;
+
 namespace {
 
 constexpr float kLargestCell = 8;  // pixels at 96 dpi

@@ -4,11 +4,14 @@
 #include <string>
 
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 #include "weaves/table.h"
 
 namespace weftlight::views {
+
+using ui::PixelTexture;
+
+using weaves::ClothSize, weaves::WeaveValues, weaves::WeaveKind;
 
 /// Half-open numbers of threads, and the pixels of a cell; below 1 the picture is reduced.
 struct ShownWeave {

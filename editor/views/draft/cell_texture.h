@@ -2,11 +2,14 @@
 // A GL texture of the drawdown, drawn again only when its input changes.
 
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using draft::Face;
+using session::DrawdownStyle;
+using ui::PixelTexture;
 
 class CellTexture {
  public:

@@ -9,10 +9,10 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
+using draft::Draft;
+using session::ClosestWeave, session::DocumentView;
+using ui::muted_text, ui::push_font, ui::text_button;
 
 namespace {
 

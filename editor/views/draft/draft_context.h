@@ -3,10 +3,12 @@
 
 #include "session/editing/document_view.h"
 #include "session/report.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::DifferenceView, session::DocumentView, session::DraftView, session::DrawingState, session::Report,
+    session::SelectState, session::ThreadChoice;
 
 struct DraftContext : PanelContext {
   const DraftView& view;

@@ -10,8 +10,10 @@
 
 namespace weftlight::views {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using session::DrawdownStyle, session::Settings;
+using ui::Style, ui::begin_combo, ui::blend, ui::end_combo, ui::fitted, ui::hit_area, ui::push_font, ui::segmented,
+    ui::tooltip;
 
 namespace {
 

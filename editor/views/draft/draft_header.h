@@ -6,10 +6,11 @@
 #include <string>
 
 #include "session/action_item.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::ActionItem, session::Tool;
 
 /// `tool`: the active one. `name`: of the file, shown if the draft has no title. `items`: the actions, for tips and
 /// shortcuts.

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace weftlight::views {
+
+using draft::ShedControl;
+using session::grid_name;
+using ui::clamp_scroll;
+
 namespace {
 
 // Pixels at 96 dpi.

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "ui/axis.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using draft::Draft;
+using session::Cell, session::DraftView, session::GridId, session::Settings;
+using ui::Axis, ui::Style, ui::UiGrid;
 
 /// A grid on the screen; x carries Cell::a, y carries Cell::b.
 struct GridPane {

@@ -20,6 +20,11 @@
 namespace weftlight::views {
 
 using base::tr;
+using design::Design;
+using draft::System, draft::Threads;
+using session::Cell, session::DraftView, session::GridId, session::SelectDrag, session::Tool, session::begin_stroke,
+    session::go_on_with_stroke, session::grid_name, session::is_on, session::put_cursor, session::zoomed_pitch;
+using ui::Axis, ui::clamp_scroll, ui::hit_area, ui::scroll_about, ui::with_alpha;
 
 namespace {
 

@@ -1,13 +1,14 @@
 #pragma once
 // The draft panel: threading, tie-up, drawdown, treadling or liftplan, and the colour bars.
 
-#include "views/common/names.h"
 #include "views/draft/cell_texture.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/held_layout.h"
 #include "views/draft/minimap.h"
 
 namespace weftlight::views {
+
+using session::DocumentView, session::Report;
 
 /// Textures and the held layout, kept between frames.
 struct DraftPictures {

@@ -8,6 +8,12 @@
 #include "views/draft/held_layout.h"
 
 namespace weftlight::views {
+
+using draft::System;
+using session::DocumentView, session::DraftView, session::GridId, session::SelectDrag, session::grid_id_of,
+    session::has_ends, session::has_picks;
+using ui::clamp_scroll;
+
 namespace {
 
 // Pixels per second, and the increase per pixel of distance.

@@ -1,11 +1,12 @@
 #pragma once
 // A drag beyond the edge of its grid scrolls the grid, faster with the distance of the pointer.
 
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using ui::Axis;
 
 /// During any drag in a grid. True if it scrolled; it then requests another frame.
 bool scroll_with_drag(DraftContext& c, const DraftLayout& layout);

@@ -14,6 +14,14 @@
 namespace weftlight::views {
 
 using base::tr;
+using design::Design;
+using draft::Face;
+using session::ActiveShape, session::BarPaint, session::Cell, session::CellMask, session::DocumentView,
+    session::DrawingState, session::GridId, session::Mirror, session::TypeCursor, session::cells_of_shape,
+    session::constrained, session::fill_bar_edit, session::fill_region, session::finish_shape, session::has_ends,
+    session::has_picks, session::images_of, session::is_on, session::is_shape, session::leaves_others,
+    session::mirror_of, session::region_about;
+using ui::Axis, ui::Colors, ui::Style, ui::blend, ui::font_size, ui::reading_color, ui::with_alpha;
 
 namespace {
 

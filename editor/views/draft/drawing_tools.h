@@ -1,11 +1,12 @@
 #pragma once
 // Mouse input of the line, rectangle and fill tools, the preview of a shape, and the axes of the symmetric pen.
 
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using session::Tool;
 
 /// True if the mouse over this grid draws a shape or fills, rather than paints.
 bool draws_shapes(const DraftContext& c, const GridPane& pane);

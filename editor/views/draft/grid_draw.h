@@ -1,11 +1,13 @@
 #pragma once
 // Draws the visible part of the grids with ImDrawList, on whole pixels.
 
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using draft::System;
+using ui::Axis;
 
 /// Threading, treadling, liftplan: filled cells. Tie-up: a ring for a rising shaft, a cross for a sinking.
 void draw_bits(ImDrawList* dl, const DraftContext& c, const GridPane& pane);

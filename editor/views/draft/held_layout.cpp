@@ -3,6 +3,9 @@
 #include <utility>
 
 namespace weftlight::views {
+
+using ui::Axis, ui::clamp_scroll;
+
 namespace {
 
 constexpr float kMove = 2;  // pixels at 96 dpi; less than that is the tremor of a hand that clicks

@@ -4,10 +4,12 @@
 
 #include <optional>
 
-#include "views/common/names.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using session::DraftView;
+using ui::Style;
 
 /// The pointer; while a button is down and the pointer stays within a few pixels, the point where it went down.
 ImVec2 hand_at(const Style& style);

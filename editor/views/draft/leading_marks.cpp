@@ -11,6 +11,10 @@
 
 namespace weftlight::views {
 
+using draft::BitGrid;
+
+using ui::hit_area, ui::Colors, ui::with_alpha;
+
 using base::tr;
 
 namespace {

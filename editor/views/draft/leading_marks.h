@@ -3,7 +3,6 @@
 // padlock beside them. It is closed if they are locked; a click opens or closes it.
 
 #include "session/editing/grid.h"
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 

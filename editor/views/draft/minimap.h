@@ -4,12 +4,14 @@
 // soon after, so that it hides no cell from the weaver.
 
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/common/overview_image.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using draft::Face;
+using ui::PixelTexture;
 
 class Minimap {
  public:

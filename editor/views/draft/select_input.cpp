@@ -4,6 +4,14 @@
 #include "views/draft/held_layout.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using draft::BitGrid, draft::Selection;
+using session::Cell, session::DocumentView, session::GridId, session::MaybeEdit, session::SelectDrag,
+    session::SelectState, session::Tool, session::bit_grid_of, session::drop_block, session::escape,
+    session::hold_block_over, session::holds, session::move_selection, session::select_cells,
+    session::selection_between;
+
 namespace {
 
 /// A press of a mouse button, handled after all panels are drawn.

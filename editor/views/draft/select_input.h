@@ -1,7 +1,6 @@
 #pragma once
 // Mouse input of the select tool over one grid: select a rectangle, move it, drop a block, open the menu.
 
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 

@@ -5,6 +5,11 @@
 #include "session/editing/selection_state.h"
 
 namespace weftlight::views {
+
+using draft::BitGrid, draft::BitMatrix, draft::Face, draft::Selection, draft::turned_for;
+using session::ActiveBlock, session::Cell, session::grid_id_of;
+using ui::Axis, ui::blend, ui::with_alpha;
+
 namespace {
 
 constexpr float kDash = 5;       // pixels

@@ -1,7 +1,6 @@
 #pragma once
 // Draws the selection and the active block over the grids of the draft.
 
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 

@@ -10,6 +10,11 @@
 namespace weftlight::views {
 
 using base::tr;
+using design::Design;
+using draft::System;
+using session::Cell, session::Choose, session::DocumentView, session::MaybeEdit, session::ThreadChoice, session::Tool,
+    session::begin_choice, session::drag_choice, session::threads_alike;
+using ui::Axis, ui::UiGrid, ui::hit_area, ui::key_pressed, ui::tooltip, ui::with_alpha;
 
 namespace {
 

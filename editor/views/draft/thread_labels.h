@@ -2,11 +2,12 @@
 // Selecting threads by their numbers beside the colour bars, as the headers of a table select columns. On the bars
 // themselves the Select tool does the same, and Shift and Ctrl with any tool.
 
-#include "views/common/names.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"
 
 namespace weftlight::views {
+
+using session::GridId;
 
 /// True while a press on a colour bar selects threads rather than paints.
 bool chooses_on_bar(const DraftContext& c, GridId bar);

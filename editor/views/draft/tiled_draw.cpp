@@ -6,6 +6,10 @@
 #include "ui/imgui_compat.h"
 
 namespace weftlight::views {
+
+using design::Repeat;
+using ui::font_size, ui::reading_color, ui::with_alpha;
+
 namespace {
 
 constexpr float kDimmed = 0.38f;  // opacity

@@ -1,7 +1,6 @@
 #pragma once
 // The tiled view: the drawdown repeated beyond its edges, and the outline of its repeat.
 
-#include "views/common/names.h"
 #include "views/draft/cell_texture.h"
 #include "views/draft/draft_context.h"
 #include "views/draft/draft_layout.h"

@@ -3,10 +3,11 @@
 
 #include <imgui.h>
 
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::Tool;
 
 /// Centred on `middle`, about `size` pixels wide.
 void draw_tool_icon(ImDrawList* dl, Tool tool, ImVec2 middle, float size, ImU32 color);

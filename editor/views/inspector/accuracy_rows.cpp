@@ -5,8 +5,10 @@
 
 namespace weftlight::views {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using design::Design, design::Method;
+using session::Edit, session::Settings, session::kMaxPictureMs, session::kMinPictureMs;
+using ui::SliderSpec, ui::row_label, ui::segmented, ui::slider;
 
 MaybeEdit draw_accuracy(PanelContext& c) {
   if (c.design.look.method != Method::kAuto) return {};

@@ -15,9 +15,9 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using design::CountUnit, design::count_of, design::packing_fraction, design::tex_of, design::with_count;
+using ui::row_label;
 
 namespace {
 

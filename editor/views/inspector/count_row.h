@@ -7,6 +7,8 @@
 
 namespace weftlight::views {
 
+using design::Yarn;
+
 /// "Ne 40, Nm 67.7, 133 den", and in a second line how the count is known; for a typed one, the fibre fraction.
 std::string count_in_words(const Yarn& yarn);
 

@@ -12,10 +12,10 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using drape::drape_stiffness_of;
+using session::DrapeStage, session::simulated_drape_edit;
+using ui::row_label, ui::segmented, ui::text_button, ui::tooltip;
 
 namespace {
 

@@ -4,10 +4,12 @@
 #include <string>
 
 #include "session/jobs/draper.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using session::DrapeState, session::MaybeEdit;
 
 /// "Medium: bending length 19 mm, 135 g/m²". Empty for a draft without threads.
 std::string stiffness_in_words(const Design& design);

@@ -16,6 +16,10 @@
 namespace weftlight::views {
 
 using base::tr;
+using cloth::linear_from_srgb;
+using light::yarn_lobes;
+using session::Settings;
+using ui::Colors, ui::blend, ui::fixed, ui::font_size, ui::hit_area, ui::with_alpha;
 
 namespace {
 

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "cloth/cloth.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using cloth::Linear;
+using design::Lobes;
+using draft::Rgb;
 
 /// Radiance relative to white paper that faces the light, for view angles from -90 to 90 degrees off the normal in
 /// steps of half a degree. The light is on the positive side. Body, fuzz and through: in the plane along the fibre.

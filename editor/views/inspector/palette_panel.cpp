@@ -10,10 +10,12 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using design::Design, design::with_new_palette_color, design::with_palette_color;
+using draft::Draft, draft::Rgb;
+using session::BarPaint, session::DocumentView, session::Edit, session::GridId, session::bar_edit;
+using ui::draw_swatch, ui::hit_area, ui::icon_button, ui::push_font, ui::row_label, ui::section, ui::segmented,
+    ui::text_button, ui::tooltip;
 
 namespace {
 

@@ -13,8 +13,14 @@
 
 namespace weftlight::views {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using design::Design, design::LightingPreset, design::MethodFacts, design::Scene, design::is_environment,
+    design::kLightingPresets, design::kMethods, design::lit_by, design::method_facts;
+using draft::Rgb;
+using drape::drape_names;
+using session::Edit;
+using ui::SliderSpec, ui::begin_combo, ui::end_combo, ui::fitted, ui::hit_area, ui::row_label, ui::section,
+    ui::segmented, ui::slider, ui::text_button, ui::tooltip, ui::translated;
 
 namespace {
 

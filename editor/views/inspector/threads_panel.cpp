@@ -17,11 +17,18 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using design::Design, design::Twist, design::Yarn, design::with_new_palette_color, design::with_new_yarn,
+    design::with_thread_color, design::with_thread_spacing, design::with_thread_thickness, design::with_thread_yarn,
+    design::yarn_presets;
+using draft::Draft, draft::Rgb, draft::System, draft::kFromYarn;
+using session::DocumentView, session::Edit, session::Settings, session::SharedIndex, session::SharedLength,
+    session::SharedThreads, session::ThreadProperty, session::concerned, session::shared_by, session::thread_label,
+    session::threads_of_words, session::words_of_threads;
+using ui::SliderSpec, ui::begin_combo, ui::draw_swatch, ui::end_combo, ui::hit_area, ui::icon_button, ui::muted_text,
+    ui::number_field, ui::open_section, ui::push_font, ui::row_label, ui::section, ui::segmented, ui::span_slider,
+    ui::take_focus, ui::tooltip;
+using wif::WifUnit;
 
 namespace {
 

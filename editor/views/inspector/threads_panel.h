@@ -4,10 +4,11 @@
 #include <string>
 
 #include "session/editing/document_view.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::MaybeEdit, session::SettUnits, session::ThreadChoice;
 
 /// `typed`: the text that names the threads while it is typed.
 MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const SettUnits& units, std::string& typed);

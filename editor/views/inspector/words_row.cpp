@@ -4,6 +4,8 @@
 
 namespace weftlight::views {
 
+using ui::row_label, ui::tooltip;
+
 void draw_words(const PanelContext& c, const std::string& text, ImU32 color, const char* tip) {
   row_label(c, "", tip);
   ImGui::PushStyleColor(ImGuiCol_Text, color);

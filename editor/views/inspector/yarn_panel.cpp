@@ -18,10 +18,16 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using design::CrossSection, design::Design, design::FieldFacts, design::Finish, design::Lobes, design::Twist,
+    design::Yarn, design::YarnField, design::cross_section, design::fibre_of, design::kCrossSectionNames,
+    design::kFinishFields, design::kLobeFields, design::kLustreFacts, design::kPliesFacts, design::kYarnFields,
+    design::lustre, design::with_cross_section, design::with_fibre, design::with_hairiness, design::with_lustre,
+    design::with_new_yarn, design::with_yarn, design::yarn_presets;
+using draft::Rgb;
+using session::DocumentView, session::Edit;
+using ui::begin_combo, ui::end_combo, ui::icon_button, ui::row_label, ui::section, ui::segmented, ui::slider,
+    ui::tooltip;
 
 namespace {
 

@@ -2,11 +2,12 @@
 // The yarns of the design: the list, and the properties and optics of the active one.
 
 #include "session/editing/drawing_state.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 #include "views/inspector/yarn_strip.h"
 
 namespace weftlight::views {
+
+using session::DrawingState, session::MaybeEdit;
 
 MaybeEdit draw_yarns(const PanelContext& c, const DrawingState& drawing, YarnStrip& strip);
 

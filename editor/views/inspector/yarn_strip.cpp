@@ -7,6 +7,14 @@
 #include "light/yarn_lobes.h"
 
 namespace weftlight::views {
+
+namespace thread_formulas = cloth::thread_formulas;
+
+using cloth::Texel, cloth::ThreadBody, cloth::ThreadTexture, cloth::linear_from_srgb, cloth::srgb_from_linear,
+    cloth::texture_at, cloth::thread_texture;
+using draft::System;
+using light::yarn_lobes;
+
 namespace {
 
 constexpr float kPi = 3.14159265f;

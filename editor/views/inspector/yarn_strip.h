@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "ui/pixel_texture.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using design::Yarn;
+using draft::Rgb;
+using ui::PixelTexture;
 
 /// width x height pixels, row 0 on top, transparent beside the thread. The light is `light_deg` to the right of the
 /// normal and a little above.

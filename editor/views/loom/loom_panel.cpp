@@ -15,11 +15,13 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using design::Design;
+using draft::BitMatrix, draft::ShedControl, draft::System, draft::lifts;
+using session::DocumentView, session::Settings, session::go_to_pick, session::keep_to_section, session::place_of,
+    session::to_press;
+using ui::blend, ui::draw_swatch, ui::fitted, ui::font_size, ui::muted_text, ui::push_font, ui::reading_color,
+    ui::row_label, ui::segmented, ui::text_button, ui::with_alpha;
 
 std::string press_text(const Draft& draft, int pick) {
   const std::vector<int> marks = to_press(draft, pick);

@@ -5,10 +5,12 @@
 
 #include "session/loom/at_loom.h"
 #include "session/loom/loom_link.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using draft::Draft;
+using session::AtLoom, session::LoomLink;
 
 /// State of the connection to the loom.
 struct LoomLine {

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "session/action_item.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::ActionItem;
 
 /// The row at the top: menus, toolbar, and the title in the middle. `open_first`: the keyboard opens the
 /// first menu. Returns the id of the chosen action or "".

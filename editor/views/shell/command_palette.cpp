@@ -15,6 +15,8 @@ namespace weftlight::views {
 using base::arg;
 using base::fill;
 using base::tr;
+using session::ActionItem;
+using ui::content_right, ui::key_pressed, ui::muted_text;
 
 namespace {
 

@@ -4,6 +4,8 @@
 
 namespace weftlight::views {
 
+using session::ActionItem;
+
 std::string draw_context_menu(const PanelContext& c, std::span<const ActionItem> items, bool ActionItem::*belongs,
                               const char* name, bool due) {
   const std::string popup = std::string("###") + name;

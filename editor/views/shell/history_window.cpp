@@ -10,6 +10,9 @@
 namespace weftlight::views {
 
 using base::tr;
+using design::History;
+using session::Settings;
+using ui::Colors, ui::blend, ui::fitted, ui::hit_area, ui::key_pressed, ui::with_alpha;
 
 namespace {
 

@@ -2,10 +2,11 @@
 // The history window: the undo steps by name. A click goes to a step; later steps stay until the next edit.
 
 #include "session/document/document.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::Document;
 
 /// The step that was scrolled to last.
 struct HistoryWindow {

@@ -12,10 +12,10 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::mark;
-using base::tr;
+using base::arg, base::fill, base::mark, base::tr;
+using session::ActionItem, session::Settings;
+using ui::Colors, ui::blend, ui::content_right, ui::fitted, ui::key_pressed, ui::muted_text, ui::push_font,
+    ui::text_button, ui::tooltip, ui::with_alpha;
 
 namespace {
 

@@ -11,6 +11,8 @@
 namespace weftlight::views {
 
 using base::tr;
+using session::ActionItem;
+using ui::icon_button, ui::show_keyboard_frame;
 
 namespace {
 

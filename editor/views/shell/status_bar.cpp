@@ -13,10 +13,12 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
-using base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
+using draft::ShedControl;
+using session::SelectDrag, session::Tool, session::describe, session::selection_text, session::shape_text,
+    session::typing_text;
+using ui::content_right, ui::fitted, ui::muted_text, ui::push_font, ui::text_button, ui::tooltip, ui::with_alpha;
+using wif::Severity;
 
 namespace {
 

@@ -6,11 +6,14 @@
 
 #include "session/editing/drawing_state.h"
 #include "session/editing/select_state.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 #include "wif/wif.h"
 
 namespace weftlight::views {
+
+using draft::Draft;
+using session::DrawingState, session::SelectState;
+using wif::Diagnostic;
 
 /// What was just done ("Saved"), or could not be done.
 struct StatusMessage {

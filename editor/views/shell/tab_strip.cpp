@@ -14,6 +14,7 @@
 namespace weftlight::views {
 
 using base::tr;
+using ui::Colors, ui::fitted, ui::hit_area, ui::icon_button, ui::tooltip, ui::with_alpha;
 
 namespace {
 

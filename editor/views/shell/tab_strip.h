@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "session/action_item.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::ActionItem;
+using ui::Style;
 
 struct Tab {
   uint64_t id = 0;

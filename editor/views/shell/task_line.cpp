@@ -10,9 +10,8 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
+using ui::push_font, ui::text_button;
 
 namespace {
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/tasks.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {

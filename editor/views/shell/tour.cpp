@@ -11,8 +11,9 @@
 
 namespace weftlight::views {
 
-using base::mark;
-using base::tr;
+using base::mark, base::tr;
+using session::Settings;
+using ui::UiControl, ui::UiGrid, ui::UiMap, ui::push_font, ui::text_button;
 
 namespace {
 

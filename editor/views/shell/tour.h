@@ -6,10 +6,11 @@
 #include <string_view>
 
 #include "session/action_item.h"
-#include "views/common/names.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
+
+using session::ActionItem;
 
 inline constexpr int kTourSteps = 5;
 

@@ -5,9 +5,10 @@
 #include <imgui.h>
 
 #include "ui/style.h"
-#include "views/common/names.h"
 
 namespace weftlight::views {
+
+using ui::Style;
 
 struct PaneRect {
   ImVec2 at{0, 0}, size{0, 0};

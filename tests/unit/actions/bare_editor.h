@@ -10,6 +10,12 @@
 
 namespace weftlight::actions {
 
+using design::Design;
+using scene::view_named;
+using session::Document, session::DocumentView, session::DrapeStage, session::DrapeState, session::Edit, session::Hover,
+    session::MaybeEdit, session::Report, session::Settings, session::SlowEdit, session::free_view_name,
+    session::go_to_view, session::keep_view_edit, session::rename_views_edit, session::step_by_hand;
+
 /// What needs a window does nothing.
 class BareEditor {
  public:

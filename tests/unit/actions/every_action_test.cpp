@@ -17,6 +17,16 @@
 #include "session/editing/selection_state.h"
 
 namespace weftlight::actions {
+
+using design::Design, design::Leading, design::Yarn, design::color_text, design::is_consistent, design::loom_size,
+    design::with_leading, design::with_lock, design::with_new_yarn, design::with_rising, design::with_thread_spacing,
+    design::with_thread_thickness;
+using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Selection, draft::ShedControl,
+    draft::System, draft::blank_draft, draft::block_text, draft::clipped, draft::closest_drawdown, draft::drawdown,
+    draft::kMaxShafts;
+using session::OtherDraft, session::RejectedEdit, session::closest_weave_to, session::follow_document,
+    session::hold_block, session::hold_block_over, session::is_shown, session::keep_view_edit, session::select_cells;
+
 namespace {
 
 /// All that a draft can have, so that nothing of it can be forgotten by an edit unseen.

@@ -12,6 +12,10 @@
 #include "bare_editor.h"
 
 namespace weftlight::actions {
+
+using design::Design;
+using draft::blank_draft;
+
 namespace {
 
 Design small() {

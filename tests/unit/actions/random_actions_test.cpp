@@ -15,6 +15,17 @@
 #include "session/recovery/journal_format.h"
 
 namespace weftlight::actions {
+
+using design::Design, design::Yarn, design::is_consistent, design::kMaxHistoryBytes, design::with_new_palette_color,
+    design::with_new_yarn, design::with_size, design::with_thread_spacing, design::with_thread_thickness;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Selection, draft::System, draft::blank_draft,
+    draft::columns_of, draft::drawdown, draft::kFromYarn, draft::rows_of;
+using session::ActiveShape, session::BarPaint, session::Cell, session::Edit, session::GridId, session::JournalEntry,
+    session::MaybeEdit, session::Mirror, session::Tool, session::bar_edit, session::finish_shape,
+    session::follow_document, session::is_shown, session::journal_entry, session::journal_start, session::mirror_of,
+    session::paint_edit, session::read_journal, session::select_cells, session::selection_between;
+using wif::read_wif, wif::write_new_wif;
+
 namespace {
 
 constexpr int kActions = 100'000, kMaxThreadsHere = 160;

@@ -22,6 +22,9 @@
 #include "wif/wif.h"
 
 namespace weftlight {
+
+using draft::drawdown;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -6,6 +6,10 @@
 #include "design/edits.h"
 
 namespace weftlight::analysis {
+
+using design::Design, design::straight_twill, design::to_liftplan, design::with_size, design::with_threading;
+using draft::BitMatrix, draft::CellRect;
+
 namespace {
 
 TEST(Compare, EqualDesignsHaveNoDifferences) {

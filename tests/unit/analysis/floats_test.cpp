@@ -7,6 +7,10 @@
 #include "../hand_drafts.h"
 
 namespace weftlight::analysis {
+
+using design::Rows, design::fill_randomly, design::matrix_of;
+using draft::BitMatrix, draft::Face, draft::System, draft::transposed;
+
 namespace {
 
 void expect_floats(const Rows& rows, int warp_front, int warp_back, int weft_front, int weft_back) {

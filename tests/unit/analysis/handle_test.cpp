@@ -12,6 +12,10 @@
 #include "design/yarn_presets.h"
 
 namespace weftlight::analysis {
+
+using design::Design, design::Yarn, design::straight_twill, design::with_count, design::yarn_presets;
+using draft::Threads, draft::kFromYarn;
+
 namespace {
 
 /// Cotton singles of 20 tex, 40 by 40 a centimetre.

@@ -11,6 +11,10 @@
 #include "design/yarn_presets.h"
 
 namespace weftlight::analysis {
+
+using design::Design, design::Yarn, design::matrix_of, design::treadled, design::with_count, design::yarn_presets;
+using draft::Draft, draft::blank_draft;
+
 namespace {
 
 Design plain_cloth(int ends, int picks) {

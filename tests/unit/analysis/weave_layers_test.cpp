@@ -5,6 +5,10 @@
 #include "../hand_drafts.h"
 
 namespace weftlight::analysis {
+
+using design::fill_randomly, design::matrix_of;
+using draft::BitMatrix;
+
 namespace {
 
 TEST(Layers, PlainAndTwillAreConnected) {

@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 namespace weftlight::app {
-namespace {
 
 using platform::FileAsk;
+
+namespace {
 
 TEST(FileFilters, every_draft_that_opens_is_offered_first) {
   const auto filters = file_filters(FileAsk::kOpen, ".wif");

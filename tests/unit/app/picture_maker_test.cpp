@@ -10,6 +10,12 @@
 #include "gl/context.h"
 
 namespace weftlight::app {
+
+using base::problem_of;
+using design::Design;
+using gl::HeadlessContext;
+using session::Compare;
+
 namespace {
 
 /// Passes until it rests, and the bytes then.

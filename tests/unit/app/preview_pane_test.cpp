@@ -13,6 +13,9 @@
 #include "../straight_draft.h"
 
 namespace weftlight::app {
+
+using design::Design;
+
 namespace {
 
 template <class Holds>

@@ -7,6 +7,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design, design::Twist;
+using draft::BitMatrix, draft::Face, draft::System, draft::complement, draft::kFromYarn;
+
 namespace {
 
 Cloth whole(const Design& d, const BitMatrix& cells, Face face = Face::kFront) {

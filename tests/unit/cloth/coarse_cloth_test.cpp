@@ -7,6 +7,11 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::cloth {
+
+using design::Design, design::warp_up_fraction;
+using draft::Face, draft::drawdown;
+using weaves::Lean, weaves::satin, weaves::twill;
+
 namespace {
 
 double covered_mm(const std::vector<ThreadBody>& threads) {

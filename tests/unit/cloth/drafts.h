@@ -9,6 +9,9 @@
 
 namespace weftlight::cloth {
 
+using design::Design;
+using draft::BitMatrix, draft::Rgb, draft::Threads, draft::blank_draft;
+
 /// Design of the given size: every thread of one yarn; spacing and thickness as given.
 inline Design design_of(int ends, int picks, float spacing_mm, float thickness_mm) {
   Design d;

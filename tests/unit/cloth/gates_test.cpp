@@ -10,6 +10,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design;
+using draft::Face, draft::System;
+
 namespace {
 
 constexpr float kSpacing = 0.5f;  // mm

@@ -8,6 +8,9 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using draft::Face;
+
 namespace {
 
 constexpr double kPi = std::numbers::pi;

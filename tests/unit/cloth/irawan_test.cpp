@@ -9,6 +9,9 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using draft::BitMatrix, draft::Face;
+
 namespace thread_formulas {
 
 class IrawanScene : public ThreadScene {

@@ -14,6 +14,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::System, draft::Threads, draft::complement, draft::kFromYarn;
+
 namespace {
 
 /// Two layers of plain weave, thread by thread; the even one is above where `above` says so, for each group of two.

@@ -9,6 +9,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design;
+using draft::BitMatrix, draft::CellRect, draft::Face, draft::Threads;
+
 namespace {
 
 float spacing_or_thickness(std::mt19937& random) {

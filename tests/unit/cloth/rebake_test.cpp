@@ -6,6 +6,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design;
+using draft::BitMatrix, draft::Face;
+
 namespace {
 
 Cloth whole(const Design& d, const BitMatrix& cells) { return lay_out(d, cells, Face::kFront, Period::kWholeDraft); }

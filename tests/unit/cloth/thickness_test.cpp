@@ -12,6 +12,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design;
+using draft::Face, draft::System;
+
 namespace {
 
 constexpr int kThreads = 160;

@@ -6,6 +6,10 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using design::Design;
+using draft::Face;
+
 namespace {
 
 constexpr int kFine = 60, kCoarse = 8;

@@ -3,6 +3,9 @@
 #include "drafts.h"
 
 namespace weftlight::cloth {
+
+using draft::Face;
+
 namespace {
 
 /// The texels of a window, which may wrap, of whole maps.

@@ -22,6 +22,22 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::commands {
+
+using base::problem_of;
+using chart::ChartLight, chart::ChartRow, chart::ChartScene, chart::ChartSelection, chart::CountedDraw, chart::DrapeRow,
+    chart::DrawCounter, chart::FineGrid, chart::PixelSteps, chart::Pixels, chart::box_average, chart::chart_cells,
+    chart::chart_csv, chart::chart_effort, chart::chart_view, chart::drape_cells, chart::drape_scene, chart::drapes_csv,
+    chart::fine_grid, chart::flicker_of, chart::flip_error, chart::in_scene_colours, chart::kChartFootprints,
+    chart::kChartScenes, chart::kChartViews, chart::kDrapeFootprints, chart::kDrapeLights, chart::kDrapedScenes,
+    chart::lod_table_csv, chart::lod_table_of, chart::mark_pareto_front, chart::mean_ratio, chart::noise_of,
+    chart::pixel_steps, chart::read_chart, chart::relative_rmse;
+using design::Design, design::Method;
+using draft::Rgb;
+using gl::HeadlessContext;
+using light::LodPoint, light::LodTable, light::choose, light::expected_cost, light::expected_error,
+    light::read_lod_table;
+using weaves::plain;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,6 +9,14 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::problem_of, base::read_file, base::write_file_atomically;
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::Face, draft::ShedControl, draft::drawdown;
+using drape::Mesh;
+using files::Image, files::load_design_drape, files::load_drape, files::read_image, files::read_mesh;
+using wif::write_new_wif;
+
 namespace {
 
 using DraftVerbs = ScratchFolder;

@@ -13,6 +13,9 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::read_file, base::write_file_atomically;
+
 namespace {
 
 namespace fs = std::filesystem;

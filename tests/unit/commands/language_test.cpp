@@ -10,6 +10,9 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::read_file;
+
 namespace {
 
 constexpr const char* kEnglish = "Print the counts, floats, repeat and warnings of a draft";

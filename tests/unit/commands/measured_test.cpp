@@ -13,6 +13,9 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::presets_dir;
+
 namespace {
 
 constexpr double kHalfAnOctave = 0.5, kSeen = 0.03;

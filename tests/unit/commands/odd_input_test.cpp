@@ -14,6 +14,9 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::is_utf8, base::read_file;
+
 namespace {
 
 using OddInput = ScratchFolder;

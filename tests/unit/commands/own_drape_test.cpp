@@ -9,6 +9,12 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::problem_of;
+using design::Design;
+using drape::Mesh;
+using files::is_draped, files::load_design_drape, files::load_drape, files::read_mesh;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -15,6 +15,16 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::presets_dir, base::problem_of, base::read_file;
+using design::Design, design::LightingPreset, design::Scene, design::is_environment, design::kLightingPresets,
+    design::lighting_preset, design::lit_by, design::lit_by_environment, design::with_size;
+using files::Image, files::PixelType, files::read_image, files::write_image;
+using gl::Frame;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
+using scene::LightRig, scene::load_light_rig;
+using wif::write_new_wif;
+
 namespace {
 
 class Pictures : public ScratchFolder {

@@ -9,6 +9,12 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::commands {
+
+using design::Design, design::Yarn;
+using draft::Face;
+using weaves::Recipe, weaves::make_design, weaves::satin, weaves::with_colors, weaves::with_sett;
+using wif::write_new_wif;
+
 namespace {
 
 struct Row {

@@ -10,7 +10,6 @@
 
 #include "../scratch_fixture.h"
 #include "commands/commands.h"
-#include "commands/names.h"
 #include "paths.h"
 
 namespace weftlight::commands {

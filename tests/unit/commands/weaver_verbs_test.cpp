@@ -10,6 +10,13 @@
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
+
+using base::problem_of, base::read_file, base::write_file_atomically;
+using design::Design, design::Yarn;
+using draft::Face, draft::blank_draft;
+using files::read_image;
+using wif::write_new_wif;
+
 namespace {
 
 using WeaverVerbs = ScratchFolder;

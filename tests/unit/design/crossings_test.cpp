@@ -11,6 +11,10 @@
 #include "draft/drawdown.h"
 
 namespace weftlight::design {
+
+using draft::BitGrid, draft::BitMatrix, draft::Selection, draft::ShedControl, draft::Write, draft::blank_draft,
+    draft::drawdown, draft::whole_grid;
+
 namespace {
 
 Design liftplan_design(std::mt19937& random, bool rising) {

@@ -10,6 +10,10 @@
 #include "design/crossings.h"
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::System, draft::drawdown, draft::is_consistent,
+    draft::kFromYarn, draft::kMaxThreads;
+
 namespace {
 
 Rows cloth(const Design& design) { return text_of(drawdown(design.draft)); }

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 namespace weftlight::design {
+
+using draft::blank_draft;
+
 namespace {
 
 Design called(std::string title) {

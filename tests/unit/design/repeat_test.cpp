@@ -5,6 +5,9 @@
 #include "../hand_drafts.h"
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::drawdown;
+
 namespace {
 
 TEST(Repeats, OfStructure) {

@@ -5,6 +5,10 @@
 #include "../hand_drafts.h"
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::System, draft::Threads, draft::blank_draft,
+    draft::kMaxThreads, draft::lifts;
+
 namespace {
 
 /// Ends on shafts 1 2 3 4 in colours 0 1 2 3, of different yarn, thickness and spacing; picks likewise.

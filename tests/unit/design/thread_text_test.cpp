@@ -5,6 +5,10 @@
 #include "../hand_drafts.h"
 
 namespace weftlight::design {
+
+using base::problem_of;
+using draft::System, draft::blank_draft, draft::is_consistent, draft::kFromYarn;
+
 namespace {
 
 Design striped() {

@@ -6,6 +6,10 @@
 #include "design/edits.h"
 
 namespace weftlight::design {
+
+using draft::BitMatrix, draft::CellRect, draft::Draft, draft::ShedControl, draft::System, draft::blank_draft,
+    draft::complement, draft::drawdown, draft::transposed, draft::update_drawdown;
+
 namespace {
 
 const Rows kStraight4 = {"1000", "0100", "0010", "0001"};

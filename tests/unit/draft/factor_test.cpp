@@ -11,6 +11,12 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::design {
+
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Face, draft::Factored, draft::LoomSize, draft::Selection,
+    draft::ShedControl, draft::Skeleton, draft::Write, draft::blank_draft, draft::closest_drawdown, draft::drawdown,
+    draft::fewest_for, draft::is_consistent, draft::lifts, draft::skeleton_tieup, draft::treadles_needed,
+    draft::whole_grid, draft::with_drawdown, draft::within_loom, draft::without_spare;
+
 using namespace weaves;
 namespace {
 

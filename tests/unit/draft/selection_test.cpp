@@ -5,6 +5,12 @@
 #include "draft/block_text.h"
 
 namespace weftlight::design {
+
+using base::problem_of;
+using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Rgb, draft::Selection,
+    draft::ShedControl, draft::Write, draft::block_text, draft::cells_of, draft::columns_of, draft::drawdown,
+    draft::missed_cells, draft::read_block_text, draft::rows_of, draft::turned_for, draft::whole_grid;
+
 namespace {
 
 /// Ends 1 to 6 on shafts 1 2 3 4 1 2, a 2/2 twill; end i has colour i, pick p colour p.

@@ -15,6 +15,8 @@
 
 namespace weftlight::drape {
 
+using base::presets_dir, base::problem_of;
+
 using namespace files;
 namespace {
 

@@ -13,6 +13,12 @@
 #include "drape/stiffness.h"
 
 namespace weftlight::files {
+
+using base::presets_dir, base::problem_of;
+using design::Design;
+using draft::blank_draft;
+using drape::Mesh;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -11,6 +11,9 @@
 #include "../scratch_fixture.h"
 
 namespace weftlight::files {
+
+using base::problem_of;
+
 namespace {
 
 constexpr double kPi = 3.14159265358979;

@@ -9,6 +9,9 @@
 #include "files/files.h"
 
 namespace weftlight::files {
+
+using base::problem_of, base::write_file_atomically;
+
 namespace {
 
 Image ramp(int width, int height, int channels) {

@@ -12,6 +12,10 @@
 #include "sheet.h"
 
 namespace weftlight::files {
+
+using base::presets_dir, base::problem_of;
+using drape::Mesh, drape::Vec3, drape::sheet;
+
 namespace {
 
 using nlohmann::json;

@@ -8,6 +8,9 @@
 #include "../scratch.h"
 
 namespace weftlight::files {
+
+using base::problem_of;
+
 namespace {
 
 Image level_of(int width, int height, int channels, int k) {

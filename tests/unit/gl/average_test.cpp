@@ -7,6 +7,9 @@
 #include "gl/context.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
+
 namespace {
 
 constexpr int kSize = 24;  // of no other texture

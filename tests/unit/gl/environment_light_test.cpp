@@ -6,6 +6,12 @@
 #include "scene/light_rig.h"
 
 namespace weftlight::gl {
+
+using design::Method, design::method_name;
+using files::Image;
+using render_data::square, render_data::twill;
+using scene::DistantLight, scene::Environment, scene::LightRig, scene::kKeyIrradiance, scene::load_light_rig;
+
 namespace {
 
 class EnvironmentLight : public PictureTest {

@@ -6,6 +6,12 @@
 #include "render_data/reference_scene.h"
 
 namespace weftlight::gl {
+
+using design::Design, design::Lobes, design::Method, design::method_name;
+using files::Image;
+using reference::TracedImage;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::square, render_data::twill;
+
 namespace {
 
 /// A satin of combed yarns, whose highlights are the narrowest and brightest.

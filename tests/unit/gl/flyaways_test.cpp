@@ -6,6 +6,15 @@
 #include "picture.h"
 
 namespace weftlight::gl {
+
+using design::Design, design::Method;
+using draft::Face, draft::Rgb;
+using drape::Mesh, drape::Vec3;
+using files::Image;
+using render_data::Flyaway, render_data::FlyawayGrowth, render_data::FlyawayView, render_data::Hem,
+    render_data::PreparedMesh, render_data::flyaway_growth, render_data::hems_of, render_data::kMaxFlyaways,
+    render_data::scatter_flyaways, render_data::square, render_data::twill;
+
 namespace {
 
 constexpr Rgb kGrey{0.6f, 0.55f, 0.5f};

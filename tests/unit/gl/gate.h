@@ -7,10 +7,14 @@
 
 #include "../figures.h"
 #include "../relative_rms.h"
-#include "gl/names.h"
 #include "picture.h"
 
 namespace weftlight::gl {
+
+using design::Design, design::Method;
+using draft::Threads;
+using files::Image;
+using render_data::Effort, render_data::FlatPatch, render_data::Stages, render_data::twill;
 
 inline glm::vec3 towards(float azimuth, float elevation) {
   return {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation), std::sin(elevation)};

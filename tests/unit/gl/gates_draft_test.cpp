@@ -6,6 +6,15 @@
 #include "gate.h"
 
 namespace weftlight::gl {
+
+using design::Design, design::Look, design::Method, design::Twist, design::method_name;
+using draft::Draft, draft::Face, draft::ShedControl, draft::System, draft::Threads, draft::blank_draft;
+using drape::Mesh;
+using files::Image;
+using render_data::Effort, render_data::PackedKind, render_data::PackedTexture, render_data::PreparedMesh,
+    render_data::square, render_data::twill;
+using scene::bounds_of;
+
 namespace {
 
 constexpr std::array kShadedMethods{Method::kFlat, Method::kVrst03, Method::kCloth,  Method::kRepeat,

@@ -9,6 +9,17 @@
 #include "reference/picture.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
+using cloth::Cloth, cloth::Period, cloth::lay_out;
+using design::Method, design::method_name;
+using draft::Face, draft::drawdown;
+using drape::Mesh;
+using files::Image;
+using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
+using render_data::PreparedMesh, render_data::twill;
+using scene::bounds_of;
+
 namespace {
 
 using gl::mean;

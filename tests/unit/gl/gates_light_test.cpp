@@ -7,6 +7,11 @@
 #include "gate.h"
 
 namespace weftlight::gl {
+
+using design::Design, design::Method, design::method_name;
+using files::Image;
+using render_data::FlatPatch;
+
 namespace {
 
 constexpr std::array kShadedMethods{Method::kFlat, Method::kCloth,  Method::kRepeat, Method::kCell,

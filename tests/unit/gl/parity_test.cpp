@@ -17,6 +17,10 @@
 #include "pixel_program.h"
 
 namespace weftlight::gl {
+
+using light::ClothBrdf, light::make_cloth_brdf, light::shadowing;
+using render_data::PackedCloth;
+
 namespace {
 
 using glm::vec3;

@@ -7,12 +7,17 @@
 
 #include "../render_data/designs.h"
 #include "gl/context.h"
-#include "gl/names.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
 #include "render_data/stages.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
+using design::Design, design::Look, design::Method, design::Scene;
+using drape::Mesh;
+using files::Image;
+using render_data::Effort, render_data::Stages;
 
 struct Mean {
   double r = 0, g = 0, b = 0;

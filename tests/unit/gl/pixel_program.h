@@ -8,12 +8,13 @@
 
 #include "gl/context.h"
 #include "gl/gl_objects.h"
-#include "gl/names.h"
 #include "gl/shader_program.h"
 #include "light/formulas.h"
 #include "shaders/interop.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
 
 inline GLuint compiled(GLenum stage, const std::string& text) {
   const GLuint shader = glCreateShader(stage);

@@ -9,6 +9,17 @@
 #include "reference/picture.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
+using cloth::Period, cloth::lay_out;
+using design::Design, design::Method, design::MethodFacts, design::kMethods, design::method_name;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::drawdown;
+using files::Image;
+using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
+using render_data::ColourPair, render_data::Effort, render_data::FlatPatch, render_data::Stages,
+    render_data::kPurePairs, render_data::kPureSpacing, render_data::metal_yarn, render_data::of_255,
+    render_data::plain_in, render_data::striped_in;
+
 namespace {
 
 struct Shot {

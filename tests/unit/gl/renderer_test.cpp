@@ -10,6 +10,16 @@
 #include "wif/wif.h"
 
 namespace weftlight::gl {
+
+using base::presets_dir, base::problem_of, base::shaders_dir;
+using design::Design, design::Method;
+using draft::Face, draft::Rgb;
+using drape::Mesh;
+using files::Image;
+using render_data::PackedCloth, render_data::PreparedMesh, render_data::StageResult, render_data::Stages,
+    render_data::method_weights, render_data::prepare_mesh, render_data::square, render_data::twill;
+using scene::Camera, scene::load_light_rig, scene::place_camera;
+
 namespace {
 
 constexpr Rgb kRed{0.8f, 0.1f, 0.1f}, kBlue{0.1f, 0.15f, 0.8f}, kWhite{0.9f, 0.9f, 0.9f};

@@ -69,6 +69,15 @@ class PackedThreads {
 }  // namespace weftlight::cloth::thread_formulas
 
 namespace weftlight::gl {
+
+using cloth::Cloth, cloth::Period, cloth::Texel, cloth::ThreadBody, cloth::ThreadTexture, cloth::highest_thread,
+    cloth::lay_out, cloth::spread_in, cloth::texture_at, cloth::thread_crossings, cloth::thread_texture;
+using cloth::thread_formulas::texture_point;
+using design::Design, design::Twist;
+using draft::BitMatrix, draft::Face, draft::System, draft::drawdown;
+using light::yarn_data;
+using render_data::PackedCloth, render_data::ThreadKind, render_data::thread_kind, render_data::twill;
+
 namespace {
 
 using cloth::thread_formulas::PackedThreads;
@@ -132,7 +141,7 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
       EXPECT_NEAR(section.half_height, 0.5f * body.height_mm, 1e-5f * body.width_mm);
       EXPECT_NEAR(section.unevenness, spread_in(body, length), 2e-4f);
       EXPECT_EQ(back.look(s, i), vec4(body.colour.r, body.colour.g, body.colour.b, body.yarn));
-      ThreadRecord in{}, out{};
+      cloth::ThreadRecord in{}, out{};
       in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);
       out.pattern = back.pattern(s, i);
       EXPECT_EQ(bytes_of(in), bytes_of(out)) << "thread " << i << " of system " << s;

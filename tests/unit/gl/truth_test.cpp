@@ -6,6 +6,16 @@
 #include "render_data/face_cloth.h"
 
 namespace weftlight::gl {
+
+using base::problem_of;
+using cloth::lay_out;
+using design::Method, design::Yarn, design::method_name;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using files::Image;
+using reference::FlatPicture, reference::Surroundings, reference::TracedImage, reference::TubeScene,
+    reference::trace_flat;
+using render_data::FlatPatch, render_data::choose_period;
+
 namespace {
 
 struct Pair {

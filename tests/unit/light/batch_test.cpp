@@ -9,6 +9,9 @@
 #include "sampling.h"
 
 namespace weftlight::light {
+
+using design::Lobes;
+
 namespace {
 
 std::vector<Vectors> kinds() {

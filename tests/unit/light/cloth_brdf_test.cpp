@@ -11,6 +11,10 @@
 #include "seed_brdfs.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Linear, cloth::ThreadBody;
+using draft::BitMatrix;
+
 namespace {
 
 constexpr Linear kWhite{1, 1, 1};

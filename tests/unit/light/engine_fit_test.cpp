@@ -8,6 +8,12 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Maps, cloth::Period, cloth::bake, cloth::lay_out;
+using design::Design, design::Yarn;
+using draft::Face, draft::drawdown;
+using weaves::Lean, weaves::plain, weaves::satin, weaves::twill;
+
 namespace {
 
 struct Measured {

@@ -13,6 +13,10 @@
 #include "sampling.h"
 
 namespace weftlight::light {
+
+using base::problem_of;
+using design::Method, design::MethodFacts, design::kMethods, design::method_from_name, design::method_name;
+
 namespace {
 
 float horizon_of(float azimuth) { return 0.4f + 0.3f * std::cos(azimuth) + 0.1f * std::sin(2 * azimuth); }

@@ -15,6 +15,9 @@
 #include "seed_brdfs.h"
 
 namespace weftlight::light {
+
+using cloth::Linear;
+
 namespace {
 
 using formulas::YarnLobes;

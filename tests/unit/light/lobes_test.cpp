@@ -12,6 +12,9 @@
 #include "sampling.h"
 
 namespace weftlight::light {
+
+using design::Lobes, design::clamped;
+
 namespace {
 
 using formulas::YarnLobes;

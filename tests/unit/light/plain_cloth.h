@@ -6,9 +6,12 @@
 #include "cloth/cloth.h"
 #include "draft/draft.h"
 #include "draft/drawdown.h"
-#include "light/names.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Period, cloth::lay_out;
+using design::Design, design::Yarn;
+using draft::Draft, draft::Face, draft::ShedControl, draft::Threads, draft::blank_draft, draft::drawdown;
 
 inline Cloth plain_cloth(int threads, float spacing_mm, float thickness_mm, const Yarn& yarn = {}) {
   Design design;

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "light/formulas.h"
-#include "light/names.h"
 
 namespace weftlight::light {
 

@@ -9,6 +9,8 @@
 
 namespace weftlight::light {
 
+using cloth::Linear;
+
 /// "cotton" (equal fractions, wide) and "satin" (long weft floats, narrow); colours as given.
 inline ClothBrdf preset_cloth_brdf(std::string_view name, Linear warp, Linear weft) {
   if (name == "satin") return make_cloth_brdf(0.1f, 0.9f, 0.3f, 0.3f, warp, weft);

@@ -9,6 +9,10 @@
 #include "plain_cloth.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Linear, cloth::ThreadBody;
+using design::Method, design::Yarn;
+
 namespace {
 
 Cloth plain() { return plain_cloth(16, 0.5f, 0.45f); }

@@ -12,6 +12,11 @@
 #include "plain_cloth.h"
 
 namespace weftlight::light {
+
+using cloth::Cloth, cloth::Period, cloth::ThreadScene, cloth::bake, cloth::lay_out;
+using design::Design, design::Yarn;
+using draft::Draft, draft::Face, draft::ShedControl, draft::Threads, draft::blank_draft, draft::drawdown;
+
 namespace {
 
 constexpr float kSpacing = 2;

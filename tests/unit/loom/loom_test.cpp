@@ -15,6 +15,10 @@
 #include "loom/weaving.h"
 
 namespace weftlight::loom {
+
+using design::treadled;
+using draft::BitMatrix, draft::Draft, draft::blank_draft, draft::lifts;
+
 namespace {
 
 Draft four_picks() {

@@ -9,6 +9,15 @@
 #include "scene/named_views.h"
 
 namespace weftlight::orientation {
+
+using base::problem_of;
+using design::Method, design::Scene, design::method_name;
+using draft::Face;
+using drape::Mesh;
+using files::Image;
+using gl::Frame, gl::HeadlessContext;
+using scene::Camera, scene::bounds_of, scene::drawn_scene, scene::place_camera, scene::view_named;
+
 namespace {
 
 using namespace commands;

@@ -6,6 +6,9 @@
 
 namespace weftlight::orientation {
 
+using base::problem_of;
+using files::Image;
+
 inline void run(std::vector<std::string> args) {
   args.insert(args.begin(), "weftlight");
   std::vector<char*> argv;

@@ -13,6 +13,13 @@
 #include "views/draft/grid_draw.h"
 
 namespace weftlight::orientation {
+
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using files::Image;
+using session::DocumentView, session::DrawdownStyle, session::Intents, session::Settings;
+using ui::Style, ui::Tip, ui::UiMap, ui::light_colors;
+
 namespace {
 
 struct Corner {

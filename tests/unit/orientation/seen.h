@@ -13,11 +13,13 @@
 
 #include "design/edits.h"
 #include "files/files.h"
-#include "texture_set/names.h"
 
 namespace weftlight::orientation {
 
-using namespace texture_set;
+using design::Design, design::Twist;
+using draft::BitMatrix, draft::Draft, draft::Face, draft::ShedControl, draft::Threads, draft::blank_draft,
+    draft::drawdown;
+using files::Image;
 
 inline constexpr int kEnds = 7, kPicks = 6;
 inline constexpr int kLoneEnd = 1, kLonePick = 4;        // of the one crossing where that end is up: end 2, pick 5

@@ -13,6 +13,13 @@
 #include "texture_set/texture_set.h"
 
 namespace weftlight::orientation {
+
+using draft::Face;
+using drape::Mesh, drape::Vec2, drape::Vec3;
+using files::Image, files::PixelType;
+using texture_set::Channel, texture_set::ExportTarget, texture_set::ImageRow, texture_set::SetPreview,
+    texture_set::TextureSetOptions, texture_set::image_file, texture_set::kTargets, texture_set::preview_set;
+
 namespace {
 
 using nlohmann::json;
@@ -73,8 +80,8 @@ Image finest_of_ktx2(const std::string& path) {
 std::vector<Seen> texture_images(const Workplace& at, std::string&) {
   std::vector<Seen> out;
   for (const ExportTarget* target : kTargets) {
-    const bool mips = target == &targets::kUnityHdrp || target == &targets::kGodot;
-    const std::string container = target == &targets::kGodot ? "ktx2" : "dds";
+    const bool mips = target == &texture_set::targets::kUnityHdrp || target == &texture_set::targets::kGodot;
+    const std::string container = target == &texture_set::targets::kGodot ? "ktx2" : "dds";
     const std::string folder =
         exported(at, target->id, mips ? std::vector<std::string>{"--mips", container} : std::vector<std::string>{});
     for (const Face face : {Face::kFront, Face::kBack})

@@ -16,6 +16,12 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::Twist, design::Yarn, design::tex_from_text;
+using draft::Face, draft::Rgb;
+using weaves::Lean, weaves::Recipe, weaves::herringbone, weaves::make_design, weaves::plain, weaves::satin,
+    weaves::twill, weaves::with_colors;
+
 namespace {
 
 constexpr float kReeled = 4;         // reeled silk; the preset is spun silk

@@ -9,6 +9,10 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::wif {
+
+using design::Design;
+using weaves::Recipe, weaves::make_design;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

@@ -21,6 +21,12 @@
 #include "wif/wif.h"
 
 namespace weftlight::wif {
+
+using base::FileBytes, base::read_file, base::write_file_atomically;
+using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::fibre_of, design::is_consistent,
+    design::packing_fraction, design::yarn_presets;
+using draft::BitMatrix, draft::System, draft::drawdown;
+
 namespace {
 
 using namespace analysis;

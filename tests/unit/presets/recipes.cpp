@@ -9,9 +9,17 @@
 #include "design/edits.h"
 #include "design/fibre.h"
 #include "weaves/weaves.h"
-#include "wif/names.h"
 
 namespace weftlight::wif {
+
+using design::Yarn, design::with_new_palette_color, design::with_thickness, design::with_thread_color,
+    design::with_thread_yarn, design::yarn_presets;
+using draft::Face, draft::System;
+using weaves::Lean, weaves::Recipe, weaves::glen_check, weaves::herringbone, weaves::houndstooth, weaves::huck_lace,
+    weaves::log_cabin, weaves::make_design, weaves::overshot, weaves::plain, weaves::satin, weaves::shadow_weave,
+    weaves::summer_and_winter, weaves::twill, weaves::twill_damask, weaves::undulating_twill, weaves::waffle,
+    weaves::with_colors, weaves::with_sett;
+
 namespace {
 
 const Yarn& yarn(const char* name) { return yarn_preset(name); }

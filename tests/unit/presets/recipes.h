@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "design/design.h"
-#include "wif/names.h"
 
 namespace weftlight::wif {
+
+using design::Design;
+using draft::Rgb;
 
 struct PresetRecipe {
   std::string path;  // in presets/

@@ -11,6 +11,12 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::print {
+
+using base::problem_of;
+using design::Design, design::to_liftplan, design::with_size;
+using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::Threads;
+using weaves::overshot;
+
 namespace {
 
 Design overshot_design(int ends, int picks) {

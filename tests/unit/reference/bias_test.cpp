@@ -11,6 +11,12 @@
 #include "reference/picture.h"
 
 namespace weftlight::reference {
+
+using base::for_each_job;
+using cloth::Cloth;
+using design::Yarn;
+using draft::BitMatrix;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

@@ -8,6 +8,12 @@
 #include "reference/picture.h"
 
 namespace weftlight::reference {
+
+using base::problem_of;
+using cloth::Cloth;
+using design::Twist, design::Yarn;
+using draft::BitMatrix;
+
 namespace {
 
 constexpr float kPi = 3.14159265f;

@@ -12,6 +12,12 @@
 #include "reference/tubes.h"
 
 namespace weftlight::reference {
+
+using base::problem_of;
+using cloth::Cloth, cloth::Period, cloth::ThreadScene, cloth::lay_out;
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::Threads, draft::blank_draft, draft::kFromYarn;
+
 namespace {
 
 /// Warp over `up`, under `down`, a step aside at every pick.

@@ -9,6 +9,12 @@
 #include "reference/picture.h"
 
 namespace weftlight::reference {
+
+using base::problem_of;
+using cloth::Cloth, cloth::centre_height_mm;
+using design::Lobes, design::Twist, design::Yarn;
+using draft::BitMatrix, draft::System;
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;

@@ -3,9 +3,12 @@
 
 #include "design/edits.h"
 #include "drape/mesh.h"
-#include "render_data/names.h"
 
 namespace weftlight::render_data {
+
+using design::Design, design::Twist;
+using draft::Draft, draft::Rgb, draft::ShedControl, draft::blank_draft;
+using drape::Mesh, drape::Vec2;
 
 /// Ends x picks, one shaft an end of the repeat, the warp up where (pick + end) % repeat < up.
 inline Design twill(int repeat, int up, Rgb warp, Rgb weft) {

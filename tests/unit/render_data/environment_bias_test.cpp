@@ -13,6 +13,15 @@
 #include "scene/environment_light.h"
 
 namespace weftlight::render_data {
+
+using base::for_each_job;
+using cloth::Period, cloth::lay_out;
+using design::Design;
+using draft::Face, draft::drawdown;
+using files::Image;
+using reference::ClothTracer, reference::RandomStream, reference::Surroundings, reference::TubeScene;
+using scene::DistantLight, scene::Environment;
+
 namespace {
 
 constexpr int kPixels = 32, kSamples = 12000;

@@ -6,6 +6,10 @@
 #include "render_data/stages.h"
 
 namespace weftlight::render_data {
+
+using design::Design;
+using draft::blank_draft;
+
 namespace {
 
 constexpr int kBlock = 40;

@@ -14,6 +14,14 @@
 #include "wif/wif.h"
 
 namespace weftlight::render_data {
+
+using base::FileBytes, base::presets_dir, base::problem_of, base::read_file;
+using cloth::Cloth, cloth::Period, cloth::lay_out;
+using design::Design;
+using draft::Face, draft::System, draft::drawdown;
+using light::kViewAzimuths, light::response_views;
+using reference::FlatPicture, reference::Surroundings, reference::TubeHit, reference::TubeScene, reference::trace_flat;
+
 namespace {
 
 constexpr std::array kDrafts{"plain", "twill_2_2", "satin_8", "twill_damask", "denim", "gauze"};

@@ -6,6 +6,11 @@
 #include "render_data/stages.h"
 
 namespace weftlight::render_data {
+
+using cloth::Cloth, cloth::Direction, cloth::Linear, cloth::Maps, cloth::Plane, cloth::Slope, cloth::TexelRect;
+using design::Design;
+using draft::Face;
+
 namespace {
 
 Maps speckled(int width, int height) {

@@ -9,6 +9,9 @@
 
 namespace weftlight::render_data {
 
+using design::Design, design::Yarn, design::yarn_presets;
+using draft::Rgb, draft::Threads;
+
 inline constexpr float kPureSpacing = 0.5f;  // mm
 
 /// So many of 255.

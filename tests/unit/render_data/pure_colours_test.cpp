@@ -14,6 +14,14 @@
 #include "scene/exposure.h"
 
 namespace weftlight::render_data {
+
+using base::problem_of;
+using cloth::Cloth, cloth::Period, cloth::lay_out;
+using design::Design, design::Yarn;
+using draft::Face, draft::Rgb, draft::drawdown;
+using reference::FlatPicture, reference::Surroundings, reference::TubeScene, reference::trace_flat;
+using scene::mean_reflectance;
+
 namespace {
 
 constexpr int kSamples = 512;  // places; the same for every colour

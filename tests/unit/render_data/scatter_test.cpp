@@ -11,6 +11,9 @@
 #include "render_data/flyaways.h"
 
 namespace weftlight::render_data {
+
+using drape::Mesh;
+
 namespace {
 
 constexpr float kLength = 40;  // mm

@@ -10,6 +10,10 @@
 #include "design/edits.h"
 
 namespace weftlight::render_data {
+
+using design::Design, design::with_threading, design::with_tieup;
+using draft::Draft, draft::blank_draft;
+
 namespace {
 
 /// 80 x 80 threads of an 8-shaft satin: too many to bake the whole draft in fine maps.

@@ -11,6 +11,10 @@
 #include "scene/light_rig.h"
 
 namespace weftlight::scene {
+
+using design::Scene;
+using files::Image;
+
 namespace {
 
 constexpr float kPi = 3.14159265f;

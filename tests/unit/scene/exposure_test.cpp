@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace weftlight::scene {
+
+using design::Look;
+
 namespace {
 
 TEST(Exposure, DarkClothsStayDarkerThanBrightOnes) {

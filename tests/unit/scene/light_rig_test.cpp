@@ -9,6 +9,10 @@
 #include "design/lights.h"
 
 namespace weftlight::scene {
+
+using base::problem_of;
+using design::LightingPreset, design::kLightingPresets, design::lighting_preset;
+
 namespace {
 
 TEST(LightRigs, EachSetupHasItsFile) {

@@ -18,6 +18,9 @@
 #include "session/loom/loom_link.h"
 
 namespace weftlight::session {
+
+using design::Design, design::to_liftplan;
+
 namespace {
 
 void take(Design& d, const LoomStep& step) {

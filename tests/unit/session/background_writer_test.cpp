@@ -8,6 +8,9 @@
 #include "../scratch_fixture.h"
 
 namespace weftlight::session {
+
+using base::read_file, base::write_file_atomically;
+
 namespace {
 
 class BackgroundWriterTest : public ScratchTest {

@@ -7,6 +7,11 @@
 #include "session/recovery/journal.h"
 
 namespace weftlight::session {
+
+using design::Design, design::with_threading;
+using draft::blank_draft;
+using wif::write_new_wif;
+
 namespace {
 
 namespace fs = std::filesystem;

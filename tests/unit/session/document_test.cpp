@@ -10,6 +10,9 @@
 #include "files/files.h"
 
 namespace weftlight::session {
+
+using base::problem_of;
+
 namespace {
 
 TEST(Document, AnImageOpensAsADraftThatAsksForANameWhenSaved) {

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 namespace weftlight::session {
+
+using draft::System;
+
 namespace {
 
 TEST(DraftView, ScrollsAsLittleAsNeededToShowACell) {

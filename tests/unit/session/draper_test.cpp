@@ -14,6 +14,11 @@
 #include "session/document/document.h"
 
 namespace weftlight::session {
+
+using base::presets_dir;
+using design::Design;
+using draft::blank_draft;
+
 namespace {
 
 namespace fs = std::filesystem;

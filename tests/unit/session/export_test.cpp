@@ -16,6 +16,13 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Face;
+using files::MipContainer;
+using texture_set::ExportTarget, texture_set::TextureSetOptions;
+using weaves::Lean, weaves::twill;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,19 +44,21 @@ bool comes_true(const Holds& holds) {
 
 TEST(ExportPlanTest, EachTargetHasItsOwnFolder) {
   const Design design = sample();
-  const std::vector<ExportJob> one = jobs_of(plan_into("out", {&targets::kGodot}), design, "a/My draft.wif", "1");
+  const std::vector<ExportJob> one =
+      jobs_of(plan_into("out", {&texture_set::targets::kGodot}), design, "a/My draft.wif", "1");
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].folder, "out/My_draft");
   EXPECT_EQ(one[0].options.source, "My draft.wif");
   EXPECT_FALSE(one[0].options.force);
-  const std::vector<ExportJob> two = jobs_of(plan_into("out", {&targets::kGodot, &targets::kRaw}), design, "", "1");
+  const std::vector<ExportJob> two =
+      jobs_of(plan_into("out", {&texture_set::targets::kGodot, &texture_set::targets::kRaw}), design, "", "1");
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(two[0].folder, "out/untitled/godot");
   EXPECT_EQ(two[1].folder, "out/untitled/raw");
 }
 
 TEST(ExportPlanTest, MipFilesAreWrittenOnlyForTargetsWithoutTheirOwn) {
-  ExportPlan plan = plan_into("out", {&targets::kGodot, &targets::kRaw});
+  ExportPlan plan = plan_into("out", {&texture_set::targets::kGodot, &texture_set::targets::kRaw});
   EXPECT_FALSE(jobs_of(plan, sample(), "", "1")[0].options.mips);
   plan.mips = MipContainer::kKtx2;
   const std::vector<ExportJob> jobs = jobs_of(plan, sample(), "", "1");
@@ -59,17 +68,17 @@ TEST(ExportPlanTest, MipFilesAreWrittenOnlyForTargetsWithoutTheirOwn) {
 
 TEST(ExportPlanTest, OneTargetIsAlwaysChosen) {
   ExportPlan plan;
-  toggle(plan, &targets::kGltf);
-  EXPECT_EQ(plan.targets, std::vector{&targets::kGltf});
-  toggle(plan, &targets::kU3m);
-  toggle(plan, &targets::kGltf);
-  EXPECT_EQ(plan.targets, std::vector{&targets::kU3m});
+  toggle(plan, &texture_set::targets::kGltf);
+  EXPECT_EQ(plan.targets, std::vector{&texture_set::targets::kGltf});
+  toggle(plan, &texture_set::targets::kU3m);
+  toggle(plan, &texture_set::targets::kGltf);
+  EXPECT_EQ(plan.targets, std::vector{&texture_set::targets::kU3m});
 }
 
 TEST(ExportPlanTest, TheFiguresMatchTheWrittenFiles) {
   const Scratch scratch("export-figures");
   const Design design = sample();
-  ExportPlan plan = plan_into(scratch / "out", {&targets::kUnityUrp});
+  ExportPlan plan = plan_into(scratch / "out", {&texture_set::targets::kUnityUrp});
   const std::vector<ExportJob> jobs = jobs_of(plan, design, "x.wif", "1");
   const ExportFigures f = figures_of(design, jobs);
   EXPECT_EQ(f.images, 8);
@@ -96,7 +105,8 @@ TEST(ExporterTest, WritesEverySetWithProgress) {
   const Scratch scratch("exporter");
   const auto design = std::make_shared<const Design>(sample());
   const std::vector<ExportJob> jobs =
-      jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp, &targets::kGodot}), *design, "x.wif", "1");
+      jobs_of(plan_into(scratch / "out", {&texture_set::targets::kUnityUrp, &texture_set::targets::kGodot}), *design,
+              "x.wif", "1");
   std::atomic<int> woken{0};
   Exporter exporter([&] { ++woken; });
   EXPECT_FALSE(exporter.began());
@@ -124,7 +134,7 @@ TEST(ExporterTest, AStoppedExportKeepsTheEarlierSet) {
   const Scratch scratch("exporter-stop");
   const auto design = std::make_shared<const Design>(sample());
   const std::vector<ExportJob> jobs =
-      jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp}, 4096), *design, "x.wif", "1");
+      jobs_of(plan_into(scratch / "out", {&texture_set::targets::kUnityUrp}, 4096), *design, "x.wif", "1");
   Exporter exporter([] {});
   exporter.start(jobs, design);
   ASSERT_TRUE(comes_true([&] { return exporter.state().share > 0; }));
@@ -141,10 +151,12 @@ TEST(ExporterTest, TheNewestDraftIsWritten) {
   Design changed = sample();
   changed.title = "changed";
   Exporter exporter([] {});
-  exporter.start(jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp}, 4096), *first, "x.wif", "1"), first);
+  exporter.start(jobs_of(plan_into(scratch / "out", {&texture_set::targets::kUnityUrp}, 4096), *first, "x.wif", "1"),
+                 first);
   ASSERT_TRUE(comes_true([&] { return exporter.state().share > 0; }));
   const auto second = std::make_shared<const Design>(changed);
-  exporter.start(jobs_of(plan_into(scratch / "out", {&targets::kUnityUrp}, 64), *second, "x.wif", "1"), second);
+  exporter.start(jobs_of(plan_into(scratch / "out", {&texture_set::targets::kUnityUrp}, 64), *second, "x.wif", "1"),
+                 second);
   ASSERT_TRUE(comes_true([&] { return !exporter.busy(); }));
   EXPECT_EQ(exporter.state().written.size(), 1u);
   std::ifstream list(scratch / "out/x/texture_set.json");
@@ -155,11 +167,11 @@ TEST(ExporterTest, TheNewestDraftIsWritten) {
 TEST(ExportPreviewTest, PreviewsEveryImageWholeAndByChannel) {
   const Design design = sample();
   TextureSetOptions options;
-  options.target = &targets::kGltf, options.name = "x";
+  options.target = &texture_set::targets::kGltf, options.name = "x";
   PreviewSizes sizes;
   sizes.swatch_width = 200, sizes.swatch_height = 60, sizes.side = 32;
   const ExportPreview p = export_preview(design, Face::kFront, options, sizes);
-  ASSERT_EQ(p.images.size(), targets::kGltf.images.size());
+  ASSERT_EQ(p.images.size(), texture_set::targets::kGltf.images.size());
   EXPECT_EQ(p.images[0].file, "x_basecolor.png");
   EXPECT_EQ(p.images[0].about, "sRGB");
   ASSERT_EQ(p.images[0].channels.size(), 4u);

@@ -13,6 +13,10 @@
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Draft, draft::blank_draft;
+
 namespace {
 
 TEST(Gallery, CardsShowTheFolderOfTheirFile) {

@@ -25,6 +25,13 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using files::Image;
+using texture_set::TextureSetOptions;
+using weaves::Lean, weaves::twill;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +54,7 @@ bool tells_of_memory(const std::string& said) { return said.find("not enough mem
 
 TEST_F(NoMemory, AFailedExportLeavesNothingAndTheNextSucceeds) {
   ExportPlan plan;
-  plan.folder = path("out"), plan.targets = {&targets::kGodot}, plan.size = 32;
+  plan.folder = path("out"), plan.targets = {&texture_set::targets::kGodot}, plan.size = 32;
   const std::vector<ExportJob> jobs = jobs_of(plan, *design_, "x.wif", "1");
   std::atomic<int> throws{0};
   Exporter exporter([&] {

@@ -6,6 +6,10 @@
 #include "session/editing/orbit.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Yarn, design::straight_twill;
+using draft::BitMatrix, draft::drawdown;
+
 namespace {
 
 TEST(Paint, AFastDragSkipsNoThread) {

@@ -12,6 +12,9 @@
 #include "session/recovery/journal.h"
 
 namespace weftlight::session {
+
+using base::write_file_atomically;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,6 +12,10 @@
 #include "session/session.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Leading, design::with_drawdown_cell, design::with_size;
+using draft::BitMatrix, draft::blank_draft, draft::drawdown, draft::kMaxShafts;
+
 namespace {
 
 /// A straight draw on four shafts that is all the loom has, its drawdown painted.

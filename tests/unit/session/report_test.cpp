@@ -8,6 +8,11 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::BitMatrix, draft::Face, draft::drawdown;
+using weaves::Lean, weaves::satin, weaves::twill;
+
 namespace {
 
 TEST(Report, ReportsFloatsRepeatAndHeddles) {

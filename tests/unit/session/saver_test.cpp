@@ -14,6 +14,12 @@
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using base::read_file;
+using design::Design, design::with_threading;
+using draft::blank_draft;
+using wif::write_new_wif;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,6 +8,11 @@
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using design::Design, design::NamedView, design::Scene;
+using draft::blank_draft;
+using scene::ShippedView, scene::drawn_scene, scene::kFlatMesh, scene::kShippedViews, scene::view_named;
+
 namespace {
 
 Design plain() {

@@ -6,6 +6,11 @@
 #include "design/edits.h"
 
 namespace weftlight::session {
+
+using design::Design, design::mirrored_across, design::mirrored_down, design::straight_twill, design::to_liftplan,
+    design::with_size, design::with_threading;
+using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Selection, draft::cells_of;
+
 namespace {
 
 SelectState with_selected(const Selection& s) {

@@ -12,6 +12,11 @@
 #include "wif/wif.h"
 
 namespace weftlight::session {
+
+using design::Design, design::History, design::with_threading;
+using draft::blank_draft, draft::drawdown;
+using wif::Diagnostic, wif::write_new_wif;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -6,6 +6,9 @@
 #include "session/files/user_files.h"
 
 namespace weftlight::session {
+
+using base::is_utf8;
+
 namespace {
 
 TEST(Settings, APathThatIsNotUtf8IsSavedWithoutLoss) {

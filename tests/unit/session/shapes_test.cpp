@@ -10,6 +10,10 @@
 #include "session/editing/selection_state.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Leading, design::straight_twill, design::text_of;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::blank_draft, draft::drawdown;
+
 namespace {
 
 std::vector<std::string> rows_of_mask(const CellMask& mask) { return text_of(mask.cells); }

@@ -11,6 +11,10 @@
 #include "session/editing/paint.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Leading;
+using draft::blank_draft;
+
 namespace {
 
 /// A straight draw on four shafts that is all the loom has, its drawdown painted.

@@ -14,6 +14,12 @@
 #include "session/session.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Leading, design::Painted, design::is_consistent, design::painted_crossings,
+    design::random_draft, design::text_of, design::with_leading, design::with_moved, design::with_size;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::LoomSize, draft::Selection, draft::ShedControl,
+    draft::Write, draft::blank_draft, draft::drawdown, draft::lifts, draft::transposed, draft::whole_grid;
+
 namespace {
 
 Design twill(Leading leading) {

@@ -3,6 +3,10 @@
 #include "session/editing/thread_choice.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Yarn;
+using draft::System, draft::blank_draft;
+
 namespace {
 
 using Indices = std::vector<int>;

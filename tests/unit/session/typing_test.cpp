@@ -6,6 +6,10 @@
 #include "session/document/document.h"
 
 namespace weftlight::session {
+
+using design::Design, design::Leading;
+using draft::Draft, draft::ShedControl, draft::blank_draft;
+
 namespace {
 
 /// A document with a keyboard.

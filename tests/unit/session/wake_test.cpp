@@ -16,6 +16,12 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::session {
+
+using design::Design;
+using draft::Face;
+using texture_set::TextureSetOptions;
+using weaves::Lean, weaves::twill;
+
 namespace {
 
 /// A wake() that asks; under a lock of its owner it would wait for ever.
@@ -46,7 +52,7 @@ TEST(Wake, IsCalledWithoutALock) {
     Exporter exporter(a.wake());
     a.ask = [&] { exporter.state(); };
     ExportPlan plan;
-    plan.folder = scratch / "out", plan.targets = {&targets::kGodot}, plan.size = 32;
+    plan.folder = scratch / "out", plan.targets = {&texture_set::targets::kGodot}, plan.size = 32;
     exporter.start(jobs_of(plan, *design, "x.wif", "1"), design);
     a.woken.wait();
   }

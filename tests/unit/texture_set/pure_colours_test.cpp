@@ -10,6 +10,11 @@
 #include "weaves/weaves.h"
 
 namespace weftlight::texture_set {
+
+using design::Design;
+using draft::Face, draft::Rgb;
+using weaves::plain;
+
 namespace {
 
 Rgb of_255(int r, int g, int b) {

@@ -10,6 +10,9 @@
 
 namespace weftlight::texture_set {
 
+using design::Design, design::Yarn;
+using weaves::herringbone;
+
 /// A two-coloured herringbone with a yarn of each kind; its repeat has 16 ends x 4 picks and is not square.
 inline Design sample_design() {
   Design design = herringbone({2, 2}, 8, {32, 16});

@@ -16,6 +16,11 @@
 #include "texture_set/material_files.h"
 
 namespace weftlight::texture_set {
+
+using draft::Face;
+using drape::sheet;
+using files::PixelType;
+
 namespace {
 
 using enum Channel;

@@ -12,6 +12,15 @@
 #include "sample_set.h"
 
 namespace weftlight::texture_set {
+
+using base::problem_of;
+using cloth::Cloth, cloth::Maps, cloth::Period, cloth::bake, cloth::lay_out;
+using design::Design, design::Twist, design::Yarn;
+using draft::Face, draft::Rgb, draft::System, draft::drawdown;
+using drape::sheet;
+using files::Image, files::MipContainer, files::read_image;
+using weaves::Lean, weaves::plain, weaves::twill;
+
 namespace {
 
 using nlohmann::json;

@@ -19,6 +19,15 @@
 #include "texture_set/material_files.h"
 
 namespace weftlight::texture_set {
+
+using base::problem_of;
+using cloth::Cloth, cloth::Period, cloth::lay_out;
+using design::Design;
+using draft::Face, draft::System, draft::drawdown;
+using drape::Mesh, drape::sheet;
+using files::Image, files::MipContainer, files::read_image;
+using weaves::plain;
+
 namespace {
 
 using nlohmann::json;

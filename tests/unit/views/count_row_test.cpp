@@ -8,6 +8,9 @@
 #include "design/fibre.h"
 
 namespace weftlight::views {
+
+using design::Yarn, design::with_count;
+
 namespace {
 
 TEST(CountRow, HasTheUnitsOfTheTradeAndTheSourceOfTheCount) {

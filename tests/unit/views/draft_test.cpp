@@ -9,6 +9,12 @@
 #include "views/shell/action_list.h"
 
 namespace weftlight::views {
+
+using design::Design, design::straight_twill;
+using draft::BitMatrix, draft::Draft, draft::Face, draft::blank_draft;
+using session::Cell, session::DraftView, session::DrawdownStyle, session::Settings;
+using ui::Axis, ui::Style, ui::UiGrid, ui::cell_at, ui::light_colors;
+
 namespace {
 
 TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {

@@ -12,6 +12,14 @@
 #include "session/editing/paint.h"
 
 namespace weftlight::views {
+
+using design::Design, design::Leading, design::painted_crossings, design::random_draft, design::straight_twill,
+    design::text_of, design::with_leading, design::with_size;
+using draft::BitGrid, draft::BitMatrix, draft::Selection, draft::Write, draft::drawdown, draft::whole_grid;
+using session::Cell, session::DocumentView, session::DraftView, session::GridId, session::MaybeEdit, session::Settings,
+    session::begin_stroke, session::go_on_with_stroke, session::line_of_cells, session::zoomed_pitch;
+using ui::Axis, ui::Style, ui::cell_at, ui::clamp_scroll;
+
 namespace {
 
 constexpr int kEnds = 40, kPicks = 36;

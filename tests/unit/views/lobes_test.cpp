@@ -8,6 +8,11 @@
 #include "views/inspector/yarn_strip.h"
 
 namespace weftlight::views {
+
+using cloth::Linear;
+using design::Lobes, design::Yarn;
+using draft::Rgb;
+
 namespace {
 
 constexpr Linear kWhite{1, 1, 1};

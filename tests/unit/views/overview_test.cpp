@@ -5,6 +5,9 @@
 #include "views/common/overview_image.h"
 
 namespace weftlight::views {
+
+using draft::BitMatrix;
+
 namespace {
 
 struct Cloth {

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 namespace weftlight::views {
+
+using session::ActionItem;
+
 namespace {
 
 std::vector<ActionItem> items() {

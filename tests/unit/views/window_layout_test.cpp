@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 namespace weftlight::views {
+
+using ui::Style;
+
 namespace {
 
 TEST(WindowLayout, PanesStayInTheWindowAndAreNeverNegative) {

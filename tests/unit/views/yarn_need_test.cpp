@@ -6,6 +6,10 @@
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::views {
+
+using design::Design;
+using session::AnalysisView, session::Settings;
+
 namespace {
 
 TEST(YarnNeed, ThePlanCombinesViewAndSettings) {

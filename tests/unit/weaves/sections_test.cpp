@@ -7,6 +7,10 @@
 #include "design/edits.h"
 
 namespace weftlight::weaves {
+
+using design::Assembly, design::Design, design::is_consistent;
+using draft::BitMatrix, draft::ShedControl, draft::System, draft::blank_draft;
+
 namespace {
 
 std::string again(std::string_view text) {

@@ -16,6 +16,11 @@
 #include "weaves/families.h"
 
 namespace weftlight::weaves {
+
+using design::Design, design::Repeat, design::Rows, design::WeaveUse, design::design_repeat, design::is_consistent,
+    design::text_of, design::to_liftplan, design::with_rising, design::with_size;
+using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::drawdown, draft::transposed;
+
 namespace {
 
 Rows woven(const Design& d) { return text_of(drawdown(d.draft)); }

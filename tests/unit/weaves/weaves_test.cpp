@@ -7,6 +7,11 @@
 #include "analysis/floats.h"
 
 namespace weftlight::weaves {
+
+using design::Design, design::Rows, design::Yarn, design::clamped, design::is_consistent, design::text_of,
+    design::yarn_presets;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::drawdown;
+
 namespace {
 
 Rows cloth(const Design& design) { return text_of(drawdown(design.draft)); }

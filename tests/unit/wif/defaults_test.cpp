@@ -9,6 +9,10 @@
 #include "wif/wif.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::Yarn, design::kLobeFields, design::kPliesFacts, design::kYarnFields,
+    design::with_threading;
+
 namespace {
 
 /// The keys of a yarn, for the numbers that are always set.

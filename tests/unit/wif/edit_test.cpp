@@ -10,6 +10,12 @@
 #include "lines.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::Yarn, design::to_liftplan, design::to_treadling, design::with_liftplan,
+    design::with_rising, design::with_size, design::with_thread_color, design::with_thread_spacing,
+    design::with_thread_thickness, design::with_threading, design::with_tieup, design::with_treadling;
+using draft::System, draft::drawdown, draft::kFromYarn;
+
 namespace {
 
 using Lines = std::vector<std::string>;

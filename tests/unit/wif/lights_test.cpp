@@ -7,6 +7,10 @@
 #include "wif/wif.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::LightingPreset, design::kLightingPresets, design::lit_by, design::lit_by_environment;
+using draft::blank_draft;
+
 namespace {
 
 TEST(Lights, AreStoredById) {

@@ -8,6 +8,9 @@
 #include "paths.h"
 
 namespace weftlight::wif {
+
+using base::FileBytes, base::read_file;
+
 namespace {
 
 std::vector<std::string> split(std::string_view bytes) {

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "wif/names.h"
 #include "wif/wif.h"
 
 namespace weftlight::wif {

@@ -7,6 +7,10 @@
 #include "draft/drawdown.h"
 
 namespace weftlight::wif {
+
+using design::Design, design::is_consistent;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::drawdown;
+
 namespace {
 
 const std::string kDtx =

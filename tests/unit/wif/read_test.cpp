@@ -8,6 +8,10 @@
 #include "lines.h"
 
 namespace weftlight::wif {
+
+using design::Design;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::drawdown, draft::kFromYarn;
+
 namespace {
 
 std::vector<std::string> cloth(const Draft& draft) {

@@ -9,6 +9,11 @@
 #include "lines.h"
 
 namespace weftlight::wif {
+
+using design::Assembly, design::Design, design::Leading, design::Method, design::NamedView, design::ThreadSection,
+    design::Twist, design::Yarn, design::is_consistent;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::drawdown, draft::kFromYarn;
+
 namespace {
 
 class Dice {

@@ -9,7 +9,7 @@
 namespace weftlight::actions {
 
 using base::fill, base::mark, base::tr;
-using draft::Face, draft::Draft;
+using draft::Draft, draft::Face;
 using scene::ShippedView, scene::kShippedViews;
 using session::DraftView, session::DrawdownStyle, session::Report, session::Settings, session::page_ends,
     session::page_picks, session::show_place, session::zoomed_pitch;

@@ -22,7 +22,7 @@ using session::ActionItem, session::Document, session::DocumentView, session::Ed
     session::Intent, session::MaybeEdit, session::RunAction, session::SelectDrag, session::SelectState,
     session::SettingsChange, session::Tool, session::load_settings, session::opens_with_gallery, session::save_settings,
     session::type_after_wait, session::type_key, session::waits_until;
-using ui::close_popups, ui::push_font, ui::open_popups, ui::begin_keyboard, ui::close_popups_above;
+using ui::begin_keyboard, ui::close_popups, ui::close_popups_above, ui::open_popups, ui::push_font;
 using views::GalleryPrompt, views::PanelContext, views::TabRequest, views::draw_context_menu, views::draw_menu_bar,
     views::draw_tour;
 

@@ -20,8 +20,8 @@ using design::Design, design::Method, design::NamedView, design::kShadedMethods,
 using scene::ShippedView, scene::kShippedViews;
 using session::Compare, session::DocumentView, session::Edit, session::Settings, session::kDifferenceScale,
     session::orbited, session::wrapped_degrees, session::zoomed;
-using ui::Colors, ui::blend, ui::fitted, ui::fixed, ui::font_size, ui::hit_area, ui::letter_down, ui::push_font,
-    ui::segmented, ui::texture_of, ui::tooltip, ui::with_alpha, ui::Style;
+using ui::Colors, ui::Style, ui::blend, ui::fitted, ui::fixed, ui::font_size, ui::hit_area, ui::letter_down,
+    ui::push_font, ui::segmented, ui::texture_of, ui::tooltip, ui::with_alpha;
 
 namespace {
 

@@ -17,7 +17,7 @@ using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::Design;
 using draft::CellRect;
 using session::ClosestWeave, session::DocumentView, session::Edit, session::MaybeEdit, session::show_place;
-using ui::muted_text, ui::begin_list;
+using ui::begin_list, ui::muted_text;
 
 namespace {
 

@@ -16,8 +16,8 @@ namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using draft::kMaxShafts, draft::kMaxThreads;
-using ui::Colors, ui::blend, ui::fitted, ui::key_pressed, ui::muted_text, ui::row_label, ui::segmented, ui::text_button,
-    ui::begin_list, ui::open_popups, ui::close_popups_above;
+using ui::Colors, ui::begin_list, ui::blend, ui::close_popups_above, ui::fitted, ui::key_pressed, ui::muted_text,
+    ui::open_popups, ui::row_label, ui::segmented, ui::text_button;
 
 namespace {
 

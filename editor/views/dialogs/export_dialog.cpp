@@ -22,8 +22,8 @@ using session::PictureRect, session::PreviewSizes, session::ShownChannel, sessio
     session::toggle;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::alpha_name, texture_set::kTargets,
     texture_set::key_of;
-using ui::begin_combo, ui::end_combo, ui::fitted, ui::hit_area, ui::muted_text, ui::push_font, ui::row_label,
-    ui::segmented, ui::slider, ui::text_button, ui::tooltip, ui::begin_list;
+using ui::begin_combo, ui::begin_list, ui::end_combo, ui::fitted, ui::hit_area, ui::muted_text, ui::push_font,
+    ui::row_label, ui::segmented, ui::slider, ui::text_button, ui::tooltip;
 
 bool ExportStage::poll() {
   std::optional<ExportPreview> finished = preview.take();

@@ -18,8 +18,8 @@ namespace weftlight::views {
 using base::mark, base::tr;
 using session::Settings, session::Step, session::Thumbnail, session::forget, session::found_cards,
     session::kThumbnailHeight, session::kThumbnailWidth, session::stepped, session::time_in_words;
-using ui::Colors, ui::blend, ui::fitted, ui::font_size, ui::hit_area, ui::key_pressed, ui::muted_text, ui::push_font,
-    ui::segmented, ui::tooltip, ui::with_alpha, ui::keyboard_frame_shown;
+using ui::Colors, ui::blend, ui::fitted, ui::font_size, ui::hit_area, ui::key_pressed, ui::keyboard_frame_shown,
+    ui::muted_text, ui::push_font, ui::segmented, ui::tooltip, ui::with_alpha;
 
 GalleryPictures::GalleryPictures(std::string cache_folder, std::function<void()> wake, int64_t now_ns)
     : now_ns_(now_ns), thumbnails_(std::move(cache_folder), std::move(wake)) {}

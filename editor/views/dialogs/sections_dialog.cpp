@@ -21,8 +21,8 @@ using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::Assembly, design::Design, design::ThreadSection;
 using draft::Rgb, draft::System, draft::kMaxThreads;
 using session::Edit, session::MaybeEdit;
-using ui::fitted, ui::icon_button, ui::muted_text, ui::row_label, ui::segmented, ui::text_button, ui::with_alpha,
-    ui::begin_list;
+using ui::begin_list, ui::fitted, ui::icon_button, ui::muted_text, ui::row_label, ui::segmented, ui::text_button,
+    ui::with_alpha;
 using weaves::Assembled, weaves::Order, weaves::OrderItem, weaves::OrderRow, weaves::assembled,
     weaves::assembled_threads, weaves::free_section_name, weaves::item_at, weaves::list_of, weaves::order_rows,
     weaves::order_text, weaves::read_order, weaves::section_name, weaves::section_of, weaves::with_section;

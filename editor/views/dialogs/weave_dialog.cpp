@@ -15,7 +15,7 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr;
 using design::Design;
 using draft::BitMatrix, draft::Face, draft::System, draft::drawdown, draft::kMaxThreads;
-using ui::muted_text, ui::begin_list;
+using ui::begin_list, ui::muted_text;
 using weaves::ClothSize, weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::new_draft,
     weaves::repeat_of, weaves::weave_kinds, weaves::whole_repeats;
 

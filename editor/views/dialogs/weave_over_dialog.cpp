@@ -15,7 +15,7 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr;
 using design::Design;
 using session::Edit, session::MaybeEdit;
-using ui::muted_text, ui::begin_list;
+using ui::begin_list, ui::muted_text;
 using weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::weave_kinds, weaves::with_weave;
 
 namespace {

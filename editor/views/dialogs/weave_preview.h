@@ -10,8 +10,7 @@
 namespace weftlight::views {
 
 using ui::PixelTexture;
-
-using weaves::ClothSize, weaves::WeaveValues, weaves::WeaveKind;
+using weaves::ClothSize, weaves::WeaveKind, weaves::WeaveValues;
 
 /// Half-open numbers of threads, and the pixels of a cell; below 1 the picture is reduced.
 struct ShownWeave {

@@ -11,11 +11,9 @@
 
 namespace weftlight::views {
 
-using draft::BitGrid;
-
-using ui::hit_area, ui::Colors, ui::with_alpha;
-
 using base::tr;
+using draft::BitGrid;
+using ui::Colors, ui::hit_area, ui::with_alpha;
 
 namespace {
 

@@ -12,9 +12,7 @@
 
 namespace weftlight::views {
 
-using base::arg;
-using base::fill;
-using base::tr;
+using base::arg, base::fill, base::tr;
 using session::ActionItem;
 using ui::content_right, ui::key_pressed, ui::muted_text;
 

@@ -32,8 +32,10 @@ ClothPane::ClothPane(Editing& editing, const Settings& settings, BackgroundTasks
       draper_(Window::wake),
       preview_(Window::wake) {}
 
+void ClothPane::submit() { preview_.submit(shown_design(), {editing_.shown_id(), view().flat}); }
+
 void ClothPane::follow() {
-  preview_.submit(shown_design());
+  submit();
   draper_.follow(document().snapshot());
 }
 
@@ -41,7 +43,7 @@ bool ClothPane::update() {
   const bool picture = preview_.poll();
   const Draper::Update drape = draper_.take_update();
   if (!drape.message.empty()) messages_.say(drape.message);
-  if (drape.new_mesh) preview_.submit(shown_design());
+  if (drape.new_mesh) submit();
   return picture || drape.any;
 }
 
@@ -66,7 +68,7 @@ std::shared_ptr<const Design> ClothPane::shown_design() {
 }
 
 void ClothPane::show() {
-  preview_.submit(shown_design());
+  submit();
   schedule_.draw(3);
 }
 

@@ -43,7 +43,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       dialogs_(session_, messages_, schedule_),
       live_export_(options.live_export),
       files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
-      prompts_(editing_, files_, dialogs_),
+      prompts_(editing_, files_, dialogs_, [this] { cloth_.show_flat(); }),
       start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
       tabs_(session_, files_, dialogs_, schedule_),
       exports_(session_, dialogs_, messages_),

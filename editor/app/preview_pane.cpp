@@ -1,5 +1,6 @@
 #include "app/preview_pane.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -16,7 +17,8 @@ using session::Compare, session::PictureComparison;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kAgainS = 1;  // delay before a failed picture is drawn again
+constexpr size_t kMaxSubjects = 64;  // while no picture comes
+constexpr double kAgainS = 1;        // delay before a failed picture is drawn again
 
 double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -33,8 +35,11 @@ PreviewPane::~PreviewPane() {
   thread_.join();
 }
 
-void PreviewPane::submit(std::shared_ptr<const Design> design) {
+void PreviewPane::submit(std::shared_ptr<const Design> design, const ClothSubject& subject) {
   submitted_ = design;
+  subject_ = subject;
+  subjects_.emplace_back(design, subject);
+  if (subjects_.size() > kMaxSubjects) subjects_.pop_front();
   {
     const std::lock_guard lock(mutex_);
     design_ = std::move(design);
@@ -61,7 +66,15 @@ bool PreviewPane::poll() {
     news = std::exchange(news_, std::nullopt);
   }
   if (!news) return false;
-  if (!news->pixels.empty()) texture_.set(news->width, news->height, news->pixels);
+  if (!news->pixels.empty()) {
+    texture_.set(news->width, news->height, news->pixels);
+    const auto is_of = [&](const auto& one) { return one.first == news->of; };
+    const auto of = std::find_if(subjects_.begin(), subjects_.end(), is_of);
+    if (of != subjects_.end()) {
+      shown_subject_ = of->second;
+      subjects_.erase(subjects_.begin(), of);  // earlier ones come no more
+    }
+  }
   if (!news->reference.empty()) reference_texture_.set(news->reference_width, news->reference_height, news->reference);
   picture_ = std::move(news->picture);
   shown_ = std::move(news->made);
@@ -70,7 +83,7 @@ bool PreviewPane::poll() {
 
 PreviewPicture PreviewPane::picture() const {
   PreviewPicture p = picture_;
-  p.texture = texture_.name();
+  p.texture = shown_subject_ == subject_ ? texture_.name() : 0;
   if (p.reference.texture != 0) p.reference.texture = reference_texture_.name();
   p.busy = p.problem.empty() && (p.busy || shown_ != submitted_);
   if (p.texture == 0 && p.problem.empty()) p.problem = tr("Weaving the cloth\xE2\x80\xA6");
@@ -149,7 +162,10 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
   News made;
-  if (drawn) maker.read(made.width, made.height, made.pixels);
+  if (drawn) {
+    maker.read(made.width, made.height, made.pixels);
+    made.of = maker.drawn_design();
+  }
   const PictureComparison& c = maker.comparison();
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
   if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
@@ -166,7 +182,8 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
     const std::lock_guard lock(mutex_);
     // Pixels that were not taken yet and are not replaced stay valid.
     if (news_ && made.pixels.empty())
-      made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height;
+      made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height,
+      made.of = std::move(news_->of);
     news_ = std::move(made);
   }
   wake_window_();

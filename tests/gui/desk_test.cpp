@@ -117,5 +117,100 @@ TEST_F(DeskTest, AltAndF10OpenTheMenus) {
   EXPECT_TRUE(comes_true([&] { return !w.has("menu.zoom_in"); })) << "Enter runs the first item";
 }
 
+TEST_F(DeskTest, ARatioThatCannotBeReadMakesNoDraft) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  display_.key("ctrl+n");
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave:twill"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.ratio"));
+  display_.key("ctrl+a");
+  display_.type("3/x");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.refused"); })) << "3/x was mended in silence";
+  display_.click(w.middle_of("dialog:Create"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_TRUE(w.has("dialog:Create"));
+  EXPECT_EQ(w.live(), before);
+  display_.click(w.middle_of("weave.ratio"));
+  display_.key("ctrl+a");
+  display_.type("3/1");
+  ASSERT_TRUE(comes_true([&] { return !w.has("weave.refused"); }));
+  display_.click(w.middle_of("dialog:Create"));
+  EXPECT_TRUE(comes_true([&] { return w.live() != before && w.has("grazing"); })) << "its threads are shown flat";
+}
+
+TEST_F(DeskTest, ThePaletteSaysWhenNothingFitsAndWhatACommandNeeds) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("xyzzy");
+  EXPECT_TRUE(comes_true([&] { return w.has("commands.none"); }));
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); }));
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("rotate");
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return w.has("commands.why"); })) << "without a selection it cannot rotate";
+  EXPECT_TRUE(w.has("commands.typed")) << "it closed without a word";
+}
+
+TEST_F(DeskTest, TheViewsOfTheClothAreReachableInASmallWindow) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.resize(900, 600);
+  ASSERT_TRUE(comes_true([&] { return w.place_of("view").second.x < 560; }));
+  for (const char* control : {"views", "hanging:Drape", "hanging:Flat"})
+    EXPECT_TRUE(comes_true([&] { return w.has(control); })) << control;
+  ASSERT_NO_FATAL_FAILURE(click(w, "hanging:Flat"));
+  EXPECT_TRUE(comes_true([&] { return w.has("grazing"); }));
+}
+
+TEST_F(DeskTest, TheMapComesWithTheScrollAndGoes) {
+  put(draft_, straight_draft(400, 8));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.move(w.cell("drawdown", 3, 3));
+  for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
+  ASSERT_TRUE(comes_true([&] { return w.has("minimap"); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("minimap"); })) << "it hides the cells below it";
+}
+
+TEST_F(DeskTest, AnotherClothIsNotShownInPlaceOfTheOneToCome) {
+  design::Design d = design_of(straight_draft(900, 16));
+  unsigned seed = 1;
+  for (int end = 0; end < 900; ++end) {
+    for (int shaft = 0; shaft < 16; ++shaft) d.draft.threading.set(end, shaft, false);
+    d.draft.threading.set(end, static_cast<int>((seed = seed * 1664525u + 1013904223u) >> 28), true);
+  }
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("view.picture"); }));
+  display_.focus();
+  display_.key("f");
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.picture"); }))
+      << "the drape is shown under the camera of the swatch";
+  EXPECT_TRUE(comes_true([&] { return w.has("view.picture"); }));
+}
+
+TEST_F(DeskTest, PrintsOnTheSystemsPrinter) {
+  const std::filesystem::path programs = folder_ / "bin", job = folder_ / "job";
+  std::filesystem::create_directories(programs);
+  put(programs / "lp", "#!/bin/sh\nfor word; do last=$word; done\necho \"$@\" > " + job.string() +
+                           ".words\n/bin/cp \"$last\" " + job.string() + "\n");
+  std::filesystem::permissions(programs / "lp", std::filesystem::perms::owner_all);
+  Window w(display_, folder_, draft_, {"PATH=" + programs.string()});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+shift+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.extent:One repeat"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Print"));
+  ASSERT_TRUE(comes_true([&] { return w.has("message"); })) << "nothing is said";
+  EXPECT_TRUE(comes_true([&] { return bytes_of(job).starts_with("%PDF"); }));
+  EXPECT_NE(bytes_of(job.string() + ".words").find("media=A4"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace weftlight::gui

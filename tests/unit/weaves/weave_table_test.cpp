@@ -117,6 +117,17 @@ TEST(WeaveTable, ANewDraftKeepsItsParametersUntilAnotherWeaveCoversIt) {
   EXPECT_EQ(with_weave(made.design, made.design.weaves[0]).design, made.design);
 }
 
+TEST(WeaveTable, ARatioThatCannotBeReadIsRefused) {
+  const WeaveKind& twill = *find_weave("twill");
+  EXPECT_EQ(why_refused(twill, {{"ratio", "3/1"}}), "");
+  EXPECT_NE(why_refused(twill, {{"ratio", "3/x"}}).find("'3/x' is no ratio"), std::string::npos);
+  EXPECT_EQ(why_refused(*find_weave("plain"), {}), "");
+  const Design before = new_draft(twill, {}, {8, 8}).design;
+  const GeneratedWeave made = with_weave(before, {"twill", {{"ratio", "3/x"}}, 0, 8, 0, 8});
+  EXPECT_EQ(made.design, before) << "mended in silence";
+  EXPECT_NE(made.why, "");
+}
+
 TEST(Satin, ChangingTheShaftsChangesTheStep) {
   const WeaveKind& satin = *find_weave("satin");
   const auto brought = [&](const char* shafts, const char* step) {
@@ -141,7 +152,7 @@ TEST(Text, RatiosProfilesAndSequences) {
   EXPECT_EQ(read_ratio("2/2"), (OverUnder{2, 2}));
   EXPECT_EQ(read_ratio("3 1-1,3"), (OverUnder{3, 1, 1, 3}));
   EXPECT_EQ(read_ratio("4"), (OverUnder{4, 4}));
-  EXPECT_TRUE(read_ratio("x").empty());
+  for (const char* refused : {"x", "3/x", "3/1/1", "2/0", "0", "1000/1000"}) EXPECT_TRUE(read_ratio(refused).empty());
   EXPECT_EQ(read_profile("A2 b CA"), (std::vector<int>{0, 0, 1, 2, 0}));
   EXPECT_EQ(read_sequence("1-3 2x(5 4) 3-1").threads, (std::vector<int>{0, 1, 2, 4, 3, 4, 3, 2, 1, 0}));
   EXPECT_EQ(read_sequence("2(1 2(3))").threads, (std::vector<int>{0, 2, 2, 0, 2, 2}));

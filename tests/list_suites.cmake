@@ -1,7 +1,8 @@
 # Read by ctest (see suites.cmake): adds the suites of `program` as tests named `prefix`.SUITE.
 if(NOT EXISTS "${program}")
   add_test(${prefix}_not_built "${program}")
-elseif(NOT EXISTS "${answer}" OR "${program}" IS_NEWER_THAN "${answer}")
+elseif(NOT EXISTS "${answer}" OR "${program}" IS_NEWER_THAN "${answer}" OR
+       "${script}" IS_NEWER_THAN "${answer}")
   execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
   if(failed)
     message(FATAL_ERROR "${program} --gtest_list_tests: ${failed}")

@@ -72,7 +72,9 @@ message(STATUS "Dear ImGui ${IMGUI_VERSION} (1.86 to 1.92 will do)")
 # Debian's Dear ImGui holds its FreeType builder but does not name the library.
 weftlight_pkg(FREETYPE freetype2 libfreetype-dev Freetype Freetype::Freetype)
 weftlight_pkg(EPOXY epoxy libepoxy-dev)
-weftlight_pkg(EGL egl libegl-dev OpenGL OpenGL::EGL COMPONENTS EGL)
+if(WEFTLIGHT_EGL)
+  weftlight_pkg(EGL egl libegl-dev OpenGL OpenGL::EGL COMPONENTS EGL)
+endif()
 weftlight_pkg(CAIRO cairo libcairo2-dev)
 # Headers alone, without a pkg-config file on Debian 12.
 find_path(ASIO_INCLUDE_DIR asio.hpp)

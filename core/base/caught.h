@@ -1,8 +1,10 @@
 #pragma once
-// Exceptions of a job as text for users. A thread that runs jobs lets no exception out.
+// Exceptions of a job as errors. A thread that runs jobs lets no exception out.
 
 #include <string>
+#include <type_traits>
 
+#include "base/result.h"
 #include "base/text.h"
 
 namespace weftlight::base {
@@ -12,14 +14,18 @@ inline constexpr const char* kNoMemory = mark("there is not enough memory");
 /// Inside a catch block: the text of the exception. Never empty.
 std::string words_of_thrown() noexcept;
 
-/// Runs `job`. Returns the text of what it threw, or an empty string.
+/// Runs `job`. Returns its Result<void>, if it has one, or the error of what it threw (thrown()).
 template <class Job>
-std::string caught(const Job& job) noexcept {
+Result<void> caught(const Job& job, ErrorKind kind = ErrorKind::kInput) noexcept {
   try {
-    job();
-    return {};
+    if constexpr (std::is_void_v<std::invoke_result_t<const Job&>>) {
+      job();
+      return {};
+    } else {
+      return job();
+    }
   } catch (...) {
-    return words_of_thrown();
+    return thrown(kind);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/caught.h"
 #include "base/text.h"
 #include "platform/durable_file.h"
 #include "platform/file.h"
@@ -17,21 +16,27 @@ using platform::File, platform::FileKind;
 
 namespace {
 
-std::string not_read(const std::error_code& error) {
-  return fill(tr("cannot be read: {cause}"), arg("cause", cause_of(error)));
+Failure not_read(const std::string& path, std::string text) {
+  return failure(ErrorKind::kInput, std::move(text), path);
 }
 
-std::string not_written(const std::string& path, const std::string& cause) {
-  return fill(tr("{file}: cannot be written: {cause}"), arg("file", path), arg("cause", cause));
+Failure not_written(const std::string& path, const std::string& cause, ErrorKind kind = ErrorKind::kOutput) {
+  return failure(kind, fill(tr("cannot be written: {cause}"), arg("cause", cause)), path);
 }
-std::string not_written(const std::string& path, const std::error_code& error) {
-  return error ? not_written(path, cause_of(error)) : std::string();
+Result<void> written(const std::string& path, const std::error_code& error) {
+  if (error) return not_written(path, cause_of(error));
+  return {};
+}
+Result<void> written(const std::string& path, const Result<void>& by_library) {
+  if (by_library) return {};
+  return not_written(path, message(by_library.error()), by_library.error().kind);
 }
 
-/// Why `path` names no file, or empty.
-std::string not_a_file(const std::string& path, FileKind kind) {
-  if (path.empty()) return tr("no file name is given");
-  return kind == FileKind::kFolder ? fill(tr("{file}: is a folder; give the name of a file"), arg("file", path)) : "";
+/// Whether `path` names a file.
+Result<void> check_name(const std::string& path, FileKind kind) {
+  if (path.empty()) return failure(ErrorKind::kOutput, tr("no file name is given"));
+  if (kind == FileKind::kFolder) return failure(ErrorKind::kOutput, tr("is a folder; give the name of a file"), path);
+  return {};
 }
 
 /// Devices, pipes and the standard streams take bytes in order; nothing can be put in their place.
@@ -46,32 +51,31 @@ std::error_code write_and_close(File& file, std::string_view bytes) {
   return error ? error : file.close();
 }
 
-std::string write_to_stream(const std::string& path, std::string_view bytes) {
+Result<void> write_to_stream(const std::string& path, std::string_view bytes) {
   File file(path, File::Open::kWrite);
-  return not_written(path, write_and_close(file, bytes));
+  return written(path, write_and_close(file, bytes));
 }
 
-std::string written_by(const WriteFile& write, const std::string& beside) {
+Result<void> written_by(const WriteFile& write, const std::string& beside) {
   try {
     return write(beside);
   } catch (...) {
-    return words_of_thrown();
+    return thrown(ErrorKind::kOutput);
   }
 }
 
 /// The library writes a temporary file, whose bytes then go to the stream in order.
-std::string write_stream_through(const std::string& path, const WriteFile& write) {
+Result<void> write_stream_through(const std::string& path, const WriteFile& write) {
   std::error_code error;
   const std::string made =
       platform::temporary_beside((fs::temp_directory_path(error) / fs::path(path).filename()).string());
-  std::string problem = written_by(write, made);
-  if (!problem.empty()) problem = not_written(path, problem);
-  if (problem.empty()) {
-    const FileBytes file = read_file(made);
-    problem = file.error.empty() ? write_to_stream(path, file.bytes) : not_written(path, file.error);
+  Result<void> done = written(path, written_by(write, made));
+  if (done) {
+    const Result<std::string> bytes = read_file(made);
+    done = bytes ? write_to_stream(path, *bytes) : not_written(path, bytes.error().text);
   }
   fs::remove(made, error);
-  return problem;
+  return done;
 }
 
 }  // namespace
@@ -96,51 +100,58 @@ std::string cause_of(const std::error_code& error) {
 
 std::string cause_of(int error_number) { return cause_of(std::error_code(error_number, std::generic_category())); }
 
-FileBytes read_file(const std::string& path, uint64_t max_bytes) {
+Result<std::string> read_file(const std::string& path, uint64_t max_bytes, const std::stop_token& stop) {
   File file(path, File::Open::kRead);
-  if (file.error() == std::errc::no_such_file_or_directory) return {{}, tr("there is no such file")};
-  if (file.error()) return {{}, fill(tr("cannot be opened: {cause}"), arg("cause", cause_of(file.error())))};
+  if (file.error() == std::errc::no_such_file_or_directory) return not_read(path, tr("there is no such file"));
+  if (file.error()) return not_read(path, fill(tr("cannot be opened: {cause}"), arg("cause", cause_of(file.error()))));
   const platform::FileFacts facts = file.facts();
-  if (facts.kind == FileKind::kFolder) return {{}, tr("is a folder")};
-  if (facts.kind != FileKind::kRegular) return {{}, tr("is a pipe or a device, not a file")};
+  if (facts.kind == FileKind::kFolder) return not_read(path, tr("is a folder"));
+  if (facts.kind != FileKind::kRegular) return not_read(path, tr("is a pipe or a device, not a file"));
   const std::string too_large = fill(tr("is larger than {size} MiB"), arg("size", max_bytes >> 20));
-  if (facts.size > max_bytes) return {{}, too_large};
-  FileBytes result;
-  result.bytes.reserve(static_cast<size_t>(facts.size));
+  if (facts.size > max_bytes) return not_read(path, too_large);
+  std::string bytes;
+  bytes.reserve(static_cast<size_t>(facts.size));
   char buffer[65536];
   std::error_code error;
   while (const size_t got = file.read(buffer, sizeof buffer, error)) {
-    result.bytes.append(buffer, got);
-    if (result.bytes.size() > max_bytes) return {{}, too_large};
+    if (stop.stop_requested()) return not_read(path, tr("was not read to its end"));
+    bytes.append(buffer, got);
+    if (bytes.size() > max_bytes) return not_read(path, too_large);
   }
-  return error ? FileBytes{{}, not_read(error)} : result;
+  if (error) return not_read(path, fill(tr("cannot be read: {cause}"), arg("cause", cause_of(error))));
+  return bytes;
 }
 
-std::string why_not_writable(const std::string& path) {
+Result<void> written_unless(std::string problem) {
+  if (problem.empty()) return {};
+  return failure(ErrorKind::kOutput, std::move(problem));
+}
+
+Result<void> check_writable(const std::string& path) {
   const FileKind kind = platform::file_facts(path).kind;
   if (platform::is_open_stream(path)) return {};
-  if (kind == FileKind::kStream) return not_written(path, platform::why_not_writable(path));
-  if (std::string problem = not_a_file(path, kind); !problem.empty()) return problem;
-  return not_written(path, platform::why_not_replaced(path));
+  if (kind == FileKind::kStream) return written(path, platform::why_not_writable(path));
+  if (Result<void> name = check_name(path, kind); !name) return name;
+  return written(path, platform::why_not_replaced(path));
 }
 
-std::string write_through(const std::string& path, const WriteFile& write) {
+Result<void> write_through(const std::string& path, const WriteFile& write) {
   const FileKind kind = platform::file_facts(path).kind;
   if (is_stream(path, kind)) return write_stream_through(path, write);
-  if (std::string problem = not_a_file(path, kind); !problem.empty()) return problem;
+  if (Result<void> name = check_name(path, kind); !name) return name;
   platform::DurableFile file(path);
-  if (file.error()) return not_written(path, file.error());
-  if (const std::string problem = written_by(write, file.beside()); !problem.empty()) return not_written(path, problem);
-  return not_written(path, file.put_in_place());
+  if (file.error()) return written(path, file.error());
+  if (const Result<void> made = written_by(write, file.beside()); !made) return written(path, made);
+  return written(path, file.put_in_place());
 }
 
-std::string write_file_atomically(const std::string& path, std::string_view bytes) {
+Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
   if (is_stream(path, platform::file_facts(path).kind)) return write_to_stream(path, bytes);
-  return write_through(path, [bytes](const std::string& beside) -> std::string {
+  return write_through(path, [bytes](const std::string& beside) {
     File file(beside, File::Open::kReplace);
     std::error_code error = file.error() ? file.error() : file.write(bytes);
     if (!error) error = file.close();
-    return error ? cause_of(error) : std::string();
+    return written_unless(error ? cause_of(error) : std::string());
   });
 }
 

@@ -27,9 +27,12 @@ std::string folder_of(const Resource& resource) {
   if (const fs::path installed = program / "../share/weftlight" / resource.name; is_it(installed))
     return installed.lexically_normal().string();
   fs::path folder = program;
-  for (int up = 0; up < kFoldersUp && folder.has_relative_path(); ++up, folder = folder.parent_path())
-    if (is_it(folder / resource.name)) return (folder / resource.name).string();
-  return std::string(WEFTLIGHT_SOURCE_DIR "/") + resource.name;
+  for (int up = 0; up < kFoldersUp && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
+    if (!is_it(folder / resource.name)) continue;
+    const fs::path real = fs::canonical(folder / resource.name, error);  // a build folder holds links to the source
+    return (error ? folder / resource.name : real).string();
+  }
+  return (program / "../share/weftlight" / resource.name).lexically_normal().string();
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ std::string message(const Error& error) {
 }
 
 Failure thrown(ErrorKind kind, std::string file) {
-  const std::string text = words_of_thrown();
+  std::string text = words_of_thrown();  // moved below: a copy could need the memory that is missing
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return failure(ErrorKind::kMemory, text, std::move(file));
+    kind = ErrorKind::kMemory;
   } catch (...) {
-    return failure(kind, text, std::move(file));
   }
+  return failure(kind, std::move(text), std::move(file));
 }
 
 }  // namespace weftlight::base

@@ -2,26 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 #include "base/caught.h"
 
 namespace weftlight::base {
 namespace {
 
-constexpr float kStep = 0.01f;  // progress that is worth waking the window for
+constexpr float kStep = 0.01f;                // progress that is worth waking the window for
+constexpr std::chrono::seconds kPatience{1};  // at the end of a runner, with a task that may hang
 
 }  // namespace
 
-TaskRunner::TaskRunner(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { work(); }) {}
+TaskRunner::TaskRunner(std::function<void()> wake)
+    : state_(std::make_shared<State>(std::move(wake))), thread_(begin(state_->thread)) {}
+
+/// The caller holds the lock, but in the constructor.
+std::thread TaskRunner::begin(int number) const {
+  std::thread thread([state = state_, number] { work(state, number); });
+  ++state_->alive;
+  return thread;
+}
 
 TaskRunner::~TaskRunner() {
-  stop();
   {
-    const std::lock_guard lock(mutex_);
-    closing_ = true;
+    std::unique_lock lock(state_->mutex);
+    state_->closing = true;
+    request_stop([](const Entry&) { return true; });
+    state_->changed.notify_all();
+    state_->changed.wait_for(lock, kPatience, [this] { return state_->alive == 0; });
+    if (state_->running && state_->running->task.may_be_left) leave_running();
   }
-  changed_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+  // Results hold what belongs to their taker, and wake() may not be there any more.
+  std::deque<Result> dropped;
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [this] { return state_->waking == 0; });
+  dropped.swap(state_->results);
 }
 
 void TaskRunner::start(Task task) {
@@ -29,26 +46,50 @@ void TaskRunner::start(Task task) {
   entry->shown = {task.name, {}, task.kind, 0, !task.finishes, std::chrono::steady_clock::now()};
   entry->task = std::move(task);
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(state_->mutex);
+    Entries& waiting = state_->waiting;
+    const std::shared_ptr<Entry>& running = state_->running;
     const auto same = [&](const auto& other) { return other->shown.kind == entry->shown.kind; };
-    if (running_ && same(running_) && !running_->task.finishes) running_->stop.request_stop();
-    if (const auto at = std::ranges::find_if(waiting_, same); at != waiting_.end()) *at = std::move(entry);
-    else waiting_.push_back(std::move(entry));
+    if (running && same(running) && !running->task.finishes) running->stop.request_stop();
+    if (const auto at = std::ranges::find_if(waiting, same); at != waiting.end()) *at = std::move(entry);
+    else waiting.push_back(std::move(entry));
   }
-  changed_.notify_all();
+  state_->changed.notify_all();
+}
+
+/// Drops waiting tasks and asks the running one to stop; true if it was asked. The caller holds the lock.
+template <class Chosen>
+bool TaskRunner::request_stop(Chosen chosen) {
+  const auto stops = [&](const auto& entry) { return !entry->task.finishes && chosen(*entry); };
+  for (const auto& entry : state_->waiting)
+    if (stops(entry)) entry->stop.request_stop();
+  std::erase_if(state_->waiting, stops);
+  if (!state_->running || !stops(state_->running)) return false;
+  state_->running->stop.request_stop();
+  return true;
 }
 
 template <class Chosen>
 void TaskRunner::stop_if(Chosen chosen) {
   {
-    const std::lock_guard lock(mutex_);
-    const auto stops = [&](const auto& entry) { return !entry->task.finishes && chosen(*entry); };
-    if (running_ && stops(running_)) running_->stop.request_stop();
-    for (const auto& entry : waiting_)
-      if (stops(entry)) entry->stop.request_stop();
-    std::erase_if(waiting_, stops);
+    const std::lock_guard lock(state_->mutex);
+    if (request_stop(chosen) && state_->running->task.may_be_left) leave_running();
   }
-  changed_.notify_all();
+  state_->changed.notify_all();
+}
+
+/// Goes on with another thread, unless there is nothing more to do or none to be had. The caller holds the lock.
+void TaskRunner::leave_running() {
+  std::thread next;
+  try {
+    if (!state_->closing || !state_->waiting.empty()) next = begin(state_->thread + 1);
+  } catch (const std::system_error&) {
+    return;
+  }
+  ++state_->thread;
+  state_->running = nullptr;
+  thread_.detach();
+  thread_ = std::move(next);
 }
 
 void TaskRunner::stop(const std::string& kind) {
@@ -62,14 +103,14 @@ void TaskRunner::stop() {
 bool TaskRunner::take() {
   size_t count = 0;
   {
-    const std::lock_guard lock(mutex_);
-    count = results_.size();
+    const std::lock_guard lock(state_->mutex);
+    count = state_->results.size();
   }
   // One by one, so that what a result throws loses no other.
   for (size_t i = 0; i < count; ++i) {
-    std::unique_lock lock(mutex_);
-    const Result result = std::move(results_.front());
-    results_.pop_front();
+    std::unique_lock lock(state_->mutex);
+    const Result result = std::move(state_->results.front());
+    state_->results.pop_front();
     lock.unlock();
     if (!result.stop.stop_requested()) result.run();
   }
@@ -79,91 +120,110 @@ bool TaskRunner::take() {
 bool TaskRunner::is_wanted(const Entry& entry) { return !entry.stop.stop_requested(); }
 
 bool TaskRunner::busy() const {
-  const std::lock_guard lock(mutex_);
-  return !waiting_.empty() || (running_ && is_wanted(*running_));
+  const std::lock_guard lock(state_->mutex);
+  return !state_->waiting.empty() || (state_->running && is_wanted(*state_->running));
 }
 
 bool TaskRunner::busy(const std::string& kind) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(state_->mutex);
   const auto of_kind = [&](const auto& entry) { return entry->shown.kind == kind && is_wanted(*entry); };
-  return (running_ && of_kind(running_)) || std::ranges::any_of(waiting_, of_kind);
+  return (state_->running && of_kind(state_->running)) || std::ranges::any_of(state_->waiting, of_kind);
 }
 
 std::vector<ShownTask> TaskRunner::shown() const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(state_->mutex);
   std::vector<ShownTask> all;
   const auto show = [&](const auto& entry) {
     if (!entry->shown.name.empty() && is_wanted(*entry)) all.push_back(entry->shown);
   };
-  if (running_) show(running_);
-  for (const auto& entry : waiting_) show(entry);
+  if (state_->running) show(state_->running);
+  for (const auto& entry : state_->waiting) show(entry);
   return all;
 }
 
 void TaskRunner::wait() const {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return idle(); });
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [this] { return state_->idle(); });
 }
 
 bool TaskRunner::wait_for(std::chrono::milliseconds longest) const {
-  std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, longest, [this] { return idle(); });
+  std::unique_lock lock(state_->mutex);
+  return state_->changed.wait_for(lock, longest, [this] { return state_->idle(); });
 }
 
-void TaskRunner::report(Entry& entry, float share, const std::string& sentence) {
-  {
-    const std::lock_guard lock(mutex_);
-    ShownTask& shown = entry.shown;
-    const bool other = !sentence.empty() && sentence != shown.sentence;
-    if (!other && std::abs(share - shown.share) < kStep) return;
-    shown.share = std::clamp(share, 0.0f, 1.0f);
-    if (other) shown.sentence = sentence;
+/// Calls wake() without the lock; the runner does not end meanwhile, even if it left this thread.
+void TaskRunner::State::wake_from(std::unique_lock<std::mutex> lock) {
+  if (!wake) return;
+  ++waking;
+  lock.unlock();
+  const auto woken = [&] {
+    lock.lock();
+    --waking;
+    changed.notify_all();
+  };
+  try {
+    wake();
+  } catch (...) {
+    woken();
+    throw;
   }
-  if (wake_) wake_();
+  woken();
 }
 
-void TaskRunner::deliver(const Entry& entry, std::function<void()> result) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (entry.stop.stop_requested()) return;
-    results_.push_back({entry.stop.get_token(), std::move(result)});
-  }
-  if (wake_) wake_();
+void TaskRunner::State::report(Entry& entry, float share, const std::string& sentence) {
+  std::unique_lock lock(mutex);
+  if (!is_wanted(entry)) return;
+  ShownTask& shown = entry.shown;
+  const bool other = !sentence.empty() && sentence != shown.sentence;
+  if (!other && std::abs(share - shown.share) < kStep) return;
+  shown.share = std::clamp(share, 0.0f, 1.0f);
+  if (other) shown.sentence = sentence;
+  wake_from(std::move(lock));
+}
+
+void TaskRunner::State::deliver(const Entry& entry, std::function<void()> result) {
+  std::unique_lock lock(mutex);
+  if (!is_wanted(entry)) return;
+  results.push_back({entry.stop.get_token(), std::move(result)});
+  wake_from(std::move(lock));
 }
 
 /// What the task holds goes before anyone is told that it is done.
-void TaskRunner::run(Entry& entry) noexcept {
+void TaskRunner::run(const std::shared_ptr<State>& state, const std::shared_ptr<Entry>& entry) noexcept {
   try {
-    Task task = std::move(entry.task);
+    Task task = std::move(entry->task);
     const RunningTask running(
-        entry.stop.get_token(),
-        [this, &entry](float share, const std::string& sentence) { report(entry, share, sentence); },
-        [this, &entry](std::function<void()> result) { deliver(entry, std::move(result)); });
+        entry->stop.get_token(),
+        [&](float share, const std::string& sentence) { state->report(*entry, share, sentence); },
+        [&](std::function<void()> result) { state->deliver(*entry, std::move(result)); });
     try {
       task.work(running);
     } catch (...) {
-      const std::string why = words_of_thrown();
+      const Failure why = thrown(ErrorKind::kInput);
       task.work = nullptr;  // perhaps there is memory then to say so
-      if (task.failed && !running.stopped()) task.failed(why, running);
+      if (task.failed && !running.stopped()) task.failed(why.value(), running);
     }
   } catch (...) {  // nobody is left to be told
   }
 }
 
-void TaskRunner::work() {
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
-    if (waiting_.empty()) return;
-    running_ = std::move(waiting_.front());
-    waiting_.pop_front();
-    const std::shared_ptr<Entry> entry = running_;
+/// The loop of one thread: until the runner ends, or goes on without it.
+void TaskRunner::work(const std::shared_ptr<State>& state, int number) {
+  std::unique_lock lock(state->mutex);
+  while (state->thread == number) {
+    state->changed.wait(lock, [&] { return state->closing || !state->waiting.empty(); });
+    if (state->waiting.empty()) break;
+    std::shared_ptr<Entry> entry = state->running = std::move(state->waiting.front());
+    state->waiting.pop_front();
     lock.unlock();
-    run(*entry);
+    run(state, entry);
+    entry.reset();
     lock.lock();
-    running_ = nullptr;
-    changed_.notify_all();
+    if (state->thread == number) state->running = nullptr;
+    state->changed.notify_all();
   }
+  --state->alive;
+  state->changed.notify_all();
 }
 
 }  // namespace weftlight::base

@@ -10,8 +10,8 @@
 namespace weftlight::design {
 
 using base::tr;
-using draft::BitGrid, draft::Draft, draft::Factored, draft::clipped, draft::drawdown, draft::lifts, draft::transposed,
-    draft::with_drawdown, draft::with_lifts;
+using draft::BitGrid, draft::Draft, draft::clipped, draft::drawdown_columns, draft::for_each_bit, draft::lifts,
+    draft::transposed, draft::with_columns, draft::with_lifts;
 
 namespace {
 
@@ -28,27 +28,43 @@ bool lift_end(std::span<uint64_t> lift, std::span<const uint64_t> shafts, bool n
   return true;
 }
 
+// Crossings that the block does not set stay as they are.
+bool leaves_unset(Write write) { return write == Write::kAdd || write == Write::kErase; }
+
 // Each crossing of the block that is to be written, as write(end, pick, up).
 template <class Visit>
 void for_each_crossing(const Selection& s, int a, int b, const BitMatrix& cells, Write write, Visit visit) {
-  for (int pick = s.b0; pick < s.b1; ++pick)
-    for (int end = s.a0; end < s.a1; ++end) {
-      const bool up = cells.get(pick - b, end - a);
-      const bool leaves = write == Write::kAdd || write == Write::kErase;
-      if (up || !leaves) visit(end, pick, up && write != Write::kErase);
+  for (int pick = s.b0; pick < s.b1; ++pick) {
+    if (leaves_unset(write)) {
+      for_each_bit(cells.row(pick - b), [&](int column) {
+        if (const int end = column + a; end >= s.a0 && end < s.a1) visit(end, pick, write == Write::kAdd);
+      });
+    } else {
+      for (int end = s.a0; end < s.a1; ++end) visit(end, pick, cells.get(pick - b, end - a));
     }
+  }
 }
 
-Painted taken(Design design, Factored factored) {
-  if (!factored.done()) return {std::move(design), std::move(factored.why)};
-  design.draft = std::move(factored.draft);
-  return {std::move(design), {}};
+// The ends of those crossings, ascending.
+std::vector<int> written_ends(const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+  std::vector<char> written(static_cast<size_t>(s.a1), leaves_unset(write) ? 0 : 1);
+  if (leaves_unset(write)) for_each_crossing(s, a, b, cells, write, [&](int end, int, bool) { written[end] = 1; });
+  std::vector<int> ends;
+  for (int end = s.a0; end < s.a1; ++end)
+    if (written[end]) ends.push_back(end);
+  return ends;
+}
+
+base::Result<Design> taken(Design design, base::Result<Draft> factored) {
+  if (!factored) return failed(factored);
+  design.draft = std::move(*factored);
+  return design;
 }
 
 /// Of ends on one shaft each, a pick's last one on a shaft has the last word on it: those ends, in order. Empty where
 /// an end hangs on several shafts or on none, or some crossings are left as they are: then all count.
 std::vector<int> last_of_each_shaft(const BitMatrix& threading, const Selection& s, Write write) {
-  if (write == Write::kAdd || write == Write::kErase) return {};
+  if (leaves_unset(write)) return {};
   std::vector<int> last(static_cast<size_t>(threading.cols()), -1);
   for (int end = s.a0; end < s.a1; ++end) {
     if (threading.count(end) != 1) return {};
@@ -88,7 +104,7 @@ bool asks_bare_end(const Draft& d, const Selection& s, int b, const BitMatrix& c
   return false;
 }
 
-Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+base::Result<Design> lifted(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
   const Draft& d = design.draft;
   BitMatrix lift = lifts(d);
   bool changed = false, bare = false;
@@ -97,7 +113,7 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
     else changed |= lift_end(lift.row(pick), d.threading.row(end), up == d.rising);
   };
   const bool whole_rows = a == 0 && s.a0 == 0 && s.a1 == d.ends() && cells.cols() == d.ends();
-  if (whole_rows && (write == Write::kAdd || write == Write::kErase) && !has_several_shafts(d.threading)) {
+  if (whole_rows && leaves_unset(write) && !has_several_shafts(d.threading)) {
     changed = lift_rows(lift, d, s, b, cells, write == Write::kAdd);
     bare = !changed && write == Write::kAdd && asks_bare_end(d, s, b, cells);
   } else if (const std::vector<int> ends = last_of_each_shaft(d.threading, s, write); ends.empty()) {
@@ -106,42 +122,47 @@ Painted lifted(Design design, const Selection& s, int a, int b, const BitMatrix&
     for (int pick = s.b0; pick < s.b1; ++pick)
       for (const int end : ends) paint(end, pick, cells.get(pick - b, end - a));
   }
-  if (!changed) return {std::move(design), bare ? tr("an end on no shaft cannot be lifted") : ""};
-  Factored factored = with_lifts(d, lift, loom_size(design).treadles);
+  if (!changed && bare) return base::failure(base::ErrorKind::kInput, tr("an end on no shaft cannot be lifted"));
+  if (!changed) return design;
+  base::Result<Draft> factored = with_lifts(d, lift, loom_size(design).treadles);
   return taken(std::move(design), std::move(factored));
 }
 
-Painted woven(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
-  BitMatrix all = drawdown(design.draft);
+base::Result<Design> woven(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
+  const std::vector<int> ends = written_ends(s, a, b, cells, write);
+  std::vector<int> row_of(static_cast<size_t>(s.a1), -1);
+  for (size_t i = 0; i < ends.size(); ++i) row_of[ends[i]] = static_cast<int>(i);
+  BitMatrix columns = drawdown_columns(design.draft, ends);
   bool changed = false;
   for_each_crossing(s, a, b, cells, write, [&](int end, int pick, bool up) {
-    changed |= all.get(pick, end) != up;
-    all.set(pick, end, up);
+    changed |= columns.get(row_of[end], pick) != up;
+    columns.set(row_of[end], pick, up);
   });
-  if (!changed) return {std::move(design), {}};
-  Factored factored = with_drawdown(design.draft, all, loom_size(design));
+  if (!changed) return design;
+  base::Result<Draft> factored = with_columns(design.draft, ends, columns, loom_size(design));
   return taken(std::move(design), std::move(factored));
 }
 
 }  // namespace
 
-Painted painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells, Write write) {
-  if (std::string why = why_locked(design, BitGrid::kDrawdown); !why.empty())
-    return {std::move(design), std::move(why)};
+base::Result<Design> painted_crossings(Design design, const Selection& s, int a, int b, const BitMatrix& cells,
+                                       Write write) {
+  if (const base::Result<void> open = may_paint(design, BitGrid::kDrawdown); !open) return failed(open);
   const bool alone = design.loom.leading == Leading::kDrawdown;
   return alone ? woven(std::move(design), s, a, b, cells, write) : lifted(std::move(design), s, a, b, cells, write);
 }
 
-Painted painted_cell(Design design, int end, int pick, bool up) {
+base::Result<Design> painted_cell(Design design, int end, int pick, bool up) {
   const Selection s = clipped({BitGrid::kDrawdown, end, end + 1, pick, pick + 1}, design.draft);
-  if (end < 0 || pick < 0 || s.empty()) return {std::move(design), {}};
+  if (end < 0 || pick < 0 || s.empty()) return design;
   BitMatrix cell(1, 1);
   cell.set(0, 0, up);
   return painted_crossings(std::move(design), s, end, pick, cell, Write::kInside);
 }
 
 Design with_drawdown_cell(Design design, int end, int pick, bool up) {
-  return painted_cell(std::move(design), end, pick, up).design;
+  base::Result<Design> painted = painted_cell(design, end, pick, up);
+  return painted ? std::move(*painted) : design;
 }
 
 }  // namespace weftlight::design

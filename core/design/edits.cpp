@@ -12,9 +12,9 @@
 
 namespace weftlight::design {
 
-using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Factored, draft::ShedControl, draft::Skeleton,
-    draft::Threads, draft::blank_draft, draft::kFromYarn, draft::kMaxCells, draft::kMaxColors, draft::kMaxThreads,
-    draft::lifts, draft::skeleton_tieup, draft::with_lifts;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Skeleton, draft::Threads,
+    draft::blank_draft, draft::kFromYarn, draft::kMaxCells, draft::kMaxColors, draft::kMaxThreads, draft::lifts,
+    draft::skeleton_tieup, draft::with_lifts;
 
 namespace {
 
@@ -206,9 +206,9 @@ Design to_treadling(Design design, int most_treadles) {
     base.tieup = BitMatrix(0, d.shafts);
     base.treadling = BitMatrix(d.picks(), 0);
   }
-  Factored factored = with_lifts(base, lift, std::max(most_treadles, base.treadles));
-  if (!factored.done()) return design;
-  d = std::move(factored.draft);
+  base::Result<Draft> factored = with_lifts(base, lift, std::max(most_treadles, base.treadles));
+  if (!factored) return design;
+  d = std::move(*factored);
   if (d.treadles == 0) {
     d.treadles = 1;
     d.tieup.resize(1, d.shafts);

@@ -19,11 +19,12 @@ bool leads(const Design& design, BitGrid grid) {
   return leading != Leading::kLiftplan || (grid != BitGrid::kTieup && grid != BitGrid::kTreadling);
 }
 
-std::string why_locked(const Design& design, BitGrid grid) {
+base::Result<void> may_paint(const Design& design, BitGrid grid) {
   if (!design.loom.locked || leads(design, grid)) return {};
-  if (design.loom.leading == Leading::kDrawdown) return tr("This follows the drawdown and is locked.");
-  return grid == BitGrid::kDrawdown ? tr("The drawdown follows and is locked.")
-                                    : tr("Tie-up and treadling follow the liftplan and are locked.");
+  const char* why = design.loom.leading == Leading::kDrawdown ? tr("This follows the drawdown and is locked.")
+                    : grid == BitGrid::kDrawdown              ? tr("The drawdown follows and is locked.")
+                                                 : tr("Tie-up and treadling follow the liftplan and are locked.");
+  return base::failure(base::ErrorKind::kInput, why);
 }
 
 }  // namespace weftlight::design

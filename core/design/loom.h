@@ -2,8 +2,7 @@
 // What the loom allows: how many shafts and treadles painting may take, and which grids may be painted: those that lead
 // (Loom::leading), or also those that follow.
 
-#include <string>
-
+#include "base/result.h"
 #include "design/design.h"
 #include "draft/factor.h"
 #include "draft/selection.h"
@@ -19,8 +18,7 @@ LoomSize loom_size(const Design& design);
 
 /// True if other grids follow this one; false if it follows.
 bool leads(const Design& design, BitGrid grid);
-/// Why a grid cannot be painted: it is locked and follows from others. Empty if it can.
-std::string why_locked(const Design& design, BitGrid grid);
-inline bool may_paint(const Design& design, BitGrid grid) { return why_locked(design, grid).empty(); }
+/// Whether a grid may be painted, or the error: it is locked and follows from others.
+base::Result<void> may_paint(const Design& design, BitGrid grid);
 
 }  // namespace weftlight::design

@@ -54,7 +54,7 @@ Selection repeat_target(const Draft& d, const Selection& s, RepeatExtent extent)
 Design with_block(Design design, BitGrid grid, int a, int b, const BitMatrix& cells, Write write) {
   const Selection s = covered(design.draft, grid, a, b, cells);
   if (s.empty()) return design;
-  if (grid == BitGrid::kDrawdown) return painted_crossings(std::move(design), s, a, b, cells, write).design;
+  if (grid == BitGrid::kDrawdown) return painted_crossings(design, s, a, b, cells, write).value_or(design);
   if (!may_paint(design, grid)) return design;
   if (grid == BitGrid::kLiftplan) design = to_liftplan(std::move(design));
   design.draft = with_cells(std::move(design.draft), grid, a, b, cells, write);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 namespace weftlight::draft {
 namespace {
@@ -22,10 +23,6 @@ constexpr int kLine = 8;                          // words per cache line
 
 void or_into(uint64_t* to, const uint64_t* from, int words) {
   for (int w = 0; w < words; ++w) to[w] |= from[w];
-}
-
-bool same_words(std::span<const uint64_t> a, std::span<const uint64_t> b) {
-  return std::equal(a.begin(), a.end(), b.begin());
 }
 
 // The ends of each shaft, and all ends that are on a shaft.
@@ -169,21 +166,30 @@ CellRect replace_all(BitMatrix& cells, BitMatrix next) {
   return rect;
 }
 
-bool is_up(std::span<const uint64_t> shafts, std::span<const uint64_t> lift, bool rising) {
-  bool on_shaft = false, named = false;
-  for (size_t w = 0; w < shafts.size(); ++w) {
-    on_shaft |= shafts[w] != 0;
-    named |= (shafts[w] & lift[w]) != 0;
+/// Of rows of any widths: whether they differ in a column of `mask`.
+bool differ(std::span<const uint64_t> a, std::span<const uint64_t> b, std::span<const uint64_t> mask) {
+  for (size_t w = 0; w < mask.size(); ++w) {
+    const uint64_t in_a = w < a.size() ? a[w] : 0, in_b = w < b.size() ? b[w] : 0;
+    if ((in_a ^ in_b) & mask[w]) return true;
   }
-  return on_shaft && named == rising;
+  return false;
 }
 
-std::vector<int> changed_rows(const BitMatrix& was, const BitMatrix& is) {
+std::vector<int> changed_rows(const BitMatrix& was, const BitMatrix& is, const std::vector<uint64_t>& mask) {
   std::vector<int> rows;
   for (int r = 0; r < is.rows(); ++r) {
-    if (!same_words(was.row(r), is.row(r))) rows.push_back(r);
+    if (differ(was.row(r), is.row(r), mask)) rows.push_back(r);
   }
   return rows;
+}
+
+/// The shafts of all ends but these, which are ascending.
+std::vector<uint64_t> shafts_of_others(const BitMatrix& threading, const std::vector<int>& ends) {
+  std::vector<uint64_t> shafts(static_cast<size_t>(threading.words()), 0);
+  for (int e = 0; e < threading.rows(); ++e) {
+    if (!std::ranges::binary_search(ends, e)) or_into(shafts.data(), threading.row(e).data(), threading.words());
+  }
+  return shafts;
 }
 
 void update_picks(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, const std::vector<int>& picks,
@@ -195,18 +201,6 @@ void update_picks(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, c
     direct_row(harness, lift.row(p), row);
     include_difference(rect, p, cells.row(p), row);
     std::copy(row.begin(), row.end(), cells.row(p).begin());
-  }
-}
-
-void update_ends(BitMatrix& cells, const Draft& draft, const BitMatrix& lift, const std::vector<int>& ends,
-                 CellRect& rect) {
-  for (const int e : ends) {
-    for (int p = 0; p < cells.rows(); ++p) {
-      const bool up = is_up(draft.threading.row(e), lift.row(p), draft.rising);
-      if (cells.get(p, e) == up) continue;
-      cells.set(p, e, up);
-      include(rect, e, p);
-    }
   }
 }
 
@@ -224,20 +218,54 @@ BitMatrix lifts(const Draft& draft) {
 
 BitMatrix drawdown(const Draft& draft) { return drawdown_of(make_harness(draft), lifts(draft), draft.ends()); }
 
+BitMatrix drawdown_columns(const Draft& draft, const std::vector<int>& ends) {
+  const BitMatrix named = transposed(lifts(draft));
+  BitMatrix out(static_cast<int>(ends.size()), draft.picks());
+  for (int i = 0; i < out.rows(); ++i) {
+    const std::span<uint64_t> column = out.row(i);
+    const std::span<const uint64_t> shafts = draft.threading.row(ends[i]);
+    for_each_bit(shafts, [&](int shaft) { or_into(column.data(), named.row(shaft).data(), out.words()); });
+    if (draft.rising || draft.threading.first(ends[i]) < 0 || column.empty()) continue;
+    for (uint64_t& word : column) word = ~word;
+    column.back() &= out.last_word_mask();
+  }
+  return out;
+}
+
+namespace {
+
+void update_ends(BitMatrix& cells, const Draft& before, const Draft& after, const std::vector<int>& ends,
+                 CellRect& rect) {
+  const BitMatrix was = drawdown_columns(before, ends), is = drawdown_columns(after, ends);
+  for (int i = 0; i < is.rows(); ++i) {
+    for (size_t w = 0; w < is.row(i).size(); ++w) {
+      for (uint64_t changed = was.row(i)[w] ^ is.row(i)[w]; changed; changed &= changed - 1) {
+        const int pick = static_cast<int>(w) * 64 + std::countr_zero(changed);
+        cells.set(pick, ends[i], is.get(i, pick));
+        include(rect, ends[i], pick);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 CellRect update_drawdown(BitMatrix& cells, const Draft& before, const Draft& after) {
   const bool same_shape = before.ends() == after.ends() && before.picks() == after.picks() &&
-                          before.shafts == after.shafts && cells.rows() == after.picks() &&
-                          cells.cols() == after.ends();
+                          cells.rows() == after.picks() && cells.cols() == after.ends();
   if (!same_shape || before.rising != after.rising) return replace_all(cells, drawdown(after));
 
   const BitMatrix lift = lifts(after);
-  const std::vector<int> picks = changed_rows(lifts(before), lift);
-  const std::vector<int> ends = changed_rows(before.threading, after.threading);
-  // Each changed end costs a visit to every row; above 1/64 of the ends the whole drawdown is cheaper.
+  const std::vector<uint64_t> any_shaft(static_cast<size_t>(std::max(before.threading.words(), lift.words())),
+                                        ~uint64_t{0});
+  const std::vector<int> ends = changed_rows(before.threading, after.threading, any_shaft);
+  // A change of an end may be one of every row; above 1/64 of the ends the whole drawdown is cheaper.
   const bool few = static_cast<int>(ends.size()) <= 1 + after.ends() / 64;
   if (!few) return replace_all(cells, drawdown(after));
+  // Where the ends that did not change hang.
+  const std::vector<int> picks = changed_rows(lifts(before), lift, shafts_of_others(after.threading, ends));
   CellRect rect;
-  update_ends(cells, after, lift, ends, rect);
+  update_ends(cells, before, after, ends, rect);
   update_picks(cells, after, lift, picks, rect);
   return rect;
 }

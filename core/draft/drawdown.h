@@ -1,6 +1,8 @@
 #pragma once
 // The drawdown from threading and lifts: one bit per crossing, 1 where the warp is on top on the front face.
 
+#include <vector>
+
 #include "draft/draft.h"
 
 namespace weftlight::draft {
@@ -21,8 +23,11 @@ BitMatrix lifts(const Draft& draft);
 /// none of its shafts is named. An end on no shaft is never up.
 BitMatrix drawdown(const Draft& draft);
 
+/// The columns of these ends: a row of picks for each. They cost these ends alone.
+BitMatrix drawdown_columns(const Draft& draft, const std::vector<int>& ends);
+
 /// Updates `cells` from the drawdown of `before` to that of `after`, recomputing only the rows and columns that
-/// changed. Returns a rectangle with every changed cell; the whole cloth if the sizes differ.
+/// changed. Returns a rectangle with every changed cell; the whole cloth if the numbers of ends or picks differ.
 CellRect update_drawdown(BitMatrix& cells, const Draft& before, const Draft& after);
 
 /// The drawdown of the other face, in the same order of ends.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "base/text.h"
@@ -29,16 +30,18 @@ std::vector<char> used_columns(const BitMatrix& m) {
   return used;
 }
 
-std::string too_few_shafts(int needed, int most) {
-  return fill(tr_n("this takes {needed} shaft, and the loom has {most}",
-                   "this takes {needed} shafts, and the loom has {most}", needed),
-              arg("needed", needed), arg("most", most));
+base::Failure too_few_shafts(int needed, int most) {
+  return base::failure(base::ErrorKind::kInput,
+                       fill(tr_n("this takes {needed} shaft, and the loom has {most}",
+                                 "this takes {needed} shafts, and the loom has {most}", needed),
+                            arg("needed", needed), arg("most", most)));
 }
 
-std::string too_few_treadles(int needed, int most) {
-  return fill(tr_n("this takes {needed} treadle, and the loom has {most}",
-                   "this takes {needed} treadles, and the loom has {most}", needed),
-              arg("needed", needed), arg("most", most));
+base::Failure too_few_treadles(int needed, int most) {
+  return base::failure(base::ErrorKind::kInput,
+                       fill(tr_n("this takes {needed} treadle, and the loom has {most}",
+                                 "this takes {needed} treadles, and the loom has {most}", needed),
+                            arg("needed", needed), arg("most", most)));
 }
 
 // Two treadles whose union is the lift; -1, -1 if there are none.
@@ -95,7 +98,9 @@ Labelling treadle_labels(const Draft& d, const TreadlingConstraints& constraints
     takes_part.push_back(!constraints.kept[p] && constraints.pair[p].first < 0 && now.first(p) >= 0);
   BitMatrix ties = d.tieup;
   ties.resize(d.treadles, now.cols());
-  Labelling l = labelling_of(now, takes_part, ties);
+  std::vector<int> own(takes_part.size());
+  std::iota(own.begin(), own.end(), 0);
+  Labelling l = labelling_of(now, own, takes_part, ties);
   l.fixed = constraints.fixed;
   for (int p = 0; p < d.picks(); ++p)
     if (d.treadling.count(p) == 1) l.old_label[p] = d.treadling.first(p);
@@ -134,14 +139,45 @@ BitMatrix shaft_columns(const Draft& d) {
   return d.rising ? named : complement(named);
 }
 
-// Lifts of the labelled shafts (columns: ends x picks). Shafts that no end uses any more are not lifted.
-BitMatrix lifts_of(const Draft& base, const Labelling& l, const BitMatrix& columns, const BitMatrix& threading) {
+// The columns of a drawdown. Ends with the same shafts have theirs in common.
+struct Columns {
+  BitMatrix shared;          // x picks; some may be equal
+  std::vector<int> of_end;   // row of `shared`
+  std::vector<char> is_new;  // of each end
+  std::span<const uint64_t> of(int end) const { return shared.row(of_end[end]); }
+};
+
+// The columns of `base`, with others for some ends.
+Columns columns_of(const Draft& base, const std::vector<int>& ends, const BitMatrix& others) {
+  Columns c;
+  std::vector<int> kept;  // one of the ends that share a column
+  const std::vector<int> first = first_equal_rows(base.threading);
+  for (int e = 0; e < base.ends(); ++e) {
+    c.of_end.push_back(first[e] == e ? static_cast<int>(kept.size()) : c.of_end[first[e]]);
+    if (first[e] == e) kept.push_back(e);
+  }
+  c.shared = drawdown_columns(base, kept);
+  c.is_new.assign(c.of_end.size(), 0);
+  for (size_t i = 0; i < ends.size(); ++i)
+    c.is_new[ends[i]] = !std::ranges::equal(c.of(ends[i]), others.row(static_cast<int>(i)));
+  int at = c.shared.rows();
+  c.shared.resize(at + static_cast<int>(std::ranges::count(c.is_new, 1)), base.picks());
+  for (size_t i = 0; i < ends.size(); ++i) {
+    if (!c.is_new[ends[i]]) continue;
+    std::ranges::copy(others.row(static_cast<int>(i)), c.shared.row(at).begin());
+    c.of_end[ends[i]] = at++;
+  }
+  return c;
+}
+
+// Lifts of the labelled shafts. Shafts that no end uses any more are not lifted.
+BitMatrix lifts_of(const Draft& base, const Labelling& l, const Columns& columns, const BitMatrix& threading) {
   const std::vector<char> used_before = used_columns(base.threading), used = used_columns(threading);
   BitMatrix named = transposed(lifts(base));
   named.resize(l.labels(), base.picks());
   for (int s = 0; s < l.labels(); ++s) {
     if (l.owner[s] >= 0) {
-      std::ranges::copy(columns.row(l.first[l.owner[s]]), named.row(s).begin());
+      std::ranges::copy(columns.of(l.first[l.owner[s]]), named.row(s).begin());
       if (base.rising || named.words() == 0) continue;
       for (uint64_t& word : named.row(s)) word = ~word;
       named.row(s).back() &= named.last_word_mask();
@@ -249,45 +285,53 @@ int distinct_rows(const BitMatrix& m, bool with_empty) {
 
 }  // namespace
 
-Factored with_lifts(const Draft& base, const BitMatrix& now, int most_treadles) {
-  Factored out{base, {}, 0, 0, 0};
-  out.draft.shafts = now.cols();
+base::Result<Draft> with_lifts(const Draft& base, const BitMatrix& now, int most_treadles) {
+  Draft out = base;
+  out.shafts = now.cols();
   if (base.shafts != now.cols()) {
-    out.draft.threading.resize(base.ends(), now.cols());
-    out.draft.liftplan.resize(base.picks(), now.cols());
+    out.threading.resize(base.ends(), now.cols());
+    out.liftplan.resize(base.picks(), now.cols());
   }
   if (base.shed_control == ShedControl::kLiftplan) {
-    out.draft.tieup.resize(base.treadles, now.cols());
-    out.draft.liftplan = now;
+    out.tieup.resize(base.treadles, now.cols());
+    out.liftplan = now;
     return out;
   }
   const TreadlingConstraints constraints = constraints_of(base, now);
   Labelling l = treadle_labels(base, constraints, now);
-  out.treadles = l.groups();
-  if (assign_labels(l, most_treadles)) {
-    assign_treadles(out.draft, l, constraints, now);
-  } else {
-    out.draft = base;
-    out.why = too_few_treadles(l.groups(), most_treadles);
-  }
+  if (!assign_labels(l, most_treadles)) return too_few_treadles(l.groups(), most_treadles);
+  assign_treadles(out, l, constraints, now);
   return out;
 }
 
-Factored with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
-  const BitMatrix columns = transposed(cells), was = transposed(drawdown(base));
-  std::vector<char> takes_part, fixed(static_cast<size_t>(base.shafts), 0);
-  for (int e = 0; e < base.ends(); ++e) {
-    const bool keeps = base.threading.count(e) != 1 && same_row(columns, was, e);
-    takes_part.push_back(!keeps);
-    if (keeps) for_each_bit(base.threading.row(e), [&](int shaft) { fixed[shaft] = 1; });
-  }
-  Labelling l = labelling_of(columns, takes_part, shaft_columns(base));
-  l.fixed = std::move(fixed);
+namespace {
+
+Labelling shaft_labels(const Draft& base, const Columns& columns, const std::vector<char>& takes_part) {
+  Labelling l = labelling_of(columns.shared, columns.of_end, takes_part, shaft_columns(base));
+  for (int e = 0; e < base.ends(); ++e)
+    if (!takes_part[e]) for_each_bit(base.threading.row(e), [&](int shaft) { l.fixed[shaft] = 1; });
   const std::vector<char> used = used_columns(base.threading);
   for (int s = 0; s < base.shafts; ++s) l.empty[s] = !used[s];
   for (int e = 0; e < base.ends(); ++e)
     if (base.threading.count(e) == 1) l.old_label[e] = base.threading.first(e);
-  if (!assign_labels(l, most.shafts)) return {base, too_few_shafts(l.groups(), most.shafts), l.groups(), 0, 0};
+  return l;
+}
+
+}  // namespace
+
+base::Result<Draft> with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most) {
+  std::vector<int> all(static_cast<size_t>(base.ends()));
+  std::iota(all.begin(), all.end(), 0);
+  return with_columns(base, all, transposed(cells), most);
+}
+
+base::Result<Draft> with_columns(const Draft& base, const std::vector<int>& ends, const BitMatrix& others,
+                                 LoomSize most) {
+  const Columns columns = columns_of(base, ends, others);
+  std::vector<char> takes_part;
+  for (int e = 0; e < base.ends(); ++e) takes_part.push_back(base.threading.count(e) == 1 || columns.is_new[e]);
+  Labelling l = shaft_labels(base, columns, takes_part);
+  if (!assign_labels(l, most.shafts)) return too_few_shafts(l.groups(), most.shafts);
 
   Draft next = base;
   next.shafts = l.labels();
@@ -300,10 +344,7 @@ Factored with_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most)
   const BitMatrix named = lifts_of(base, l, columns, next.threading);
   next.tieup.resize(base.treadles, next.shafts);
   next.liftplan.resize(base.picks(), next.shafts);
-  Factored out = with_lifts(next, named, most.treadles);
-  out.shafts = l.groups();
-  if (!out.done()) out.draft = base;
-  return out;
+  return with_lifts(next, named, most.treadles);
 }
 
 namespace {
@@ -327,38 +368,36 @@ bool fits(const Draft& d, LoomSize most) {
 
 }  // namespace
 
-Factored within_loom(const Draft& base, LoomSize most) {
-  if (fits(base, most)) return {base, {}, 0, 0, 0};
+base::Result<Draft> within_loom(const Draft& base, LoomSize most) {
+  if (fits(base, most)) return base;
   const BitMatrix cells = drawdown(base);
-  Factored out = with_drawdown(base, cells, most);
-  if (out.done() && fits(out.draft, most)) return out;
-  out = with_drawdown(without_numbering(base), cells, most);
-  if (!out.done()) out.draft = base;
-  return out;
+  base::Result<Draft> out = with_drawdown(base, cells, most);
+  if (out && fits(*out, most)) return out;
+  return with_drawdown(without_numbering(base), cells, most);
 }
 
-Factored closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
-                          const base::TaskProgress& progress) {
-  Factored exact = with_drawdown(base, cells, most);
-  if (exact.done() && fits(exact.draft, most)) return exact;
+ClosestDraft closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSize most,
+                              const base::TaskProgress& progress) {
+  base::Result<Draft> kept = with_drawdown(base, cells, most);
+  if (kept && fits(*kept, most)) return {std::move(*kept), {}};
   // The weaver's numbering may not fit: try without it.
   const Draft bare = without_numbering(base);
-  Factored out = with_drawdown(bare, cells, most);
-  const std::string why = exact.done() ? out.why : exact.why;
-  if (!out.done()) {
+  base::Result<Draft> out = with_drawdown(bare, cells, most);
+  ClosestDraft closest{base, {}};
+  if (!kept) closest.exact = failed(kept);
+  else if (!out) closest.exact = failed(out);
+  if (!out) {
     BitMatrix near = transposed(with_fewer_rows(transposed(cells), std::max(most.shafts, 1), false, progress));
     if (base.shed_control == ShedControl::kTreadling)
       near = with_fewer_rows(std::move(near), std::max(most.treadles, 1), base.rising, progress);
-    if (progress.stopped()) return {base, why, 0, 0, 0};
+    if (progress.stopped()) return closest;
     out = with_drawdown(base, near, most);
-    if (!out.done() || !fits(out.draft, most)) out = with_drawdown(bare, near, most);
+    if (!out || !fits(*out, most)) out = with_drawdown(bare, near, most);
   }
-  const BitMatrix shown = drawdown(out.draft);
-  for (int p = 0; p < cells.rows(); ++p) out.wrong += differences(shown.row(p), cells.row(p));
-  out.why = why;
-  out.shafts = exact.shafts;
-  out.treadles = exact.treadles;
-  return out;
+  closest.draft = out ? std::move(*out) : bare;
+  const BitMatrix shown = drawdown(closest.draft);
+  for (int p = 0; p < cells.rows(); ++p) closest.wrong += differences(shown.row(p), cells.row(p));
+  return closest;
 }
 
 namespace {

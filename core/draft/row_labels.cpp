@@ -112,19 +112,20 @@ int Labelling::label(int thread) const {
   return old >= 0 && owner[old] == g ? old : label_of[g];
 }
 
-Labelling labelling_of(const BitMatrix& threads, const std::vector<char>& takes_part, const BitMatrix& meanings) {
+Labelling labelling_of(const BitMatrix& rows, const std::vector<int>& row_of, const std::vector<char>& takes_part,
+                       const BitMatrix& meanings) {
   Labelling l;
-  const std::vector<int> first = first_equal_rows(stacked(threads, meanings));
+  const std::vector<int> first = first_equal_rows(stacked(rows, meanings));
   std::vector<int> group_at(first.size(), -1);
-  for (int t = 0; t < threads.rows(); ++t) {
-    int& group = group_at[first[t]];
+  for (size_t t = 0; t < row_of.size(); ++t) {
+    int& group = group_at[first[row_of[t]]];
     if (takes_part[t] && group < 0) {
       group = l.groups();
-      l.first.push_back(t);
+      l.first.push_back(static_cast<int>(t));
     }
     l.group.push_back(takes_part[t] ? group : -1);
   }
-  for (int i = 0; i < meanings.rows(); ++i) l.meaning.push_back(group_at[first[threads.rows() + i]]);
+  for (int i = 0; i < meanings.rows(); ++i) l.meaning.push_back(group_at[first[rows.rows() + i]]);
   l.old_label.assign(l.group.size(), -1);
   l.fixed.assign(l.meaning.size(), 0);
   l.empty.assign(l.meaning.size(), 0);

@@ -24,8 +24,10 @@ struct Labelling {
   int label(int thread) const;
 };
 
-/// Groups equal rows of `threads` where `takes_part`. `meanings`: per label, a row of the same width.
-Labelling labelling_of(const BitMatrix& threads, const std::vector<char>& takes_part, const BitMatrix& meanings);
+/// Groups the threads that take part and have equal rows. row_of: of each thread, its row of `rows`. `meanings`: of
+/// each label, a row of the same width.
+Labelling labelling_of(const BitMatrix& rows, const std::vector<int>& row_of, const std::vector<char>& takes_part,
+                       const BitMatrix& meanings);
 
 /// Assigns a label to every group, at most `most` labels in all; false if that is too few.
 bool assign_labels(Labelling& l, int most);

@@ -51,9 +51,7 @@ Result<Mesh> load_cached(const Design& design) {
   const auto near = [](Vec2 a, Vec2 b) { return glm::distance(a, b) < 0.01f; };
   const bool same =
       shipped && cached->index == shipped->index && std::ranges::equal(cached->uv_mm, shipped->uv_mm, near);
-  if (!same)
-    return failure(ErrorKind::kInput,
-                   fill(tr("{file}: is not a mesh of this drape; it is simulated again"), arg("file", path)));
+  if (!same) return failure(ErrorKind::kInput, tr("is not a mesh of this drape; it is simulated again"), path);
   return cached;
 }
 

@@ -41,20 +41,22 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
   return {*low, *high - *low + 1, {at[0] - *low, at[1] - *low, at[2] - *low}};
 }
 
-/// A reason to reject the header, or an empty string.
-std::string header_problem(const std::string& format, const OIIO::ImageSpec& spec) {
-  const auto with_size = [&spec](const char* text) {
-    return fill(text, arg("width", spec.width), arg("height", spec.height));
+/// Whether a picture with this header can be light.
+Result<void> check_header(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec) {
+  const auto rejected = [&path](std::string text) { return failure(ErrorKind::kInput, std::move(text), path); };
+  const auto with_size = [&](const char* text) {
+    return rejected(fill(text, arg("width", spec.width), arg("height", spec.height)));
   };
-  if (format != "hdr" && format != "openexr") return tr("holds no light brighter than white; give an .hdr or an .exr");
-  if (spec.deep) return tr("is a deep picture; save it as a flat one");
+  if (format != "hdr" && format != "openexr")
+    return rejected(tr("holds no light brighter than white; give an .hdr or an .exr"));
+  if (spec.deep) return rejected(tr("is a deep picture; save it as a flat one"));
   if (spec.width < 4 || spec.height < 2 || spec.depth > 1 || spec.nchannels < 1)
     return with_size(tr("is {width} x {height}; give a picture of at least 4 x 2"));
   if (spec.width > kMaxWidth) return with_size(tr("is {width} x {height}; scale it down to at most 32768 x 16384"));
   if (spec.width != 2 * spec.height)
     return with_size(tr("is {width} x {height}; give an equirectangular picture, twice as wide as high"));
   if (spec.nchannels > 64)
-    return fill(tr("has {count} channels; save it with R, G and B only"), arg("count", spec.nchannels));
+    return rejected(fill(tr("has {count} channels; save it with R, G and B only"), arg("count", spec.nchannels)));
   return {};
 }
 
@@ -121,20 +123,19 @@ bool read_rows(OIIO::ImageInput& in, int y, int end, const Channels& c, std::vec
 Result<std::unique_ptr<OIIO::ImageInput>> open(const std::string& path) {
   std::error_code ec;
   if (!std::filesystem::is_regular_file(path, ec))
-    return failure(ErrorKind::kInput, fill(tr("{file}: no such file; choose another picture"), arg("file", path)));
+    return failure(ErrorKind::kInput, tr("no such file; choose another picture"), path);
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
   if (!in)
-    return failure(ErrorKind::kInput, fill(tr("{file}: {problem}; give an .hdr or an .exr that is whole"),
-                                           arg("file", path), arg("problem", OIIO::geterror())));
-  if (const std::string why = header_problem(in->format_name(), in->spec()); !why.empty())
-    return failure(ErrorKind::kInput, why, path);
+    return failure(ErrorKind::kInput,
+                   fill(tr("{problem}; give an .hdr or an .exr that is whole"), arg("problem", OIIO::geterror())),
+                   path);
+  if (const Result<void> header = check_header(path, in->format_name(), in->spec()); !header) return failed(header);
   return in;
 }
 
 /// What OpenImageIO threw.
 base::Failure broken_file(const std::string& path, const std::string& problem) {
-  return failure(ErrorKind::kInput,
-                 fill(tr("{file}: {problem}; the file is broken"), arg("file", path), arg("problem", problem)));
+  return failure(ErrorKind::kInput, fill(tr("{problem}; the file is broken"), arg("problem", problem)), path);
 }
 
 Result<EnvironmentPicture> read_from(const std::string& path) {
@@ -154,8 +155,10 @@ Result<EnvironmentPicture> read_from(const std::string& path) {
   for (int y = 0; y < spec.height; y += band) {
     const int end = std::min(y + band, spec.height);
     if (!read_rows(*in, y, end, channels, rows))
-      return failure(ErrorKind::kInput, fill(tr("{file}: from row {row} on: {problem}; the file is broken"),
-                                             arg("file", path), arg("row", y + 1), arg("problem", in->geterror())));
+      return failure(ErrorKind::kInput,
+                     fill(tr("from row {row} on: {problem}; the file is broken"), arg("row", y + 1),
+                          arg("problem", in->geterror())),
+                     path);
     const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(channels.count);
     for (int k = y; k < end; ++k) averager.add_row(k, &rows[static_cast<size_t>(k - y) * row], channels);
   }

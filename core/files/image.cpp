@@ -15,7 +15,6 @@
 #include "base/text.h"
 #include "files/files.h"
 #include "files/image_rows.h"
-#include "files/written.h"
 
 namespace weftlight::files {
 
@@ -122,23 +121,28 @@ bool write_texels(OIIO::ImageOutput& out, const Image& image, PixelType type) {
   return out.write_image(OIIO::TypeDesc::FLOAT, image.texels.data());
 }
 
-std::string write_to(const std::string& path, const Image& image, PixelType type, const Names& names) {
+Result<void> write_to(const std::string& path, const Image& image, PixelType type, const Names& names) {
   std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
-  if (!out) return fill(tr("{problem} (write .png, .exr, .tif or .jpg)"), arg("problem", OIIO::geterror()));
+  if (!out)
+    return failure(ErrorKind::kOutput,
+                   fill(tr("{problem} (write .png, .exr, .tif or .jpg)"), arg("problem", OIIO::geterror())));
   const bool exr = std::string_view(out->format_name()) == "openexr";
   OIIO::ImageSpec spec = spec_for(image, type, exr ? names : Names{});
   // Piz suits noisy half data best (184 ms against zip's 407 ms for 2048^2 RGBA).
   if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
-  if (!out->open(path, spec)) return out->geterror();
+  if (!out->open(path, spec)) return failure(ErrorKind::kOutput, out->geterror());
   const bool written = write_texels(*out, image, type);
   const std::string problem = written ? "" : out->geterror();
-  return out->close() || !written ? problem : out->geterror();
+  const bool closed = out->close();
+  if (!written) return failure(ErrorKind::kOutput, problem);
+  if (!closed) return failure(ErrorKind::kOutput, out->geterror());
+  return {};
 }
 
-std::string write_levels(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                         const Names& names) {
+Result<void> write_levels(const std::string& path, const std::vector<Image>& levels, PixelType type,
+                          const Names& names) {
   std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
-  if (!out) return OIIO::geterror();
+  if (!out) return failure(ErrorKind::kOutput, OIIO::geterror());
   for (size_t i = 0; i < levels.size(); ++i) {
     OIIO::ImageSpec spec = spec_for(levels[i], type, names);
     spec.tile_width = spec.tile_height = 64;
@@ -148,9 +152,11 @@ std::string write_levels(const std::string& path, const std::vector<Image>& leve
     spec.attribute("textureformat", "Plain Texture");  // OpenImageIO's value for files with mip levels
     spec.attribute("openexr:roundingmode", 0);         // odd sizes are rounded down
     const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
-    if (!out->open(path, spec, mode) || !write_texels(*out, levels[i], type)) return out->geterror();
+    if (!out->open(path, spec, mode) || !write_texels(*out, levels[i], type))
+      return failure(ErrorKind::kOutput, out->geterror());
   }
-  return out->close() ? "" : out->geterror();
+  if (!out->close()) return failure(ErrorKind::kOutput, out->geterror());
+  return {};
 }
 
 /// A PNG is written by this program, since OpenImageIO does not notice a full disk.
@@ -192,8 +198,7 @@ Result<Image> read_from(const std::string& path, int level) {
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &config);
   if (!in) return failure(ErrorKind::kInput, OIIO::geterror());  // which names the file
   if (!in->seek_subimage(0, level))
-    return failure(ErrorKind::kInput,
-                   fill(tr("{file}: has no mip level {level}"), arg("file", path), arg("level", level)));
+    return failure(ErrorKind::kInput, fill(tr("has no mip level {level}"), arg("level", level)), path);
   const OIIO::ImageSpec& spec = in->spec();
   const int64_t values = int64_t{spec.width} * spec.height * spec.nchannels;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
@@ -283,8 +288,8 @@ Result<void> ImageRows::close() {
   if (!f.disk) return {};
   f.disk->close();
   if (f.disk->whole()) return {};
-  return failure(ErrorKind::kOutput, fill(tr("{file}: cannot be written: {cause}"), arg("file", f.path),
-                                          arg("cause", cause_of(errno ? errno : ENOSPC))));
+  return failure(ErrorKind::kOutput,
+                 fill(tr("cannot be written: {cause}"), arg("cause", cause_of(errno ? errno : ENOSPC))), f.path);
 }
 
 Result<void> write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
@@ -294,10 +299,9 @@ Result<void> write_image(const std::string& path, const Image& image, PixelType 
   if (is_png(path)) {
     const std::vector<unsigned char> bytes = encode_png(image, type);
     if (bytes.empty()) return failure(ErrorKind::kOutput, tr("cannot be encoded"), path);
-    return written(write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+    return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
-  return written(
-      write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); }));
+  return write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
 }
 
 Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
@@ -312,8 +316,8 @@ Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Imag
     if (!halves)
       return failure(ErrorKind::kOutput, tr("a mip level does not have half the size of the one before"), path);
   }
-  return written(write_through(
-      path, [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); }));
+  return write_through(path,
+                       [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
 }
 
 Result<Image> read_image(const std::string& path, int level) {

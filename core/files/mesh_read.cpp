@@ -20,14 +20,13 @@
 
 namespace weftlight::files {
 
-using base::FileBytes, base::arg, base::fill, base::message, base::read_file, base::tr;
+using base::arg, base::fill, base::message, base::read_file, base::tr;
 using drape::Mesh, drape::Vec2, drape::Vec3, drape::compute_frames;
 
 namespace {
 
 using nlohmann::json;
 
-constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 constexpr size_t kMaxVertices = 8'000'000, kMaxIndices = 48'000'000;
 constexpr int kMaxJsonDepth = 64;
 constexpr size_t kMaxNodes = 100'000;
@@ -45,9 +44,9 @@ struct UnreadableMesh : std::runtime_error {
 [[noreturn]] void refuse(const std::string& why) { throw UnreadableMesh(why); }
 
 std::string whole_file(const std::string& path) {
-  FileBytes file = read_file(path, kMaxFileBytes);
-  if (!file.error.empty()) refuse(file.error);
-  return std::move(file.bytes);
+  base::Result<std::string> bytes = read_file(path);
+  if (!bytes) refuse(bytes.error().text);
+  return std::move(*bytes);
 }
 
 // A .gltf names other files. tinygltf would open pipes and devices, and expands names like a shell: these callbacks
@@ -61,11 +60,12 @@ bool is_file_within(const std::string& path, void* folder) {
 }
 
 bool read_within(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* folder) {
-  const FileBytes file = is_file_within(path, folder) ? read_file(path, kMaxFileBytes)
-                                                      : FileBytes{{}, tr("is not a file in the folder of the .gltf")};
-  out->assign(file.bytes.begin(), file.bytes.end());
-  if (!file.error.empty() && error) *error += message({base::ErrorKind::kInput, file.error, path});
-  return file.error.empty();
+  base::Result<std::string> bytes =
+      base::failure(base::ErrorKind::kInput, tr("is not a file in the folder of the .gltf"), path);
+  if (is_file_within(path, folder)) bytes = read_file(path);
+  if (bytes) out->assign(bytes->begin(), bytes->end());
+  else if (error) *error += message(bytes.error());
+  return bytes.has_value();
 }
 
 std::string as_named(const std::string& path, void*) { return path; }

@@ -20,12 +20,11 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "files/files.h"
-#include "files/written.h"
 
 namespace weftlight::files {
 
-using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, base::fill, base::tr,
-    base::write_file_atomically, base::write_through;
+using base::ErrorKind, base::Result, base::cause_of, base::failure, base::fill, base::tr, base::write_file_atomically,
+    base::write_through;
 using drape::Mesh, drape::Vec2, drape::Vec3;
 
 namespace {
@@ -45,7 +44,7 @@ struct Document {
   std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
   std::string stem, folder;
   std::map<std::string, int> textures;  // by image file, shared between faces and uses
-  std::string problem;
+  Result<void> images;                  // whether all were read
 };
 
 void append_u32(Bytes& bytes, uint32_t v) {
@@ -166,7 +165,7 @@ Bytes bytes_of(Document& doc, const GltfImage& image) {
   if (image.file.empty()) return image.png;
   std::ifstream in(std::filesystem::path(doc.folder) / image.file, std::ios::binary);
   Bytes out{std::istreambuf_iterator<char>(in), {}};
-  if (out.empty()) doc.problem = fill(tr("{file}: cannot be read"), arg("file", image.file));
+  if (out.empty()) doc.images = failure(ErrorKind::kInput, tr("cannot be read"), image.file);
   return out;
 }
 
@@ -283,14 +282,14 @@ std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const ch
 
 /// Writes the pieces one after the other; joined in memory they could be large.
 Result<void> write_pieces(const std::string& path, std::initializer_list<std::span<const unsigned char>> pieces) {
-  return written(write_through(path, [&](const std::string& beside) {
+  return write_through(path, [&](const std::string& beside) {
     std::FILE* file = std::fopen(beside.c_str(), "wb");
     bool whole = file != nullptr;
     for (const auto& piece : pieces) whole = whole && std::fwrite(piece.data(), 1, piece.size(), file) == piece.size();
     const int error = errno;
     whole = file && std::fclose(file) == 0 && whole;
-    return whole ? std::string{} : cause_of(error);
-  }));
+    return base::written_unless(whole ? std::string{} : cause_of(error));
+  });
 }
 
 Result<void> write_glb(const std::string& path, Document& doc) {
@@ -317,10 +316,9 @@ Result<void> write_gltf(const std::string& path, Document& doc) {
   doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}, {"uri", doc.stem + ".bin"}}});
   doc.files.emplace_back(doc.stem + ".bin", std::move(doc.binary));
   for (const auto& [name, bytes] : doc.files) {
-    if (Result<void> file = written(write_file_atomically((folder / name).string(), text_of(bytes))); !file)
-      return file;
+    if (Result<void> file = write_file_atomically((folder / name).string(), text_of(bytes)); !file) return file;
   }
-  return written(write_file_atomically(path, doc.root.dump(1) + "\n"));
+  return write_file_atomically(path, doc.root.dump(1) + "\n");
 }
 
 }  // namespace
@@ -336,7 +334,7 @@ Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMat
   doc.root["asset"] = {{"version", "2.0"}, {"generator", "Weftlight"}, {"extras", {{"weftlight_uv_mm", true}}}};
   add_mesh(doc, mesh, front, back);
   if (front) add_materials(doc, *front, back);
-  if (!doc.problem.empty()) return failure(ErrorKind::kInput, doc.problem);
+  if (!doc.images) return doc.images;
   try {
     return doc.embed ? write_glb(path, doc) : write_gltf(path, doc);
   } catch (const json::exception& e) {  // a name that is not UTF-8

@@ -108,8 +108,7 @@ Bytes ktx_header(std::vector<Level>& levels, int stored, bool srgb) {
 }
 
 base::Failure not_written(const std::string& path) {
-  return failure(ErrorKind::kOutput,
-                 fill(tr("{file}: cannot be written: {cause}"), arg("file", path), arg("cause", cause_of(errno))));
+  return failure(ErrorKind::kOutput, fill(tr("cannot be written: {cause}"), arg("cause", cause_of(errno))), path);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using design::Design;
 using draft::BitMatrix, draft::Rgb, draft::kMaxShafts, draft::kMaxThreads;
 using weaves::PictureWeave, weaves::Pixels, weaves::Reduced, weaves::jacquard_design, weaves::picture_weave,
     weaves::reduced_colors;
-using wif::Severity, wif::WifFile, wif::WifRead, wif::write_new_wif;
+using wif::Severity, wif::WifFile, wif::WifRead, wif::write_new_wif, wif::rejected;
 
 namespace {
 
@@ -77,18 +77,18 @@ bool is_picture(const std::string& path) {
 
 WifRead read_picture_draft(const std::string& path, const PictureDraft& options) {
   base::Result<Image> read = read_image(path);
-  const auto rejected = [](std::string what, std::string remedy) {
-    return WifRead{{}, {{Severity::kError, 0, std::move(what), std::move(remedy)}}};
+  const auto refused = [](std::string what, std::string remedy) {
+    return rejected({{Severity::kError, 0, std::move(what), std::move(remedy)}});
   };
-  if (!read) return rejected(message(read.error()), tr("choose a PNG or TIFF picture"));
+  if (!read) return refused(message(read.error()), tr("choose a PNG or TIFF picture"));
   if (options.ends > 0 && options.ends != read->width) read = scaled_to_width(std::move(*read), options.ends);
   if (read->width > kMaxShafts || read->height > kMaxThreads)
-    return rejected(
+    return refused(
         fill(tr("the picture is {width} by {height}"), arg("width", read->width), arg("height", read->height)),
         fill(tr("at most {across} pixels across and {down} down become a draft; make it smaller"),
              arg("across", int{kMaxShafts}), arg("down", int{kMaxThreads})));
   const std::optional<Design> design = jacquard_design(crossings_of(pixels_of(*read), options));
-  if (!design) return rejected(tr("the picture has no pixels"), tr("choose another"));
+  if (!design) return refused(tr("the picture has no pixels"), tr("choose another"));
   WifFile file;
   file.design = *design;
   file.bytes = write_new_wif(*design);

@@ -14,11 +14,10 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "files/written.h"
 
 namespace weftlight::files {
 
-using base::arg, base::cause_of, base::fill, base::tr, base::write_through;
+using base::cause_of, base::ErrorKind, base::failure, base::Result, base::tr, base::write_through;
 
 namespace {
 
@@ -109,7 +108,7 @@ Bytes directory(const std::vector<Stored>& files, size_t at) {
   return out;
 }
 
-std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, ZipKind kind) {
+Result<void> write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, ZipKind kind) {
   constexpr size_t kEnd = std::numeric_limits<uint32_t>::max();
   constexpr size_t kHead = 30;
   std::vector<Stored> files;
@@ -117,7 +116,7 @@ std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, Z
   for (const ZipEntry& entry : entries) {
     Stored file;
     file.name = entry.name, file.offset = at;
-    if (!measure(entry.path, file)) return fill(tr("{file}: cannot be read"), arg("file", entry.path));
+    if (!measure(entry.path, file)) return failure(ErrorKind::kOutput, tr("cannot be read"), entry.path);
     if (kind == ZipKind::kUsdz) file.extra = padding_for(at + kHead + file.name.size());
     Bytes head;
     head.u32(0x04034b50);
@@ -125,26 +124,25 @@ std::string write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, Z
     head.text(file.name);
     padding(head, file.extra);
     at += head.all.size() + file.size;
-    if (at > kEnd) return tr("an archive cannot be larger than 4 GB; export smaller textures");
-    if (!append(to, head) || !append_file(to, entry.path, file.size)) return cause_of(errno);
+    if (at > kEnd)
+      return failure(ErrorKind::kOutput, tr("an archive cannot be larger than 4 GB; export smaller textures"));
+    if (!append(to, head) || !append_file(to, entry.path, file.size)) return base::written_unless(cause_of(errno));
     files.push_back(file);
   }
-  return append(to, directory(files, at)) ? std::string{} : cause_of(errno);
+  return base::written_unless(append(to, directory(files, at)) ? "" : cause_of(errno));
 }
 
 }  // namespace
 
-base::Result<void> write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
-  if (entries.size() > 0xFFFF)
-    return base::failure(base::ErrorKind::kOutput,
-                         fill(tr("{file}: an archive holds at most 65535 files"), arg("file", path)));
-  return written(write_through(path, [&](const std::string& beside) {
+Result<void> write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
+  if (entries.size() > 0xFFFF) return failure(ErrorKind::kOutput, tr("an archive holds at most 65535 files"), path);
+  return write_through(path, [&](const std::string& beside) {
     std::FILE* file = std::fopen(beside.c_str(), "wb");
-    if (!file) return cause_of(errno);
-    std::string problem = write_entries(file, entries, kind);
-    if (std::fclose(file) != 0 && problem.empty()) problem = cause_of(errno);
-    return problem;
-  }));
+    if (!file) return base::written_unless(cause_of(errno));
+    Result<void> done = write_entries(file, entries, kind);
+    if (std::fclose(file) != 0 && done) done = base::written_unless(cause_of(errno));
+    return done;
+  });
 }
 
 }  // namespace weftlight::files

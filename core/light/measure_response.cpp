@@ -16,6 +16,7 @@
 #include "light/formulas.h"
 #include "light/transmission_response.h"
 #include "light/yarn_lobes.h"
+#include "platform/vectors.h"
 
 namespace weftlight::light {
 
@@ -244,20 +245,9 @@ void add_views(std::array<Sums, 2>& sums, const std::vector<Point>& points, cons
       add(sums[static_cast<size_t>(p.system)], p, grazing, static_cast<size_t>(elevation * kViewAzimuths + a));
 }
 
-#if defined(__x86_64__)
-/// The same on wider vectors, without fused multiply-add, so that the result is the same bit for bit.
-[[gnu::flatten, gnu::target("avx2")]] void add_views_avx2(std::array<Sums, 2>& sums, const std::vector<Point>& points,
-                                                          const Grazing& grazing, int elevation) {
-  add_views(sums, points, grazing, elevation);
-}
-#endif
-
 void add_views_fast(std::array<Sums, 2>& sums, const std::vector<Point>& points, const Grazing& grazing,
                     int elevation) {
-#if defined(__x86_64__)
-  if (widest_vectors() == Vectors::kAvx2) return add_views_avx2(sums, points, grazing, elevation);
-#endif
-  add_views(sums, points, grazing, elevation);
+  platform::with_widest_vectors([&] { add_views(sums, points, grazing, elevation); });
 }
 
 void spread_slope(std::array<float, kSlopeBins>& bins, float slope, float sigma, float weight) {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "light/yarn_lobes.h"
+#include "platform/vectors.h"
 
 namespace weftlight::light {
 namespace {
@@ -45,19 +45,8 @@ inline void occlude_all(const Piece& p, size_t count, const float* __restrict ac
   }
 }
 
-#if defined(__x86_64__)
-/// The same on wider vectors, without fused multiply-add, so that the result is the same bit for bit.
-[[gnu::flatten, gnu::target("avx2")]] void occlude_avx2(const Piece& p, size_t count, const float* across,
-                                                        const float* along, const float* up, float* clear) {
-  occlude_all(p, count, across, along, up, clear);
-}
-#endif
-
 void occlude(const Piece& p, size_t count, const float* across, const float* along, const float* up, float* clear) {
-#if defined(__x86_64__)
-  if (widest_vectors() == Vectors::kAvx2) return occlude_avx2(p, count, across, along, up, clear);
-#endif
-  occlude_all(p, count, across, along, up, clear);
+  platform::with_widest_vectors([=, &p] { occlude_all(p, count, across, along, up, clear); });
 }
 
 void keep_unoccluded(Directions& of, const std::vector<float>& clear) {

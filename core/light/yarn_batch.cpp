@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 
 #include "light/tables.h"
 #include "light/yarn_lobes.h"
@@ -78,34 +77,28 @@ void find_cells(const Table& t, Sides& s) {
   }
 }
 
-using Four = float __attribute__((vector_size(16)));
+inline float between(float a, float b, float t) { return a + t * (b - a); }
 
-Four entry_at(const float* p) {
-  Four v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-
-/// Interpolates between two rows, at an entry and at the next along the opening.
-struct Pair {
-  Four low, high;
-};
-Pair between(const float* p, const float* q, float t) {
-  const Four low = entry_at(p), high = entry_at(p + 4);
-  return {low + t * (entry_at(q) - low), high + t * (entry_at(q + 4) - high)};
-}
-
-/// Trilinear, all four channels at once.
+/// Trilinear: an entry's four channels and those of the next along the opening, which follow them, are one vector. The
+/// loops over channels end in arrays of the whole block, since compilers vectorise what is stored, not what is used.
 void look_up_albedo(const Table& t, Sides& s) {
-  const int row = t.nx * 4, plane = row * t.ny;
+  constexpr size_t kChannels = 4;
+  const size_t row = static_cast<size_t>(t.nx) * kChannels, plane = row * static_cast<size_t>(t.ny);
+  Lanes<std::array<float, 2 * kChannels>> pairs;  // of entries along the opening
+  Lanes<std::array<float, kChannels>> stored;
   for (size_t k = 0; k < kBlock; ++k) {
     const float* p = t.values.data() + s.entry[k];
-    const Pair near = between(p, p + row, s.along_t[k]), far = between(p + plane, p + plane + row, s.along_t[k]);
-    const Four low = near.low + s.across_t[k] * (far.low - near.low);
-    const Four high = near.high + s.across_t[k] * (far.high - near.high);
-    const Four stored = low + s.opening_t[k] * (high - low);
-    s.loss[k] = stored[0] + s.mixed[k] * (stored[2] - stored[0]);
-    s.cosine[k] = stored[1] + s.mixed[k] * (stored[3] - stored[1]);
+    const float *q = p + row, *r = p + plane, *u = q + plane;
+    const float along = s.along_t[k], across = s.across_t[k], opening = s.opening_t[k];
+    auto& pair = pairs[k];
+    for (size_t c = 0; c < pair.size(); ++c)
+      pair[c] = between(between(p[c], q[c], along), between(r[c], u[c], along), across);
+    for (size_t c = 0; c < kChannels; ++c) stored[k][c] = between(pair[c], pair[c + kChannels], opening);
+  }
+  for (size_t k = 0; k < kBlock; ++k) {
+    const auto& [loss, cosine, correlated_loss, correlated_cosine] = stored[k];
+    s.loss[k] = between(loss, correlated_loss, s.mixed[k]);
+    s.cosine[k] = between(cosine, correlated_cosine, s.mixed[k]);
   }
 }
 
@@ -162,36 +155,13 @@ inline void reflect_all(const Shared& shared, std::span<const glm::vec3> wi, std
   }
 }
 
-// The same code for each kind of vectors: `flatten` inlines every formula.
-[[gnu::flatten]] void reflect_baseline(const Shared& shared, std::span<const glm::vec3> wi,
-                                       std::span<const glm::vec3> wo, std::span<glm::vec3> out) {
-  reflect_all(shared, wi, wo, out);
-}
-
-#if defined(__x86_64__)
-[[gnu::flatten, gnu::target("avx2,fma")]] void reflect_avx2(const Shared& shared, std::span<const glm::vec3> wi,
-                                                            std::span<const glm::vec3> wo, std::span<glm::vec3> out) {
-  reflect_all(shared, wi, wo, out);
-}
-#endif
-
 }  // namespace
 
-Vectors widest_vectors() {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Vectors::kAvx2;
-#endif
-  return Vectors::kBaseline;
-}
-
 void reflect(const formulas::YarnLobes& yarn, std::span<const glm::vec3> wi, std::span<const glm::vec3> wo,
-             std::span<glm::vec3> out, [[maybe_unused]] Vectors vectors) {
+             std::span<glm::vec3> out, Vectors vectors) {
   assert(wi.size() == wo.size() && wi.size() == out.size());
   const Shared shared = shared_of(yarn);
-#if defined(__x86_64__)
-  if (vectors == Vectors::kAvx2) return reflect_avx2(shared, wi, wo, out);
-#endif
-  reflect_baseline(shared, wi, wo, out);
+  platform::with_vectors(vectors, [&] { reflect_all(shared, wi, wo, out); });
 }
 
 }  // namespace weftlight::light

@@ -7,11 +7,13 @@
 #include "cloth/cloth.h"
 #include "design/yarn.h"
 #include "light/formulas.h"
+#include "platform/vectors.h"
 
 namespace weftlight::light {
 
 using cloth::Cloth, cloth::Linear, cloth::ThreadBody;
 using design::Lobes;
+using platform::Vectors, platform::widest_vectors;
 
 /// Components of the mirrored light: reflectance of clear fibres at normal incidence, its fraction in the thread's
 /// colour, and the body. Clear fibres lie in layers: n layers that each reflect r and pass the rest reflect n r / (1 +
@@ -37,10 +39,6 @@ inline float channel_mean(const glm::vec3& c) { return (c.r + c.g + c.b) / 3; }
 
 /// Weights of the channels, of sum 1, in the light of a yarn's body: for means of what only that light meets.
 glm::vec3 body_weights(const formulas::YarnLobes& lobes);
-
-/// Vector instructions of a batch: the compiler's baseline, or AVX2 with FMA where available.
-enum class Vectors { kBaseline, kAvx2 };
-Vectors widest_vectors();
 
 /// out[k] = yarn_reflect(yarn, wi[k], wo[k]) up to rounding (relative 1e-4); all three have the same length. `vectors`
 /// must be supported: at most widest_vectors().

@@ -9,7 +9,7 @@
 
 namespace weftlight::loom {
 
-using base::arg, base::fill, base::tr;
+using base::arg, base::ErrorKind, base::failure, base::fill, base::tr;
 using platform::LineAddress, platform::LineProblem, platform::SerialAddress, platform::TcpAddress;
 
 namespace {
@@ -54,17 +54,20 @@ std::string sentence(LineProblem problem, const SerialAddress& to) {
 
 }  // namespace
 
-LineOpened open_line(platform::LineConnector& connector, const std::string& address, std::chrono::milliseconds wait,
-                     const std::stop_token& stop) {
+base::Result<std::unique_ptr<platform::Line>> open_line(platform::LineConnector& connector, const std::string& address,
+                                                        std::chrono::milliseconds wait, const std::stop_token& stop) {
   const std::optional<LineAddress> to = parsed(address);
   if (!to)
-    return {nullptr, fill(tr("{address} is no address of a loom; give tcp:HOST:PORT or serial:PORT[:BAUD]"),
-                          arg("address", address))};
+    return failure(ErrorKind::kUsage,
+                   fill(tr("{address} is no address of a loom; give tcp:HOST:PORT or serial:PORT[:BAUD]"),
+                        arg("address", address)));
   platform::LineConnected connected = connector.connect(*to, wait, stop);
-  if (connected.line || connected.problem == LineProblem::kStopped) return {std::move(connected.line), {}};
+  if (connected) return std::move(*connected);
+  const platform::NoLine& none = connected.error();
+  if (none.problem == LineProblem::kStopped) return failure(ErrorKind::kCancelled, tr("connecting was stopped"));
   if (const auto* tcp = std::get_if<TcpAddress>(&*to))
-    return {nullptr, sentence(connected.problem, *tcp, connected.said)};
-  return {nullptr, sentence(connected.problem, std::get<SerialAddress>(*to))};
+    return failure(ErrorKind::kOutput, sentence(none.problem, *tcp, none.said));
+  return failure(ErrorKind::kOutput, sentence(none.problem, std::get<SerialAddress>(*to)));
 }
 
 }  // namespace weftlight::loom

@@ -4,25 +4,17 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
+#include <tl/expected.hpp>
+
+#include "platform/file_question.h"
 
 namespace weftlight::platform {
 
-/// Shows a folder in the file manager, without waiting for it. Returns what is missing for that, or empty.
-std::string show_folder(const std::string& folder);
-
-enum class FileAsk { kOpen, kSave, kFolder };
-
-/// Files of one kind: what the user reads, and the endings' patterns such as "*.wif *.WIF".
-struct FileFilter {
-  std::string name, patterns;
+struct MissingProgram {
+  std::string program;  // its name
 };
-struct FileQuestion {
-  FileAsk what = FileAsk::kOpen;
-  std::string title;
-  std::string start;                // the file or folder that is proposed; empty: none
-  std::vector<FileFilter> filters;  // the first is in force at the start; none for a folder
-};
+/// Shows a folder in the file manager, without waiting for it.
+tl::expected<void, MissingProgram> show_folder(const std::string& folder);
 
 /// The desktop's own dialog for a file or a folder. It asks before it gives an existing file to save to.
 class FileDialog {

@@ -88,6 +88,10 @@ class StreamLine : public Line {
   std::stop_token stop_;
 };
 
+tl::unexpected<NoLine> none(LineProblem problem, std::string said = {}) {
+  return tl::unexpected(NoLine{problem, std::move(said)});
+}
+
 LineConnected connected_to(const Endpoints& endpoints, milliseconds wait, const std::stop_token& stop) {
   std::error_code why = asio::error::host_not_found;
   for (const asio::ip::tcp::endpoint& endpoint : endpoints) {
@@ -99,11 +103,11 @@ LineConnected connected_to(const Endpoints& endpoints, milliseconds wait, const 
     const Step step =
         run_step(*io, socket, wait, stop, [&](auto then) { socket.async_connect(endpoint, std::move(then)); });
     why = timed_out(step) ? std::make_error_code(std::errc::timed_out) : step.error;
-    if (stop.stop_requested()) return {nullptr, LineProblem::kStopped};
+    if (stop.stop_requested()) return none(LineProblem::kStopped);
     if (why) continue;
-    return {std::make_unique<StreamLine<asio::ip::tcp::socket>>(std::move(io), std::move(socket), stop)};
+    return std::make_unique<StreamLine<asio::ip::tcp::socket>>(std::move(io), std::move(socket), stop);
   }
-  return {nullptr, LineProblem::kOther, why.message()};
+  return none(LineProblem::kOther, why.message());
 }
 
 LineProblem problem_of_port(const std::error_code& from_asio) {
@@ -121,7 +125,7 @@ LineConnected connect_serial(const SerialAddress& to, const std::stop_token& sto
   asio::serial_port port(*io);
   std::error_code error;
   port.open(to.port, error);
-  if (error) return {nullptr, problem_of_port(error)};
+  if (error) return none(problem_of_port(error));
   keep_from_children(port);
   using Set = asio::serial_port_base;
   port.set_option(Set::baud_rate(static_cast<unsigned>(to.baud)), error);
@@ -129,8 +133,8 @@ LineConnected connect_serial(const SerialAddress& to, const std::stop_token& sto
   if (!error) port.set_option(Set::parity(Set::parity::none), error);
   if (!error) port.set_option(Set::stop_bits(Set::stop_bits::one), error);
   if (!error) port.set_option(Set::flow_control(Set::flow_control::none), error);
-  if (error) return {nullptr, LineProblem::kSpeed};
-  return {std::make_unique<StreamLine<asio::serial_port>>(std::move(io), std::move(port), stop)};
+  if (error) return none(LineProblem::kSpeed);
+  return std::make_unique<StreamLine<asio::serial_port>>(std::move(io), std::move(port), stop);
 }
 
 /// Without a name server; nothing if host or port is a name.
@@ -144,9 +148,9 @@ std::optional<asio::ip::tcp::endpoint> numeric(const std::string& host, const st
   return asio::ip::tcp::endpoint(address, number);
 }
 
-Endpoints endpoints_of(const HostFound& found) {
+Endpoints endpoints_of(const HostEndpoints& found) {
   Endpoints out;
-  for (const auto& [address, port] : found.endpoints)
+  for (const auto& [address, port] : found)
     if (const auto endpoint = numeric(address, std::to_string(port))) out.push_back(*endpoint);
   return out;
 }
@@ -154,12 +158,14 @@ Endpoints endpoints_of(const HostFound& found) {
 }  // namespace
 
 HostFound look_up_host(const std::string& host, const std::string& port) {
-  HostFound found;
   asio::io_context io(1);
-  const auto results = asio::ip::tcp::resolver(io).resolve(host, port, found.error);
-  if (found.error == asio::error::host_not_found || found.error == asio::error::no_data) return {};
+  std::error_code error;
+  const auto results = asio::ip::tcp::resolver(io).resolve(host, port, error);
+  HostEndpoints found;
+  if (error == asio::error::host_not_found || error == asio::error::no_data) return found;
+  if (error) return tl::unexpected(error);
   for (const auto& result : results)
-    found.endpoints.emplace_back(result.endpoint().address().to_string(), result.endpoint().port());
+    found.emplace_back(result.endpoint().address().to_string(), result.endpoint().port());
   return found;
 }
 
@@ -198,32 +204,32 @@ std::shared_ptr<LineConnector::Lookup> LineConnector::lookup_of(const TcpAddress
     try {
       lookup->answer(look_up(to.host, to.port));
     } catch (...) {  // no memory
-      lookup->answer({{}, std::make_error_code(std::errc::not_enough_memory)});
+      lookup->answer(tl::unexpected(std::make_error_code(std::errc::not_enough_memory)));
     }
   }).detach();
   return lookups_[key] = lookup;
 }
 
-LineProblem LineConnector::find_host(HostFound& found, const TcpAddress& to, milliseconds wait,
-                                     const std::stop_token& stop) {
+tl::expected<HostEndpoints, NoLine> LineConnector::find_host(const TcpAddress& to, milliseconds wait,
+                                                             const std::stop_token& stop) {
   const std::shared_ptr<Lookup> lookup = lookup_of(to);
-  if (!lookup) return LineProblem::kNoNameServer;
+  if (!lookup) return none(LineProblem::kNoNameServer);
   std::unique_lock lock(lookup->mutex);
   const bool answered = lookup->changed.wait_for(lock, stop, wait, [&] { return lookup->answered; });
-  if (stop.stop_requested()) return LineProblem::kStopped;
-  if (!answered) return LineProblem::kNoNameServer;
-  found = std::move(lookup->found);
+  if (stop.stop_requested()) return none(LineProblem::kStopped);
+  if (!answered) return none(LineProblem::kNoNameServer);
+  HostFound found = std::move(lookup->found);
   lookups_.erase({to.host, to.port});
-  if (found.error) return LineProblem::kOther;
-  return found.endpoints.empty() ? LineProblem::kUnknownHost : LineProblem::kNone;
+  if (!found) return none(LineProblem::kOther, found.error().message());
+  if (found->empty()) return none(LineProblem::kUnknownHost);
+  return std::move(*found);
 }
 
 LineConnected LineConnector::connect_tcp(const TcpAddress& to, milliseconds wait, const std::stop_token& stop) {
   if (const auto endpoint = numeric(to.host, to.port)) return connected_to({*endpoint}, wait, stop);
-  HostFound found;
-  const LineProblem problem = find_host(found, to, wait, stop);
-  if (problem == LineProblem::kNone) return connected_to(endpoints_of(found), wait, stop);
-  return {nullptr, problem, found.error ? found.error.message() : std::string()};
+  const auto found = find_host(to, wait, stop);
+  if (!found) return tl::unexpected(found.error());
+  return connected_to(endpoints_of(*found), wait, stop);
 }
 
 LineConnected LineConnector::connect(const LineAddress& address, milliseconds wait, const std::stop_token& stop) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <tl/expected.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -44,27 +45,25 @@ class Line {
 };
 
 enum class LineProblem {
-  kNone,
   kStopped,
   kUnknownHost,
   kNoNameServer,  // none has answered yet
   kNoSuchPort,    // there is none of this name, or it is not a serial port
   kClosedPort,    // another program uses it, or the user may not
   kSpeed,         // the port has no such speed
-  kOther,         // LineConnected::said
+  kOther,         // NoLine::said
 };
 
-struct LineConnected {
-  std::unique_ptr<Line> line;  // null with a problem
-  LineProblem problem = LineProblem::kNone;
+/// Why there is no line.
+struct NoLine {
+  LineProblem problem = LineProblem::kOther;
   std::string said = {};  // kOther: the system's words
 };
+using LineConnected = tl::expected<std::unique_ptr<Line>, NoLine>;
 
-/// What a name server answers: numeric addresses with ports. None and no error: there is no such host.
-struct HostFound {
-  std::vector<std::pair<std::string, uint16_t>> endpoints = {};
-  std::error_code error = {};
-};
+/// What a name server answers: numeric addresses with ports; none if there is no such host.
+using HostEndpoints = std::vector<std::pair<std::string, uint16_t>>;
+using HostFound = tl::expected<HostEndpoints, std::error_code>;
 using LookUpHost = std::function<HostFound(const std::string& host, const std::string& port)>;
 /// Asks the system. Cannot be interrupted and may take minutes.
 HostFound look_up_host(const std::string& host, const std::string& port);
@@ -82,8 +81,9 @@ class LineConnector {
  private:
   struct Lookup;
   LineConnected connect_tcp(const TcpAddress& to, std::chrono::milliseconds wait, const std::stop_token& stop);
-  LineProblem find_host(HostFound& found, const TcpAddress& to, std::chrono::milliseconds wait,
-                        const std::stop_token& stop);
+  /// At least one.
+  tl::expected<HostEndpoints, NoLine> find_host(const TcpAddress& to, std::chrono::milliseconds wait,
+                                                const std::stop_token& stop);
   std::shared_ptr<Lookup> lookup_of(const TcpAddress& to);
 
   LookUpHost look_up_;

@@ -116,13 +116,13 @@ Result<std::vector<Sheet>> all_sheets(const Design& design, const Design& part, 
   return sheets;
 }
 
-/// Keeps the sheets first_sheet to last_sheet; the reason if there are none.
-std::string keep_range(std::vector<Sheet>& sheets, const PrintOptions& options) {
+/// Keeps the sheets first_sheet to last_sheet.
+Result<void> keep_range(std::vector<Sheet>& sheets, const PrintOptions& options) {
   const auto count = static_cast<int>(sheets.size());
   const int first = std::max(1, options.first_sheet), last = options.last_sheet > 0 ? options.last_sheet : count;
   if (first > last || first > count)
-    return fill(tr("there are no sheets {first} to {last}; there are {count}"), arg("first", first), arg("last", last),
-                arg("count", count));
+    return failure(ErrorKind::kInput, fill(tr("there are no sheets {first} to {last}; there are {count}"),
+                                           arg("first", first), arg("last", last), arg("count", count)));
   sheets.erase(sheets.begin() + std::min(last, count), sheets.end());
   sheets.erase(sheets.begin(), sheets.begin() + (first - 1));
   return {};
@@ -166,7 +166,7 @@ Result<Printed> printed(const Design& design, PrintFormat format, const PrintOpt
   const std::optional<Design> part = part_of(design, options);
   Result<std::vector<Sheet>> sheets = all_sheets(design, part ? *part : design, options);
   if (!sheets) return failed(sheets);
-  if (std::string why = keep_range(*sheets, options); !why.empty()) return failure(ErrorKind::kInput, std::move(why));
+  if (const auto kept = keep_range(*sheets, options); !kept) return failed(kept);
   Printed out;
   out.sheets = static_cast<int>(sheets->size());
   if (format == PrintFormat::kPdf) {

@@ -23,18 +23,20 @@ using light::CubeMap, light::Separable, light::Split, light::cloth_brdf, light::
 
 namespace {
 
-/// Error if the cloth has too many crossings to lay out. 400 million take 27 s of CPU time (measured, two cores) and
+/// An error if the cloth has too many crossings to lay out. 400 million take 27 s of CPU time (measured, two cores) and
 /// hardly more memory than 25 million, since the maps have a maximum size.
-std::string too_large(const Design& design, const BitMatrix& cells) {
+base::Result<void> check_size(const Design& design, const BitMatrix& cells) {
   constexpr int64_t kMax = 400'000'000;
   if (int64_t{cells.cols()} * cells.rows() <= kMax) return {};
   const Repeat size = design_repeat(design, cells);
   const int64_t crossings = int64_t{size.ends} * size.picks;
   if (crossings <= kMax) return {};
-  return fill(tr("{ends} ends by {picks} picks that do not repeat are {crossings:.0f} million crossings; at most "
-                 "{most:.0f} million are drawn: take a part of the draft"),
-              arg("ends", size.ends), arg("picks", size.picks), arg("crossings", static_cast<double>(crossings) / 1e6),
-              arg("most", static_cast<double>(kMax) / 1e6));
+  return base::failure(
+      base::ErrorKind::kInput,
+      fill(tr("{ends} ends by {picks} picks that do not repeat are {crossings:.0f} million crossings; at most "
+              "{most:.0f} million are drawn: take a part of the draft"),
+           arg("ends", size.ends), arg("picks", size.picks), arg("crossings", static_cast<double>(crossings) / 1e6),
+           arg("most", static_cast<double>(kMax) / 1e6)));
 }
 
 /// The smallest rectangle with both.
@@ -67,11 +69,12 @@ void copy_into(PackedCloth& packed, const CellRect& cells, const std::vector<Hal
 
 }  // namespace
 
-Outcome update_cells(StageWork& work, Change) {
+base::Result<Outcome> update_cells(StageWork& work, Change) {
   StageData& data = work.data;
   const Draft& now = work.design().draft;
   if (now.ends() == 0 || now.picks() == 0)
-    return {Change::kNone, false, tr("the draft has no threads: give it at least one end and one pick")};
+    return base::failure(base::ErrorKind::kInput,
+                         tr("the draft has no threads: give it at least one end and one pick"));
   Change change = Change::kAll;
   if (data.drawn && data.drawn->draft.ends() == now.ends() && data.drawn->draft.picks() == now.picks()) {
     const CellRect painted = update_drawdown(data.cells, data.drawn->draft, now);
@@ -82,18 +85,19 @@ Outcome update_cells(StageWork& work, Change) {
     data.cells = drawdown(now);
   }
   data.drawn = work.input.design;
-  return {change, false, too_large(work.design(), data.cells)};
+  if (const base::Result<void> size = check_size(work.design(), data.cells); !size) return failed(size);
+  return Outcome{change};
 }
 
-Outcome update_period(StageWork& work, Change input) {
+base::Result<Outcome> update_period(StageWork& work, Change input) {
   Period& period = work.data.period;
   // While its cells are painted, a whole draft stays whole, even if it comes to repeat.
-  if (input == Change::kPart && period == Period::kWholeDraft) return {Change::kNone, false, {}};
+  if (input == Change::kPart && period == Period::kWholeDraft) return Outcome{Change::kNone};
   const Period before = std::exchange(period, choose_period(work.design(), work.data.cells));
-  return {period == before ? Change::kNone : Change::kAll, work.quick(), {}};
+  return Outcome{period == before ? Change::kNone : Change::kAll, work.quick()};
 }
 
-Outcome update_threads(StageWork& work, Change input, Face face) {
+base::Result<Outcome> update_threads(StageWork& work, Change input, Face face) {
   StageData& data = work.data;
   FaceData& f = work.face(face);
   Cloth after = face_cloth(work.design(), data.cells, face, data.period);
@@ -107,16 +111,16 @@ Outcome update_threads(StageWork& work, Change input, Face face) {
   }
   // 50 MB for 20,000 x 20,000, and each face has its own now.
   if (face == Face::kBack && work.effort == Effort::kOnce) data.cells = {};
-  return {same ? Change::kPart : Change::kAll, false, {}};
+  return Outcome{same ? Change::kPart : Change::kAll};
 }
 
-Outcome update_maps(StageWork& work, Change input, Face face) {
+base::Result<Outcome> update_maps(StageWork& work, Change input, Face face) {
   FaceData& f = work.face(face);
   if (input == Change::kPart) {
-    if (!f.mapped) return {Change::kNone, false, {}};
+    if (!f.mapped) return Outcome{Change::kNone};
     append(f.rebaked, rebake(f.maps, *f.mapped, f.cloth));
     f.mapped.reset();
-    return {f.rebaked.empty() ? Change::kNone : Change::kPart, false, {}};
+    return Outcome{f.rebaked.empty() ? Change::kNone : Change::kPart};
   }
   f.mapped.reset(), f.rebaked.clear();
   // The back is as coarse as the front: they share textures.
@@ -124,16 +128,16 @@ Outcome update_maps(StageWork& work, Change input, Face face) {
   if (face == Face::kFront) coarse = work.quick();
   const MapsSize size = (coarse ? quick_maps_size : maps_size)(f.cloth, work.input.shadows);
   f.maps = coarse ? bake_quick(f.cloth, size, {0, 0, size.width, size.height}) : bake(f.cloth, size);
-  return {Change::kAll, coarse, {}};
+  return Outcome{Change::kAll, coarse};
 }
 
-Outcome update_mips(StageWork& work, Change input, Face face) {
+base::Result<Outcome> update_mips(StageWork& work, Change input, Face face) {
   FaceData& f = work.face(face);
   PackedFace& packed = work.packed(face);
   const std::vector<TexelRect> rebaked = std::exchange(f.rebaked, {});
   if (input == Change::kPart) {
     append(work.result.patches.maps, repack(packed, face, f.maps, rebaked));
-    return {Change::kPart, false, {}};
+    return Outcome{Change::kPart};
   }
   packed.textures = pack(f.maps, work.input.shadows).textures;
   work.result.all_maps = true;
@@ -144,8 +148,8 @@ Outcome update_mips(StageWork& work, Change input, Face face) {
   return {};
 }
 
-Outcome update_cube_maps(StageWork& work, Change) {
-  if (!work.input.shadows) return {Change::kNone, false, {}};
+base::Result<Outcome> update_cube_maps(StageWork& work, Change) {
+  if (!work.input.shadows) return Outcome{Change::kNone};
   for (const Face face : {Face::kFront, Face::kBack}) {
     const Separable separable = factorise(cloth_brdf(work.face(face).cloth), Split::kHalfDifference);
     PackedFace& packed = work.packed(face);
@@ -157,21 +161,21 @@ Outcome update_cube_maps(StageWork& work, Change) {
   return {};
 }
 
-Outcome update_crossings(StageWork& work, Change input) {
+base::Result<Outcome> update_crossings(StageWork& work, Change input) {
   StageData& data = work.data;
   PackedCloth& packed = data.packed;
   const Cloth& cloth = work.face(Face::kFront).cloth;
   const CellRect painted = std::exchange(data.painted, {});
   const CellRect all{0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())};
   if (input == Change::kPart) {
-    if (packed.crossings.empty()) return {Change::kNone, false, {}};
+    if (packed.crossings.empty()) return Outcome{Change::kNone};
     const CellRect cells = data.period == Period::kRepeat ? all : touched_crossings(cloth, painted);
     const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
     data.top_mm = std::max(data.top_mm, highest_thread(cloth, crossings));
     std::vector<HalfCrossing> texels = packed_crossings(crossings);
     copy_into(packed, cells, texels);
     work.result.patches.crossings.push_back({cells, std::move(texels)});
-    return {Change::kPart, false, {}};
+    return Outcome{Change::kPart};
   }
   packed.ends = all.end1, packed.picks = all.pick1;
   packed.crossings.clear();

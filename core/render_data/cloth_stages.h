@@ -8,18 +8,18 @@ namespace weftlight::render_data {
 using draft::Face;
 
 /// Draft -> drawdown. A painted cell changes a part of it.
-Outcome update_cells(StageWork& work, Change input);
+base::Result<Outcome> update_cells(StageWork& work, Change input);
 /// Drawdown, threads -> the period that is drawn.
-Outcome update_period(StageWork& work, Change input);
+base::Result<Outcome> update_period(StageWork& work, Change input);
 /// Drawdown, period, threads, yarns -> the cloth of a face.
-Outcome update_threads(StageWork& work, Change input, Face face);
+base::Result<Outcome> update_threads(StageWork& work, Change input, Face face);
 /// Cloth -> its maps; after painted cells, only the rectangles around these.
-Outcome update_maps(StageWork& work, Change input, Face face);
+base::Result<Outcome> update_maps(StageWork& work, Change input, Face face);
 /// Maps -> packed texels with their mips.
-Outcome update_mips(StageWork& work, Change input, Face face);
+base::Result<Outcome> update_mips(StageWork& work, Change input, Face face);
 /// Cloth of both faces -> the factors of its BRDF, for method vrst03.
-Outcome update_cube_maps(StageWork& work, Change input);
+base::Result<Outcome> update_cube_maps(StageWork& work, Change input);
 /// Cloth of the front -> its crossings; the back has the same, turned over.
-Outcome update_crossings(StageWork& work, Change input);
+base::Result<Outcome> update_crossings(StageWork& work, Change input);
 
 }  // namespace weftlight::render_data

@@ -29,7 +29,7 @@ FaceInput face_input(const StageWork& work, Face face) {
 
 }  // namespace
 
-Outcome update_lobes(StageWork& work, Change) {
+base::Result<Outcome> update_lobes(StageWork& work, Change) {
   const std::vector<Yarn> yarns = finished(work.design().yarns, work.design().finish);
   for (FaceData& face : work.data.faces) {
     const size_t n = std::min(face.cloth.yarns.size(), yarns.size());
@@ -38,7 +38,7 @@ Outcome update_lobes(StageWork& work, Change) {
   return {};
 }
 
-Outcome update_cloth_block(StageWork& work, Change) {
+base::Result<Outcome> update_cloth_block(StageWork& work, Change) {
   PackedCloth& packed = work.data.packed;
   interop::ClothData data = cloth_block(face_input(work, Face::kFront), face_input(work, Face::kBack));
   data.even_yarns = even_from_yarns(packed.front, packed.width_mm, packed.mean_spacing_mm);
@@ -47,21 +47,21 @@ Outcome update_cloth_block(StageWork& work, Change) {
   return {};
 }
 
-Outcome update_response(StageWork& work, Change) {
+base::Result<Outcome> update_response(StageWork& work, Change) {
   ClothLobes& lobes = work.data.packed.lobes;
   lobes.response = response_tables(lobes.data, face_input(work, Face::kFront), face_input(work, Face::kBack),
                                    work.quick() ? kQuickSamples : kResponseSamples);
-  return {Change::kAll, work.quick(), {}};
+  return Outcome{Change::kAll, work.quick()};
 }
 
-Outcome update_thread_errors(StageWork& work, Change) {
+base::Result<Outcome> update_thread_errors(StageWork& work, Change) {
   PackedCloth& packed = work.data.packed;
   packed.lobes.errors = packed.crossings.empty() ? ThreadErrors{} : thread_errors(work.face(Face::kFront).cloth);
   return {};
 }
 
-Outcome update_engine_block(StageWork& work, Change) {
-  if (!work.input.engine) return {Change::kNone, false, {}};
+base::Result<Outcome> update_engine_block(StageWork& work, Change) {
+  if (!work.input.engine) return Outcome{Change::kNone};
   const Design& design = work.design();
   interop::ClothData& data = work.data.packed.lobes.data;
   // After a single picture they are given up already.
@@ -75,14 +75,14 @@ Outcome update_engine_block(StageWork& work, Change) {
   return {};
 }
 
-Outcome update_thread_records(StageWork& work, Change) {
+base::Result<Outcome> update_thread_records(StageWork& work, Change) {
   PackedCloth& packed = work.data.packed;
   packed.lobes.threads.clear();
   if (!packed.crossings.empty()) packed.lobes.threads = thread_records(work.face(Face::kFront).cloth, work.data.top_mm);
   return {};
 }
 
-Outcome hand_over_lobes(StageWork& work, Change) {
+base::Result<Outcome> hand_over_lobes(StageWork& work, Change) {
   work.result.lobes = work.data.packed.lobes;
   return {};
 }

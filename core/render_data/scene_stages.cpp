@@ -6,7 +6,6 @@
 
 namespace weftlight::render_data {
 
-using base::message;
 using design::Design;
 using drape::Mesh, drape::drape_names, drape::simulate_drape;
 using files::load_design_drape;
@@ -26,17 +25,17 @@ base::Result<Mesh> find_mesh(const Design& design) {
 
 }  // namespace
 
-Outcome update_mesh(StageWork& work, Change) {
-  if (work.input.drape.empty()) return {Change::kNone, false, {}};  // the caller has a mesh of its own
+base::Result<Outcome> update_mesh(StageWork& work, Change) {
+  if (work.input.drape.empty()) return Outcome{Change::kNone};  // the caller has a mesh of its own
   const base::Result<Mesh> read = find_mesh(work.design());
-  if (!read) return {Change::kNone, work.quick(), message(read.error())};
+  if (!read) return failed(read);
   work.result.mesh = prepare_mesh(*read, work.quick() ? SkyRays::kFew : SkyRays::kAll);
-  return {Change::kAll, work.quick(), {}};
+  return Outcome{Change::kAll, work.quick()};
 }
 
-Outcome update_lights(StageWork& work, Change) {
+base::Result<Outcome> update_lights(StageWork& work, Change) {
   base::Result<LightRig> rig = load_light_rig(work.design().scene.lights);
-  if (!rig) return {Change::kNone, false, message(rig.error())};
+  if (!rig) return failed(rig);
   work.result.lights = std::move(*rig);
   return {};
 }

@@ -7,8 +7,8 @@
 namespace weftlight::render_data {
 
 /// Drape -> mesh with its sky visibility.
-Outcome update_mesh(StageWork& work, Change input);
+base::Result<Outcome> update_mesh(StageWork& work, Change input);
 /// Name of the lighting -> lights.
-Outcome update_lights(StageWork& work, Change input);
+base::Result<Outcome> update_lights(StageWork& work, Change input);
 
 }  // namespace weftlight::render_data

@@ -1,8 +1,7 @@
 #pragma once
 // The measured LOD table that ships with the program: presets/lod_table.csv, written by `weftlight chart`.
 
-#include <string>
-
+#include "base/result.h"
 #include "light/lod_table.h"
 
 namespace weftlight::render_data {
@@ -11,7 +10,7 @@ using light::LodTable;
 
 struct ShippedLodTable {
   LodTable lod_table;
-  std::string problem;  // with the file; the table is then default_lod_table()
+  base::Result<void> read;  // or why the table is default_lod_table()
 };
 ShippedLodTable shipped_lod_table();
 

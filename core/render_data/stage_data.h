@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "cloth/maps.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
@@ -22,15 +23,16 @@ using design::Design;
 using draft::BitMatrix, draft::CellRect, draft::Face;
 using scene::LightRig;
 
-/// Changes of one update for the renderer; empty parts did not change.
+/// Changes of one update for the renderer; empty parts did not change. Parts that do not depend on what failed are
+/// there in spite of an error.
 struct StageResult {
   std::optional<PreparedMesh> mesh;
   std::optional<LightRig> lights;
   bool all_maps = false;  // packed() is new as a whole
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
-  std::string problem;
-  bool stopped = false;  // nothing is handed over yet: the next update does it
+  base::Result<void> made;  // or the first error
+  bool stopped = false;     // nothing is handed over yet: the next update does it
 };
 
 /// What stages read.

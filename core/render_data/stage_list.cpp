@@ -38,14 +38,16 @@ Change StageKeys::input_change(const Stage& stage) const {
 }
 
 void StageKeys::run_stage(const Stage& stage, StageWork& work, Change input, bool quick) {
-  Outcome outcome = stage.run(work, input);
+  const base::Result<Outcome> outcome = stage.run(work, input);
   State& state = at(stage.output);
   state.key.clear();
   for (const Node n : stage.inputs) state.key.push_back(at(n).version);
-  state.rough = outcome.rough || (quick && state.rough);
-  state.problem = std::move(outcome.problem);
-  if (outcome.change != Change::kNone || state.version == 0) ++state.version;
-  if (outcome.change == Change::kAll || state.whole == 0) state.whole = state.version;
+  state.made = outcome.transform([](const Outcome&) {});
+  // What failed in a quick update is tried again by the next full one. Once it succeeds, all of it has changed.
+  const Outcome made = outcome.value_or(Outcome{Change::kAll, quick});
+  state.rough = made.rough || (quick && state.rough);
+  if (made.change != Change::kNone || state.version == 0) ++state.version;
+  if (made.change == Change::kAll || state.whole == 0) state.whole = state.version;
 }
 
 bool StageKeys::run(std::span<const Stage> list, StageWork& work, Effort effort, const StageWatch& watch) {
@@ -54,7 +56,7 @@ bool StageKeys::run(std::span<const Stage> list, StageWork& work, Effort effort,
   for (size_t i = 0; i < list.size(); ++i) {
     const Stage& stage = list[i];
     const State& state = at(stage.output);
-    const auto fails = [&](Node n) { return without[static_cast<size_t>(n)] || !at(n).problem.empty(); };
+    const auto fails = [&](Node n) { return without[static_cast<size_t>(n)] || !at(n).made; };
     if (std::ranges::any_of(stage.inputs, fails)) {
       without[static_cast<size_t>(stage.output)] = true;
       continue;
@@ -68,9 +70,9 @@ bool StageKeys::run(std::span<const Stage> list, StageWork& work, Effort effort,
   return true;
 }
 
-std::string StageKeys::problem(std::span<const Stage> list) const {
-  const auto failed = std::ranges::find_if(list, [this](const Stage& s) { return !at(s.output).problem.empty(); });
-  return failed == list.end() ? std::string() : at(failed->output).problem;
+base::Result<void> StageKeys::made(std::span<const Stage> list) const {
+  const auto failed = std::ranges::find_if(list, [this](const Stage& s) { return !at(s.output).made; });
+  return failed == list.end() ? base::Result<void>() : at(failed->output).made;
 }
 
 }  // namespace weftlight::render_data

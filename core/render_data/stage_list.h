@@ -10,8 +10,9 @@
 #include <initializer_list>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
+
+#include "base/result.h"
 
 namespace weftlight::render_data {
 
@@ -62,8 +63,7 @@ enum class Effort : uint8_t { kQuick, kFull, kOnce };
 /// What a run of a stage did to its output.
 struct Outcome {
   Change change = Change::kAll;
-  bool rough = false;   // good enough for a quick update: the next full one makes it again as a whole
-  std::string problem;  // why there is no output; the stages that depend on it do not run
+  bool rough = false;  // good enough for a quick update: the next full one makes it again as a whole
 };
 
 /// What a stage does in a quick update. What it leaves undone, the next full update does.
@@ -92,7 +92,8 @@ struct Stage {
   Node output;
   const char* name;
   Nodes inputs;
-  Outcome (*run)(StageWork& work, Change input);
+  base::Result<Outcome> (*run)(StageWork& work,
+                               Change input);  // after an error the stages that depend on it do not run
   WhenQuick quick = WhenQuick::kRuns;
 };
 
@@ -110,14 +111,14 @@ class StageKeys {
   /// Runs those stages of the list whose key changed. False if it was stopped: the next run goes on from there. Lists
   /// that share no outputs may run at the same time.
   bool run(std::span<const Stage> list, StageWork& work, Effort effort, const StageWatch& watch);
-  /// The first problem in the list, or empty. It stays until its stage has run again.
-  std::string problem(std::span<const Stage> list) const;
+  /// Whether all outputs of the list are there, or the first error. It stays until its stage has run again.
+  base::Result<void> made(std::span<const Stage> list) const;
 
  private:
   struct State {
     uint64_t version = 0, whole = 0;  // of the last change, and of the last change of all of it; 0: never made
     bool rough = false;
-    std::string problem;
+    base::Result<void> made;
     std::vector<uint64_t> key;
   };
   State& at(Node node) { return states_[static_cast<size_t>(node)]; }

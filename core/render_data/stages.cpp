@@ -68,7 +68,7 @@ constexpr std::array kParts = std::to_array<Part>({
 });
 
 template <auto update, Face face>
-Outcome of(StageWork& work, Change input) {
+base::Result<Outcome> of(StageWork& work, Change input) {
   return update(work, input, face);
 }
 constexpr auto kFront = Face::kFront, kBack = Face::kBack;
@@ -164,14 +164,14 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort, 
 /// What changed, after all stages ran.
 StageResult Stages::hand_over(bool preview_only, Effort effort) {
   StageResult& result = result_;
-  result.problem = keys_.problem(kClothStages);
+  result.made = keys_.made(kClothStages);
   if (!preview_only) {
-    done_ = result.problem.empty() ? input_.design : nullptr;
+    done_ = result.made ? input_.design : nullptr;
     // The whole maps replace a preview.
     if (previewed_ && effort != Effort::kQuick && done_) result.all_maps = true;
     if (result.all_maps) result.patches = {}, previewed_ = false;
   }
-  if (result.problem.empty()) result.problem = keys_.problem(kSceneStages);
+  if (result.made) result.made = keys_.made(kSceneStages);
   if (effort == Effort::kOnce) {
     StageData kept;
     kept.packed = std::move(data_.packed);

@@ -9,8 +9,8 @@
 
 namespace weftlight::scene {
 
-using base::ErrorKind, base::FileBytes, base::Result, base::arg, base::failed, base::failure, base::fill,
-    base::presets_dir, base::read_file, base::tr;
+using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::presets_dir,
+    base::read_file, base::tr;
 using design::is_environment;
 using files::EnvironmentPicture, files::read_environment;
 
@@ -31,12 +31,12 @@ Result<LightRig> load_light_rig(const std::string& name) {
   constexpr uint64_t kMaxBytes = uint64_t{1} << 20;
   if (is_environment(name)) return load_environment(name);
   const std::string path = presets_dir() + "/lights/" + name + ".json";
-  const FileBytes file = read_file(path, kMaxBytes);
-  if (!file.error.empty())
-    return failure(ErrorKind::kInput,
-                   fill(tr("{problem}; set WEFTLIGHT_PRESETS to the folder of presets"), arg("problem", file.error)),
-                   path);
-  Result<LightRig> rig = light_rig_from(file.bytes);
+  const Result<std::string> file = read_file(path, kMaxBytes);
+  if (!file)
+    return failure(
+        ErrorKind::kInput,
+        fill(tr("{problem}; set WEFTLIGHT_PRESETS to the folder of presets"), arg("problem", file.error().text)), path);
+  Result<LightRig> rig = light_rig_from(*file);
   if (rig) return rig;
   return failure(ErrorKind::kInput,
                  fill(tr("{problem}; correct it, or restore the shipped file"), arg("problem", rig.error().text)), path,

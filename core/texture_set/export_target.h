@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "base/result.h"
 #include "light/engine_fit.h"
 #include "texture_set/channels.h"
 
@@ -36,10 +37,10 @@ struct ExportTarget {
   Alpha open = Alpha::kBlend;  // best mode for cloth with gaps
   bool keeps_masks = false;    // mipmaps keep the coverage of a mask, or there are none
 
-  const char* material = "";                                 // file to open first: name + this; "": the set has none
-  std::string (*write_material)(const SetFacts&) = nullptr;  // all files but the images; returns an error, or ""
-  bool wears_mesh = false;                                   // the material comes on the chosen mesh
-  bool embeds_images = false;                                // and its file contains the images a second time
+  const char* material = "";  // file to open first: name + this; "": the set has none
+  base::Result<void> (*write_material)(const SetFacts&) = nullptr;  // all files but the images
+  bool wears_mesh = false;                                          // the material comes on the chosen mesh
+  bool embeds_images = false;                                       // and its file contains the images a second time
 
   const char* note = "";  // sentence for the README of a set, after a blank; show tr(note)
 };

@@ -9,7 +9,7 @@
 
 namespace weftlight::texture_set {
 
-using base::content_hash, base::problem_of;
+using base::content_hash;
 using cloth::Cloth, cloth::ThreadBody;
 using design::Lobes;
 using drape::Vec2, drape::compute_frames;
@@ -88,8 +88,8 @@ Mesh scale_quad() {
   return mesh;
 }
 
-std::string write_scale_quad(const SetFacts& set) {
-  return problem_of(write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr));
+base::Result<void> write_scale_quad(const SetFacts& set) {
+  return write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr);
 }
 
 }  // namespace weftlight::texture_set

@@ -31,8 +31,8 @@ struct SetFacts {
 /// An upright square with sides of 100 mm and texture coordinates in millimetres.
 Mesh scale_quad();
 
-/// Writes it beside the images as NAME_quad.glb. Returns an error, or an empty string.
-std::string write_scale_quad(const SetFacts& set);
+/// Writes it beside the images as NAME_quad.glb.
+base::Result<void> write_scale_quad(const SetFacts& set);
 
 /// Replaces every {KEY} of the template by its value.
 std::string fill_template(std::string text, const std::vector<std::pair<std::string, std::string>>& values);

@@ -116,10 +116,14 @@ bool holds_nothing(const fs::path& folder) {
   return platform::names_in(folder.string(), ec).empty() && !ec;
 }
 
+base::Failure not_written(const fs::path& file, std::string text) {
+  return base::failure(base::ErrorKind::kOutput, std::move(text), file.string());
+}
+
 /// Writes a list of the files of both sets, so that after a crash in between the next export still owns all of them.
-std::string list_both(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
+base::Result<void> list_both(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
   std::optional<json> root = list_in(made);
-  if (!root) return fill(tr("{file}: is missing"), arg("file", (made / kList).string()));
+  if (!root) return not_written(made / kList, tr("is missing"));
   std::set<std::string> all = old;
   for (const std::string& name : files_in(made)) all.insert(name);
   (*root)["files"] = all;
@@ -127,16 +131,17 @@ std::string list_both(const fs::path& made, const fs::path& folder, const std::s
                                root->dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
-std::string moved(const fs::path& from, const fs::path& to) {
+base::Result<void> moved(const fs::path& from, const fs::path& to) {
   const std::error_code ec = platform::put_in_place(from.string(), to.string());
-  return ec ? fill(tr("{file}: {problem}"), arg("file", to.string()), arg("problem", ec.message())) : std::string{};
+  if (ec) return not_written(to, ec.message());
+  return {};
 }
 
-std::string merge(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
-  if (std::string problem = list_both(made, folder, old); !problem.empty()) return problem;
+base::Result<void> merge(const fs::path& made, const fs::path& folder, const std::set<std::string>& old) {
+  if (base::Result<void> listed = list_both(made, folder, old); !listed) return listed;
   const std::vector<std::string> fresh = files_in(made);
   for (const std::string& name : fresh) {
-    if (std::string problem = moved(made / name, folder / name); !problem.empty()) return problem;
+    if (base::Result<void> there = moved(made / name, folder / name); !there) return there;
   }
   std::error_code ec;
   for (const std::string& name : old) {
@@ -156,42 +161,40 @@ std::string draft_from(const fs::path& folder, const std::string& draft_path) {
   return to.lexically_relative(from).generic_string();
 }
 
-std::string in_the_way(const fs::path& folder, const SetIdentity& identity) {
+base::Result<void> check_place(const fs::path& folder, const SetIdentity& identity) {
   std::error_code ec;
   if (!fs::exists(fs::symlink_status(folder, ec))) return {};
-  if (!fs::is_directory(folder, ec)) return fill(tr("{folder}: is a file"), arg("folder", folder.string()));
+  if (!fs::is_directory(folder, ec)) return not_written(folder, tr("is a file"));
   if (holds_nothing(folder)) return {};
   const std::optional<Listed> there = listed_in(folder);
-  if (!there) return fill(tr("{folder}: there are other files"), arg("folder", folder.string()));
+  if (!there) return not_written(folder, tr("there are other files"));
   if (same(there->identity, identity)) return {};
   const bool namesake = there->identity.source == identity.source && there->identity.target == identity.target;
-  const char* form = namesake ? tr("{folder}: holds a set of another {source} for {target}")
-                              : tr("{folder}: holds a set of {source} for {target}");
-  return fill(form, arg("folder", folder.string()), arg("source", there->identity.source),
-              arg("target", there->identity.target));
+  const char* form =
+      namesake ? tr("holds a set of another {source} for {target}") : tr("holds a set of {source} for {target}");
+  return not_written(folder, fill(form, arg("source", there->identity.source), arg("target", there->identity.target)));
 }
 
-std::string refusal(const fs::path& folder, const SetIdentity& identity) {
-  std::string problem = in_the_way(folder, identity);
-  if (problem.empty()) return problem;
+base::Result<void> check_place_with_remedy(const fs::path& folder, const SetIdentity& identity) {
+  base::Result<void> place = check_place(folder, identity);
+  if (place) return place;
   std::error_code ec;
-  return fill(fs::is_directory(folder, ec) ? tr("{problem}; choose another folder, or --force to write among them")
-                                           : tr("{problem}; choose another folder"),
-              arg("problem", problem));
+  const char* form = fs::is_directory(folder, ec)
+                         ? tr("{problem}; choose another folder, or --force to write among them")
+                         : tr("{problem}; choose another folder");
+  place.error().text = fill(form, arg("problem", place.error().text));
+  return place;
 }
 
-Staging make_staging(const fs::path& folder, std::string& problem) {
+base::Result<Staging> make_staging(const fs::path& folder) {
   constexpr int kMaxTries = 10;
   std::error_code ec;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), ec);
   remove_stale_files(folder);
   for (int i = 0; i < kMaxTries; ++i) {
     Staging made{platform::temporary_beside(folder.string()), {}};
-    if (!fs::create_directory(made.folder, ec)) {
-      problem = fill(tr("{folder}: the folder cannot be made: {cause}"), arg("folder", folder.string()),
-                     arg("cause", ec.message()));
-      return {};
-    }
+    if (!fs::create_directory(made.folder, ec))
+      return not_written(folder, fill(tr("the folder cannot be made: {cause}"), arg("cause", ec.message())));
     const std::string mark = (made.folder / kStaged).string();
     made.lock = FileLock::take(mark);
     if (made.lock.held() && made.lock.stands_at(mark)) return made;
@@ -199,24 +202,21 @@ Staging make_staging(const fs::path& folder, std::string& problem) {
     if (made.lock.answer() == LockAnswer::kNoLocks) fs::remove(mark, ec);
     if (made.lock.answer() == LockAnswer::kNoLocks) return made;
     if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec)) {
-      problem =
-          fill(tr("{file}: cannot be made: {cause}"), arg("file", mark), arg("cause", made.lock.cause().message()));
       fs::remove(made.folder, ec);
-      return {};
+      return not_written(mark, fill(tr("cannot be made: {cause}"), arg("cause", made.lock.cause().message())));
     }
     // A process that removes stale folders came between the mark and its lock.
   }
-  problem = fill(tr("{folder}: the folder cannot be made: another process removes its contents"),
-                 arg("folder", folder.string()));
-  return {};
+  return not_written(folder, tr("the folder cannot be made: another process removes its contents"));
 }
 
 namespace {
 
-std::string put(const fs::path& made, const fs::path& folder, const SetIdentity& identity, bool force) {
+base::Result<void> put(const fs::path& made, const fs::path& folder, const SetIdentity& identity, bool force) {
   std::error_code ec;
   // Another's may have come since it was asked first.
-  if (std::string problem = force ? std::string{} : refusal(folder, identity); !problem.empty()) return problem;
+  if (!force)
+    if (base::Result<void> place = check_place_with_remedy(folder, identity); !place) return place;
   fs::remove(made / kStaged, ec);
   if (!fs::exists(folder, ec) || holds_nothing(folder)) return moved(made, folder);
   const std::optional<Listed> there = listed_in(folder);
@@ -224,26 +224,24 @@ std::string put(const fs::path& made, const fs::path& folder, const SetIdentity&
   const std::set<std::string> old = ours ? there->files : std::set<std::string>{};
   for (const std::string& name : files_in(made)) {
     const fs::path at = folder / name;
-    if (fs::is_directory(at, ec))
-      return fill(tr("{file}: is a folder; choose another folder for the set"), arg("file", at.string()));
+    if (fs::is_directory(at, ec)) return not_written(at, tr("is a folder; choose another folder for the set"));
     if (!force && fs::exists(fs::symlink_status(at, ec)) && !old.contains(name))
-      return fill(tr("{file}: does not belong to the set in this folder; move it away, or --force to replace it"),
-                  arg("file", at.string()));
+      return not_written(at, tr("does not belong to the set in this folder; move it away, or --force to replace it"));
   }
-  std::string problem = merge(made, folder, old);
+  base::Result<void> merged = merge(made, folder, old);
   platform::remove_with_contents(made.string());
-  return problem;
+  return merged;
 }
 
 }  // namespace
 
-std::string put_in_place(Staging made, const fs::path& folder, const SetIdentity& identity, bool force) {
+base::Result<void> put_in_place(Staging made, const fs::path& folder, const SetIdentity& identity, bool force) {
   const std::string path = folder.string() + kPlaceLock;
   const FileLock one_by_one = lock_place(path);
-  std::string problem = put(made.folder, folder, identity, force);
+  base::Result<void> done = put(made.folder, folder, identity, force);
   std::error_code ec;
   if (one_by_one.held()) fs::remove(path, ec);
-  return problem;
+  return done;
 }
 
 std::vector<std::string> listed_files(const fs::path& folder) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "platform/file_lock.h"
 
 namespace weftlight::texture_set {
@@ -16,11 +17,11 @@ struct SetIdentity {
 };
 std::string draft_from(const std::filesystem::path& folder, const std::string& draft_path);
 
-/// Empty if a set may be written here; otherwise what is in the way. A set may be written into a folder that does not
-/// exist, is empty, or holds a set of the same identity.
-std::string in_the_way(const std::filesystem::path& folder, const SetIdentity& identity);
+/// Whether a set may be written here, or what is in the way. A set may be written into a folder that does not exist, is
+/// empty, or holds a set of the same identity.
+base::Result<void> check_place(const std::filesystem::path& folder, const SetIdentity& identity);
 /// The same with what to do about it on the command line.
-std::string refusal(const std::filesystem::path& folder, const SetIdentity& identity);
+base::Result<void> check_place_with_remedy(const std::filesystem::path& folder, const SetIdentity& identity);
 
 /// A folder that is being filled. The lock is held while its owner lives.
 struct Staging {
@@ -28,13 +29,14 @@ struct Staging {
   platform::FileLock lock;
 };
 /// Makes an empty folder beside `folder`, and removes those of the same set whose lock can be taken: their owners have
-/// ended. Where the file system has no locks all stay, whatever their age. Empty folder: error, in `problem`.
-Staging make_staging(const std::filesystem::path& folder, std::string& problem);
+/// ended. Where the file system has no locks all stay, whatever their age.
+base::Result<Staging> make_staging(const std::filesystem::path& folder);
 
 /// Moves the files of `made` into `folder`, texture_set.json with the list of them last, and removes `made`. Files that
 /// only the earlier set lists are removed. A foreign file with the name of a new one is an error, unless `force`. Sets
-/// finished at the same time are put in place one after the other. Returns an error, or an empty string.
-std::string put_in_place(Staging made, const std::filesystem::path& folder, const SetIdentity& identity, bool force);
+/// finished at the same time are put in place one after the other.
+base::Result<void> put_in_place(Staging made, const std::filesystem::path& folder, const SetIdentity& identity,
+                                bool force);
 
 /// True if the folder holds a complete set with this key.
 bool is_complete(const std::filesystem::path& folder, const std::string& key);

@@ -11,7 +11,7 @@
 
 namespace weftlight::texture_set {
 
-using base::core_count, base::for_each_job, base::message, base::problem_of;
+using base::core_count, base::for_each_job;
 using cloth::Plane;
 using files::Image, files::ImageRows, files::PixelType, files::write_image, files::write_mipmapped_exr;
 
@@ -127,8 +127,8 @@ class RawMips {
   std::vector<SurfaceTexels> rest_;
 };
 
-void write_mips(SetImages& set, std::vector<Image> levels, Face face) {
-  if (!set.problem.empty() || levels.empty()) return;
+base::Result<void> write_mips(SetImages& set, std::vector<Image> levels, Face face) {
+  if (levels.empty()) return {};
   const std::string file = set.name + face_suffix(set.target, face) + "_mips.exr";
   std::vector<std::string> names;
   json channels;
@@ -137,13 +137,15 @@ void write_mips(SetImages& set, std::vector<Image> levels, Face face) {
     names.emplace_back(exr_name(c));
     channels[names.back()] = channel_description(c);
   }
-  set.problem = problem_of(write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names));
+  base::Result<void> done = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
   record(set, file, face, false, PixelType::kHalf, {levels[0].width, levels[0].height}, std::move(channels));
   set.maps.back()["mip_levels"] = levels.size();
+  return done;
 }
 
-void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, const std::string& what, Face face) {
-  if (!set.problem.empty() || planes.empty()) return;
+base::Result<void> write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, const std::string& what,
+                                 Face face) {
+  if (planes.empty()) return {};
   const std::string file = set.name + face_suffix(set.target, face) + "_horizon_" + what + ".exr";
   const Image image = pack_planes(planes);
   json channels = json::object();
@@ -154,9 +156,10 @@ void write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, cons
     names.emplace_back(name);
     channels[name] = "sine of the horizon's elevation, " + what + ", towards this azimuth in degrees, from right to up";
   }
-  set.problem = problem_of(write_image(set.folder + "/" + file, image, PixelType::kHalf, names));
+  base::Result<void> done = write_image(set.folder + "/" + file, image, PixelType::kHalf, names);
   record(set, file, face, false, PixelType::kHalf, {image.width, image.height}, std::move(channels));
   set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(image)});
+  return done;
 }
 
 /// Rows of the face in every image, and the surface itself if it is needed later.
@@ -178,22 +181,20 @@ PackedBand packed_band(std::span<const ImageRow> rows, const FaceSource& source,
 }
 
 /// Writes the images of the table and collects the mip levels.
-void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, RawMips& mips, MipImages& own) {
+base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, RawMips& mips,
+                              MipImages& own) {
   const std::span<const ImageRow> rows = set.target.images;
   std::vector<std::unique_ptr<ImageRows>> images;
   for (const ImageRow& row : rows) {
     const std::string path = set.folder + "/" + image_file(set.target, row, set.name, face);
     auto opened = ImageRows::open(path, size.width, size.height, channels_of(row), row.type, channel_names(row));
-    if (!opened) set.problem = message(opened.error());
-    if (!opened) return;
+    if (!opened) return failed(opened);
     images.push_back(std::move(*opened));
   }
-  std::vector<std::string> problems(rows.size());
-  const auto first_problem = [&] {
-    for (const std::string& p : problems) {
-      if (set.problem.empty()) set.problem = p;
-    }
-    return !set.problem.empty();
+  std::vector<base::Result<void>> done(rows.size());  // by image
+  const auto all_done = [&]() -> base::Result<void> {
+    const auto not_done = std::ranges::find_if(done, [](const base::Result<void>& r) { return !r; });
+    return not_done == done.end() ? base::Result<void>() : *not_done;
   };
   // First one band per core, then one image per core, which adds the bands in order.
   const size_t max_bands = static_cast<size_t>(core_count());
@@ -206,19 +207,20 @@ void write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face
     });
     for_all(rows.size(), [&](size_t i) {
       for (const PackedBand& band : bands)
-        if (problems[i].empty()) problems[i] = problem_of(images[i]->add(band.images[i]));
+        if (done[i]) done[i] = images[i]->add(band.images[i]);
     });
-    const int done = y + source.band() * static_cast<int>(bands.size());
-    if (set.keep_going && !set.keep_going(static_cast<float>(done) / static_cast<float>(size.height)))
-      set.problem = kStopped;
-    if (first_problem()) return;
+    const int written = y + source.band() * static_cast<int>(bands.size());
+    if (set.keep_going && !set.keep_going(static_cast<float>(written) / static_cast<float>(size.height)))
+      return stopped();
+    if (base::Result<void> all = all_done(); !all) return all;
     for (PackedBand& band : bands) {
       mips.add(band.surface);
-      if (own.wanted() && set.problem.empty()) set.problem = problem_of(own.add(std::move(band.mips)));
+      if (!own.wanted()) continue;
+      if (base::Result<void> added = own.add(std::move(band.mips)); !added) return added;
     }
   }
-  for_all(rows.size(), [&](size_t i) { problems[i] = problem_of(images[i]->close()); });
-  if (!first_problem()) set.problem = problem_of(own.close());
+  for_all(rows.size(), [&](size_t i) { done[i] = images[i]->close(); });
+  return all_done().and_then([&own] { return own.close(); });
 }
 
 /// Paths of a face's images without their extensions.
@@ -242,25 +244,23 @@ void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face fa
 
 }  // namespace
 
-void write_face(SetImages& set, const FaceSource& source, Face face) {
-  if (!set.problem.empty()) return;
+base::Result<void> write_face(SetImages& set, const FaceSource& source, Face face) {
   const TextureSize size = source.size();
   RawMips mips(set.target.raw);
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
   MipImages own(set.target.images, source, set.mips, cut_out);
-  set.problem = problem_of(own.open(stems_of(set, face)));
-  if (!set.problem.empty()) return;
-  write_rows(set, source, size, face, mips, own);
-  if (!set.problem.empty()) return;
+  if (base::Result<void> opened = own.open(stems_of(set, face)); !opened) return opened;
+  if (base::Result<void> rows = write_rows(set, source, size, face, mips, own); !rows) return rows;
   record_mips(set, own, size, face);
   for (const ImageRow& row : set.target.images) {
     record(set, image_file(set.target, row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
     set.sheet.push_back(
         {std::string(row.suffix + 1) + face_suffix(set.target, face), thumbnail_of(row, source.small())});
   }
-  write_horizon(set, source.small().horizon_mean, "mean", face);
-  write_horizon(set, source.small().horizon_spread, "spread", face);
-  write_mips(set, mips.finished(), face);
+  base::Result<void> done = write_horizon(set, source.small().horizon_mean, "mean", face);
+  if (done) done = write_horizon(set, source.small().horizon_spread, "spread", face);
+  if (done) done = write_mips(set, mips.finished(), face);
+  return done;
 }
 
 }  // namespace weftlight::texture_set

@@ -23,14 +23,13 @@ struct SetImages {
   const ExportTarget& target;
   nlohmann::json maps = nlohmann::json::array();
   std::vector<SheetEntry> sheet;
-  std::string problem;  // empty until an error; after that nothing more is written
   // Called after each band with the fraction of the face that is written. False stops the export.
   std::function<bool(float fraction)> keep_going{};
   std::optional<MipContainer> mips{};
   Alpha alpha = Alpha::kAuto;  // as requested
 };
 
-/// Writes all images of a face.
-void write_face(SetImages& set, const FaceSource& source, Face face);
+/// Writes all images of a face. kCancelled if keep_going() stopped it.
+base::Result<void> write_face(SetImages& set, const FaceSource& source, Face face);
 
 }  // namespace weftlight::texture_set

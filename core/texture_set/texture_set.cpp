@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/caught.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "cloth/cloth.h"
@@ -19,7 +18,7 @@
 
 namespace weftlight::texture_set {
 
-using base::arg, base::fill, base::problem_of, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
 using cloth::ClothLayer, cloth::Period, cloth::ThreadBody, cloth::lay_out;
 using design::Twist, design::Yarn;
 using draft::BitMatrix, draft::drawdown;
@@ -138,15 +137,15 @@ std::string printable(const std::string& text) {
   return out;
 }
 
-std::string write_sheet(const SetImages& images, const SetFacts& set) {
+base::Result<void> write_sheet(const SetImages& images, const SetFacts& set) {
   const std::string title = set.design.title.empty() ? set.name : printable(set.design.title);
   const Cloth& cloth = set.front.cloth();
   const std::string facts = fill(tr("{target}   {size}   {ends} ends x {picks} picks   {width} x {height} texels"),
                                  arg("target", set.target.id), arg("size", size_text(set.front.small())),
                                  arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()),
                                  arg("width", set.front.size().width), arg("height", set.front.size().height));
-  return problem_of(write_image(set.folder + "/contact_sheet.png",
-                                contact_sheet(title, facts, set.front.small(), images.sheet), PixelType::kU8));
+  return write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, set.front.small(), images.sheet),
+                     PixelType::kU8);
 }
 
 SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options) {
@@ -208,19 +207,18 @@ std::function<bool(float)> face_progress(const ExportProgress& progress, float f
 }
 
 /// Writes the set into `folder`, which is later moved to `destination`.
-std::string write_into(const std::string& folder, const std::string& destination, const Design& design,
-                       const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress) {
+base::Result<void> write_into(const std::string& folder, const std::string& destination, const Design& design,
+                              const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress) {
   const BitMatrix cells = drawdown(design.draft);
-  if (cells.rows() < 1 || cells.cols() < 1) return tr("the draft has no cloth; it needs at least one end and one pick");
+  if (cells.rows() < 1 || cells.cols() < 1)
+    return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder,       options.name, *options.target, json::array(), {}, {}, face_progress(progress, 0),
+  SetImages images{folder,       options.name, *options.target, json::array(), {}, face_progress(progress, 0),
                    options.mips, options.alpha};
-  write_face(images, front, Face::kFront);
-  if (!images.problem.empty()) return images.problem;
+  if (base::Result<void> written = write_face(images, front, Face::kFront); !written) return written;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
   images.keep_going = face_progress(progress, kFaceDone);
-  write_face(images, back, Face::kBack);
-  if (!images.problem.empty()) return images.problem;
+  if (base::Result<void> written = write_face(images, back, Face::kBack); !written) return written;
   const SetFacts set{folder,
                      options.name,
                      *options.target,
@@ -230,14 +228,14 @@ std::string write_into(const std::string& folder, const std::string& destination
                      front,
                      back,
                      mesh};
-  std::string problem = set.target.write_material ? set.target.write_material(set) : std::string{};
-  if (progress.stop.stop_requested()) problem = kStopped;
-  if (problem.empty()) problem = write_sheet(images, set);
-  if (problem.empty()) problem = write_file_atomically(folder + "/README.md", readme(front, options));
-  if (problem.empty())
-    problem = write_file_atomically(folder + "/texture_set.json",
-                                    set_json(images, set, options, identity_of(destination, options)));
-  return problem;
+  base::Result<void> done = set.target.write_material ? set.target.write_material(set) : base::Result<void>();
+  if (progress.stop.stop_requested()) return stopped();
+  if (done) done = write_sheet(images, set);
+  if (done) done = write_file_atomically(folder + "/README.md", readme(front, options));
+  if (done)
+    done = write_file_atomically(folder + "/texture_set.json",
+                                 set_json(images, set, options, identity_of(destination, options)));
+  return done;
 }
 
 }  // namespace
@@ -364,27 +362,30 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   return out;
 }
 
-std::string existing_files_problem(const std::string& folder, const TextureSetOptions& options) {
-  return in_the_way(folder, identity_of(folder, options));
+base::Failure stopped() { return base::failure(base::ErrorKind::kCancelled, tr("stopped")); }
+
+base::Result<void> check_set_folder(const std::string& folder, const TextureSetOptions& options) {
+  return check_place(folder, identity_of(folder, options));
 }
 
-std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                              const TextureSetOptions& options, const ExportProgress& progress) {
-  std::string problem = options.force ? std::string{} : refusal(folder, identity_of(folder, options));
-  if (!problem.empty()) return problem;
-  Staging staging = make_staging(folder, problem);
-  if (!problem.empty()) return problem;
-  const fs::path made = staging.folder;
+base::Result<void> write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
+                                     const TextureSetOptions& options, const ExportProgress& progress) {
+  const SetIdentity identity = identity_of(folder, options);
+  base::Result<void> done = options.force ? base::Result<void>() : check_place_with_remedy(folder, identity);
+  if (!done) return done;
+  base::Result<Staging> staging = make_staging(folder);
+  if (!staging) return failed(staging);
+  const fs::path made = staging->folder;
   try {
-    problem = write_into(made.string(), folder, design, mesh, options, progress);
+    done = write_into(made.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
-    problem = tr("not enough memory; export with a smaller --size");
+    done = base::failure(base::ErrorKind::kMemory, tr("not enough memory; export with a smaller --size"));
   } catch (...) {
-    problem = base::words_of_thrown();
+    done = base::thrown(base::ErrorKind::kOutput);
   }
-  if (problem.empty()) problem = put_in_place(std::move(staging), folder, identity_of(folder, options), options.force);
+  if (done) done = put_in_place(std::move(*staging), folder, identity, options.force);
   platform::remove_with_contents(made.string());
-  return problem;
+  return done;
 }
 
 }  // namespace weftlight::texture_set

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "design/design.h"
 #include "drape/mesh.h"
 #include "files/mip_file.h"
@@ -58,14 +59,13 @@ struct ExportProgress {
   std::function<void(float fraction)> report{};  // 0..1, on the calling thread; may be empty
   std::stop_token stop{};
 };
-/// The error of a set that was stopped. The earlier set is unchanged.
-inline constexpr const char* kStopped = "stopped";
+/// The error of a set that was stopped, of kCancelled. The earlier set is unchanged.
+base::Failure stopped();
 
 /// Writes the set into `folder`, completely or not at all. Only files that an earlier set of the same draft and target
-/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb. Returns
-/// an error, or an empty string.
-std::string write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                              const TextureSetOptions& options, const ExportProgress& progress = {});
+/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb.
+base::Result<void> write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
+                                     const TextureSetOptions& options, const ExportProgress& progress = {});
 
 /// The size of a set with both faces, known before it is made.
 struct SetFigures {
@@ -80,7 +80,7 @@ SetFigures figures_of(const Design& design, const TextureSetOptions& options);
 /// One face as it is exported, with at most `side` texels per side. The draft must have cloth.
 FaceSource face_at(const Design& design, Face face, const TextureSetOptions& options, int side);
 
-/// Empty if write_texture_set() can write without `force`; otherwise what is in the way.
-std::string existing_files_problem(const std::string& folder, const TextureSetOptions& options);
+/// Whether write_texture_set() can write without `force`, or what is in the way.
+base::Result<void> check_set_folder(const std::string& folder, const TextureSetOptions& options);
 
 }  // namespace weftlight::texture_set

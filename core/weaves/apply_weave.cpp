@@ -13,8 +13,8 @@ namespace weftlight::weaves {
 
 using base::arg, base::fill, base::tr;
 using design::Design, design::WeaveUse, design::loom_size;
-using draft::BitMatrix, draft::Draft, draft::Factored, draft::Rgb, draft::ShedControl, draft::drawdown,
-    draft::first_equal_rows, draft::lifts, draft::with_drawdown;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::drawdown, draft::first_equal_rows,
+    draft::lifts, draft::with_drawdown;
 
 namespace {
 
@@ -49,7 +49,7 @@ void replace_structure(Draft& d, Draft made) {
 
 }  // namespace
 
-GeneratedWeave with_weave(Design design, const WeaveUse& requested) {
+base::Result<GeneratedWeave> with_weave(Design design, const WeaveUse& requested) {
   const WeaveKind* kind = find_weave(requested.weave);
   const Draft& d = design.draft;
   WeaveUse use = requested;
@@ -57,10 +57,11 @@ GeneratedWeave with_weave(Design design, const WeaveUse& requested) {
   use.first_pick = std::clamp(use.first_pick, 0, d.picks());
   use.ends = std::clamp(use.ends, 0, d.ends() - use.first_end);
   use.picks = std::clamp(use.picks, 0, d.picks() - use.first_pick);
-  if (!kind) return {std::move(design), fill(tr("there is no weave named '{name}'"), arg("name", requested.weave))};
-  if (use.ends == 0 || use.picks == 0) return {std::move(design), tr("no threads are selected")};
+  const auto impossible = [](std::string why) { return base::failure(base::ErrorKind::kInput, std::move(why)); };
+  if (!kind) return impossible(fill(tr("there is no weave named '{name}'"), arg("name", requested.weave)));
+  if (use.ends == 0 || use.picks == 0) return impossible(tr("no threads are selected"));
   use.values = complete_values(*kind, requested.values);
-  if (std::string why = why_refused(*kind, use.values); !why.empty()) return {std::move(design), std::move(why)};
+  if (auto checked = check_values(*kind, use.values); !checked) return failed(checked);
   GeneratedWeave made = kind->make(use.values, {use.ends, use.picks});
   if (use.ends == d.ends() && use.picks == d.picks()) {
     if (kind->colors == WeaveColors::kOwn) {
@@ -74,12 +75,12 @@ GeneratedWeave with_weave(Design design, const WeaveUse& requested) {
     BitMatrix cells = drawdown(d);
     for (int p = 0; p < use.picks; ++p)
       for (int e = 0; e < use.ends; ++e) cells.set(use.first_pick + p, use.first_end + e, part.get(p, e));
-    Factored factored = with_drawdown(d, cells, loom_size(design));
-    if (!factored.done()) return {std::move(design), std::move(factored.why)};
-    design.draft = std::move(factored.draft);
+    base::Result<Draft> factored = with_drawdown(d, cells, loom_size(design));
+    if (!factored) return failed(factored);
+    design.draft = std::move(*factored);
   }
   store_use(design, use);
-  return {std::move(design), std::move(made.why)};
+  return GeneratedWeave{std::move(design), std::move(made.note)};
 }
 
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {

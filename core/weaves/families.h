@@ -1,9 +1,11 @@
 #pragma once
-// The families of weaves beyond generators.h, one per file. `why` tells the user what was replaced in the input.
+// The families of weaves beyond weaves.h, one per file.
 
+#include <optional>
+#include <span>
 #include <string_view>
 
-#include "weaves/table.h"
+#include "weaves/weaves.h"
 
 namespace weftlight::weaves {
 
@@ -18,20 +20,15 @@ OverUnder read_ratio(std::string_view text);
 std::vector<int> read_profile(std::string_view text);
 /// Threads with ranges and repeats: "1-4 3x(5 6) 8-5". Numbers count from 1 in the text, from 0 in the result. Brackets
 /// may be nested.
-struct SequenceRead {
-  std::vector<int> threads;
-  std::string why;  // what could not be read; may be empty
-};
-SequenceRead read_sequence(std::string_view text, int most = kMaxShafts);
+Noted<std::vector<int>> read_sequence(std::string_view text, int most = kMaxShafts);
 /// A tartan sett, runs of threads of one colour: "R8 K4 G24"; with pivots "R/8 K4 G/24" it reverses at both ends.
-struct SettRead {
+struct Sett {
   std::vector<Rgb> palette;
   std::vector<Stripe> stripes;
-  std::string why;
 };
-SettRead read_sett(std::string_view text);
+Noted<Sett> read_sett(std::string_view text);
 
-// ---- simple.cpp
+// ---- draws.cpp
 /// Steps that make a satin on so many shafts: neither 1 nor shafts - 1, and without a common factor.
 std::vector<int> satin_steps(int shafts);
 /// A straight threading and treadling, with half of the shafts tied to each treadle, shifted by one.

@@ -1,4 +1,4 @@
-// Generators of weaves that take more than one call of generators.h.
+#include "weaves/makers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "weaves/families.h"
-#include "weaves/weave_values.h"
 
 namespace weftlight::weaves {
 
@@ -47,14 +46,11 @@ std::vector<int> pattern_line(std::string_view form, int ends, int height) {
 }  // namespace
 
 GeneratedWeave make_broken(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  const OverUnder order = ratio(v, made.why);
+  const auto [order, note] = ratio(v);
   const int shafts = std::accumulate(order.begin(), order.end(), 0);
-  SequenceRead read = read_sequence(text(v, "order"), shafts);
-  if (!read.why.empty()) made.why = read.why;
-  if (read.threads.empty()) read.threads = {0, 1, 3, 2};
-  made.design = broken_twill(order, read.threads, lean(v), size);
-  return made;
+  Noted<std::vector<int>> read = read_sequence(text(v, "order"), shafts);
+  if (read.value.empty()) read.value = {0, 1, 3, 2};
+  return {broken_twill(order, read.value, lean(v), size), read.note.empty() ? note : read.note};
 }
 
 GeneratedWeave make_satin(const WeaveValues& v, ClothSize size) {
@@ -68,25 +64,23 @@ GeneratedWeave make_satin(const WeaveValues& v, ClothSize size) {
   if (step == wanted) return made;
   std::string list;
   for (const int s : steps) list.append(list.empty() ? "" : " ").append(std::to_string(s));
-  made.why = fill(tr("a satin on {shafts} shafts has the steps {steps}; {step} is used"), arg("shafts", shafts),
-                  arg("steps", list), arg("step", step));
+  made.note = fill(tr("a satin on {shafts} shafts has the steps {steps}; {step} is used"), arg("shafts", shafts),
+                   arg("steps", list), arg("step", step));
   return made;
 }
 
 GeneratedWeave make_network(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  const OverUnder order = ratio(v, made.why);
+  auto [order, note] = ratio(v);
   const int shafts = std::accumulate(order.begin(), order.end(), 0);
-  SequenceRead initial = read_sequence(text(v, "initial"), 16);
-  if (!initial.why.empty() || initial.threads.empty()) {
-    made.why =
-        fill(tr("'{text}' is not an initial such as 1-4, which is used instead"), arg("text", text(v, "initial")));
-    initial.threads = {0, 1, 2, 3};
+  auto [initial, unread] = read_sequence(text(v, "initial"), 16);
+  if (!unread.empty() || initial.empty()) {
+    note = fill(tr("'{text}' is not an initial such as 1-4, which is used instead"), arg("text", text(v, "initial")));
+    initial = {0, 1, 2, 3};
   }
-  const int rows = *std::ranges::max_element(initial.threads) + 1;
-  initial.threads.resize(static_cast<size_t>(std::max(rows, static_cast<int>(initial.threads.size()))), 0);
+  const int rows = *std::ranges::max_element(initial) + 1;
+  initial.resize(static_cast<size_t>(std::max(rows, static_cast<int>(initial.size()))), 0);
   const std::vector<int> draw =
-      network_threading(initial.threads, pattern_line(text(v, "line"), count(v, "length"), count(v, "height")), shafts);
+      network_threading(initial, pattern_line(text(v, "line"), count(v, "length"), count(v, "height")), shafts);
   const Draft whole = twill(order, lean(v), {1, 1}).draft;
   Recipe recipe{shafts, draw, {}, {}};
   for (int t = 0; t < whole.treadles; ++t) {
@@ -96,15 +90,13 @@ GeneratedWeave make_network(const WeaveValues& v, ClothSize size) {
     recipe.treadling.push_back(t);
   }
   if (is(v, "treadling", "as drawn in")) recipe.treadling = draw;
-  made.design = make_design(recipe, size);
-  return made;
+  return {make_design(recipe, size), note};
 }
 
 /// Blocks A 1232, B 2343, C 3414, D 4121. Between two blocks the first thread of the old one is repeated, so that no
 /// two adjacent ends are both odd or both even. Based on: Mary Snyder, The Crackle Weave, 1961.
 GeneratedWeave make_crackle(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  const std::vector<int> blocks = profile(v, 4, made.why);
+  const auto [blocks, note] = profile(v, 4);
   Recipe recipe{4, {}, {{2, 3}, {0, 3}, {0, 1}, {1, 2}, {0, 2}, {1, 3}}, {}};
   for (size_t i = 0; i < blocks.size(); ++i) {
     const int block = blocks[i], next = blocks[(i + 1) % blocks.size()];
@@ -118,22 +110,19 @@ GeneratedWeave make_crackle(const WeaveValues& v, ClothSize size) {
       recipe.treadling.push_back(block);
       recipe.treadling.push_back(4 + static_cast<int>(recipe.treadling.size()) / 2 % 2);
     }
-  made.design = make_design(recipe, size);
-  return made;
+  return {make_design(recipe, size), note};
 }
 
 GeneratedWeave make_substitution(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
   const auto templates = block_templates();
   const std::string id = text(v, "template");
   const auto found = std::ranges::find_if(templates, [&](const BlockTemplate& t) { return id == t.id; });
   BlockTemplate unit = found != templates.end() ? *found : templates.front();
   const std::string warp = text(v, "warp"), weft = text(v, "weft");
   if (id == "own") unit = {"own", "Own", count(v, "ties"), warp.c_str(), weft.c_str()};
-  std::string why;
-  const std::vector<int> blocks = profile(v, 8, why);
-  made = substituted(unit, blocks, read_profile(text(v, "weft_profile")), size);
-  if (made.why.empty()) made.why = why;
+  auto [blocks, note] = profile(v, 8);
+  GeneratedWeave made = substituted(unit, blocks, read_profile(text(v, "weft_profile")), size);
+  if (made.note.empty()) made.note = std::move(note);
   return made;
 }
 
@@ -143,9 +132,9 @@ GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
   Recipe recipe{shafts, {}, {}, {}};
   // `problem`: pattern of the message.
   const auto read = [&](const char* id, const char* problem, int most) {
-    SequenceRead r = read_sequence(text(v, id), most);
-    if (!r.why.empty() && made.why.empty()) made.why = fill(problem, arg("problem", r.why));
-    return r.threads.empty() ? std::vector<int>{0} : std::move(r.threads);
+    Noted<std::vector<int>> r = read_sequence(text(v, id), most);
+    if (!r.note.empty() && made.note.empty()) made.note = fill(problem, arg("problem", r.note));
+    return r.value.empty() ? std::vector<int>{0} : std::move(r.value);
   };
   recipe.threading = read("threading", tr("threading: {problem}"), shafts);
   std::string treadle;
@@ -155,9 +144,9 @@ GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
       treadle += c;
       continue;
     }
-    SequenceRead r = read_sequence(treadle, shafts);
-    if (!r.why.empty() && made.why.empty()) made.why = fill(tr("tie-up: {problem}"), arg("problem", r.why));
-    recipe.tieup.push_back(std::move(r.threads));
+    Noted<std::vector<int>> r = read_sequence(treadle, shafts);
+    if (!r.note.empty() && made.note.empty()) made.note = fill(tr("tie-up: {problem}"), arg("problem", r.note));
+    recipe.tieup.push_back(std::move(r.value));
     treadle.clear();
     if (recipe.tieup.size() >= static_cast<size_t>(kMaxShafts)) break;
   }
@@ -167,27 +156,24 @@ GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
 }
 
 GeneratedWeave make_sett(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  made.design = twill(ratio(v, made.why), lean(v), size);
-  SettRead sett = read_sett(text(v, "sett"));
-  if (!sett.why.empty()) made.why = sett.why;
+  const auto [order, note] = ratio(v);
+  const auto [sett, unread] = read_sett(text(v, "sett"));
+  GeneratedWeave made{twill(order, lean(v), size), unread.empty() ? note : unread};
   if (!sett.palette.empty())
     made.design = with_colors(std::move(made.design), sett.palette, sett.stripes, sett.stripes);
   return made;
 }
 
 GeneratedWeave make_double(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  OverUnder order = ratio(v, made.why);
+  auto [order, note] = ratio(v);
   // Each layer has its own shafts.
   if (2 * std::accumulate(order.begin(), order.end(), 0) > kMaxShafts) {
-    made.why =
+    note =
         fill(tr("two layers of this twill need more than {most} shafts; 2/2 is used instead"), arg("most", kMaxShafts));
     order = {2, 2};
   }
   const bool wide = is(v, "kind", "double width");
-  made.design = double_cloth(wide ? DoubleCloth::kDoubleWidth : DoubleCloth::kLayers, order, size);
-  return made;
+  return {double_cloth(wide ? DoubleCloth::kDoubleWidth : DoubleCloth::kLayers, order, size), note};
 }
 
 }  // namespace weftlight::weaves

@@ -11,7 +11,7 @@
 namespace weftlight::weaves {
 
 using base::arg, base::fill, base::tr;
-using design::why_locked;
+using design::may_paint;
 using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Threads, draft::for_each_bit,
     draft::kMaxCells, draft::kMaxThreads;
 
@@ -178,17 +178,20 @@ void copy_rows(BitMatrix& to, int at, const BitMatrix& from) {
     });
 }
 
-/// Why the sections cannot be assembled; empty if they can.
-std::string why_impossible(const Design& design, System system, const std::vector<const ThreadSection*>& order) {
+base::Failure impossible(std::string why) { return base::failure(base::ErrorKind::kInput, std::move(why)); }
+
+/// Whether the sections can be assembled.
+base::Result<void> check_sections(const Design& design, System system, const std::vector<const ThreadSection*>& order) {
   const Draft& d = design.draft;
-  if (system == System::kWarp) return why_locked(design, BitGrid::kThreading);
+  if (system == System::kWarp) return may_paint(design, BitGrid::kThreading);
   for (const ThreadSection* section : order)
     if (section->shed_control != d.shed_control)
-      return fill(d.shed_control == ShedControl::kLiftplan
-                      ? tr("section {name} holds treadles, and the draft has a liftplan; define the section again")
-                      : tr("section {name} holds lifts, and the draft has a treadling; define the section again"),
-                  arg("name", section->name));
-  return why_locked(design, d.shed_control == ShedControl::kLiftplan ? BitGrid::kLiftplan : BitGrid::kTreadling);
+      return impossible(
+          fill(d.shed_control == ShedControl::kLiftplan
+                   ? tr("section {name} holds treadles, and the draft has a liftplan; define the section again")
+                   : tr("section {name} holds lifts, and the draft has a treadling; define the section again"),
+               arg("name", section->name)));
+  return may_paint(design, d.shed_control == ShedControl::kLiftplan ? BitGrid::kLiftplan : BitGrid::kTreadling);
 }
 
 Design woven(Design design, System system, const std::vector<const ThreadSection*>& order, int count) {
@@ -218,12 +221,12 @@ Design woven(Design design, System system, const std::vector<const ThreadSection
 
 }  // namespace
 
-Order read_order(std::string_view text) {
+base::Result<std::vector<OrderItem>> read_order(std::string_view text) {
   OrderReader reader{text};
-  Order out{reader.list(0), {}};
+  std::vector<OrderItem> items = reader.list(0);
   if (reader.why.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"), reader.at);
-  out.why = std::move(reader.why);
-  return out;
+  if (!reader.why.empty()) return impossible(std::move(reader.why));
+  return items;
 }
 
 std::string order_text(const std::vector<OrderItem>& items) {
@@ -303,24 +306,23 @@ int assembled_threads(const Assembly& assembly, const std::vector<OrderItem>& it
   return static_cast<int>(threads_in(assembly, items, nullptr));
 }
 
-Assembled assembled(Design design, System system, Assembly assembly) {
-  Order order = read_order(assembly.order);
+base::Result<Design> assembled(Design design, System system, Assembly assembly) {
+  const base::Result<std::vector<OrderItem>> order = read_order(assembly.order);
+  if (!order) return failed(order);
   std::string unknown;
-  const int64_t count = threads_in(assembly, order.items, &unknown);
-  std::vector<const ThreadSection*> sections;
-  if (order.why.empty() && !unknown.empty()) order.why = fill(tr("there is no section {name}"), arg("name", unknown));
-  if (order.why.empty() && count < 0)
-    order.why = fill(tr("this is more than {most} threads"), arg("most", kMaxThreads));
+  const int64_t count = threads_in(assembly, *order, &unknown);
+  if (!unknown.empty()) return impossible(fill(tr("there is no section {name}"), arg("name", unknown)));
+  if (count < 0) return impossible(fill(tr("this is more than {most} threads"), arg("most", kMaxThreads)));
   const int64_t across = system == System::kWarp ? design.draft.picks() : design.draft.ends();
-  if (order.why.empty() && count * across > kMaxCells) order.why = tr("too many crossings");
-  if (order.why.empty() && count > 0) {
-    sections = expanded(assembly, order.items);
-    order.why = why_impossible(design, system, sections);
+  if (count * across > kMaxCells) return impossible(tr("too many crossings"));
+  if (count > 0) {
+    const std::vector<const ThreadSection*> sections = expanded(assembly, *order);
+    if (const base::Result<void> possible = check_sections(design, system, sections); !possible)
+      return failed(possible);
+    design = woven(std::move(design), system, sections, static_cast<int>(count));
   }
-  if (!order.why.empty()) return {std::move(design), std::move(order.why)};
-  if (count > 0) design = woven(std::move(design), system, sections, static_cast<int>(count));
   (system == System::kWarp ? design.warp_assembly : design.weft_assembly) = std::move(assembly);
-  return {std::move(design), {}};
+  return design;
 }
 
 }  // namespace weftlight::weaves

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "design/design.h"
 #include "design/thread_order.h"
 
@@ -26,14 +27,11 @@ struct OrderItem {
   int times = 1;                 // 1..kMaxThreads
   bool operator==(const OrderItem&) const = default;
 };
-struct Order {
-  std::vector<OrderItem> items;
-  std::string why;  // what could not be read, and where; may be empty
-};
 
 /// Names, brackets and counts ("4x", "x4", "4"). A count belongs to the section or bracket before it; at the start,
-/// after a comma or after an opening bracket to the one after it. Commas and blanks separate. Accepts any text.
-Order read_order(std::string_view text);
+/// after a comma or after an opening bracket to the one after it. Commas and blanks separate. The error
+/// says at which character.
+base::Result<std::vector<OrderItem>> read_order(std::string_view text);
 /// The order as text that read_order gives back.
 std::string order_text(const std::vector<OrderItem>& items);
 
@@ -61,12 +59,8 @@ Assembly with_section(Assembly assembly, ThreadSection section);
 /// Number of threads of the order; -1: more than kMaxThreads.
 int assembled_threads(const Assembly& assembly, const std::vector<OrderItem>& items);
 
-struct Assembled {
-  Design design;    // unchanged if `why` is not empty
-  std::string why;  // what is wrong with the order
-};
 /// Stores the assembly in the design and assembles its ends (picks). An order without sections leaves the threads
 /// unchanged.
-Assembled assembled(Design design, System system, Assembly assembly);
+base::Result<Design> assembled(Design design, System system, Assembly assembly);
 
 }  // namespace weftlight::weaves

@@ -87,12 +87,12 @@ GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& wa
   const int own = own_shafts(unit), blocks = blocks_of(warp, weft), ties = std::clamp(unit.ties, 0, 9);
   Recipe recipe{ties + own * blocks, {}, {}, {}};
   const std::vector<std::string> ends = words_of(unit.warp), picks = words_of(unit.weft);
-  std::string why;
+  std::string note;
   for (const int block : warp)
     for (const std::string& end : ends) {
       const int shaft = shaft_of(end[0], ties, own, block);
       if (shaft >= 0 && end.size() == 1) recipe.threading.push_back(shaft);
-      else why = fill(tr("'{text}' is not a shaft of the template"), arg("text", end));
+      else note = fill(tr("'{text}' is not a shaft of the template"), arg("text", end));
     }
   std::map<std::vector<int>, int> treadle_of;
   for (const int block : weft)
@@ -105,7 +105,7 @@ GeneratedWeave substituted(const BlockTemplate& unit, const std::vector<int>& wa
   if (recipe.shafts < 1 || recipe.shafts > kMaxShafts || recipe.tieup.size() > static_cast<size_t>(kMaxShafts) ||
       recipe.threading.empty() || recipe.treadling.empty())
     return {plain(size), tr("the template makes no weave; plain weave is used instead")};
-  return {make_design(recipe, size), why};
+  return {make_design(recipe, size), note};
 }
 
 }  // namespace weftlight::weaves

@@ -8,7 +8,7 @@
 
 #include "base/mark.h"
 #include "weaves/families.h"
-#include "weaves/weave_values.h"
+#include "weaves/makers.h"
 
 namespace weftlight::weaves {
 
@@ -67,16 +67,14 @@ WeaveParameter profile_parameter(const char* default_value) {
 
 template <auto kMake>
 GeneratedWeave from_ratio(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  made.design = kMake(ratio(v, made.why), v, size);
-  return made;
+  auto [order, note] = ratio(v);
+  return {kMake(order, v, size), std::move(note)};
 }
 
 template <auto kMake, int kBlocks>
 GeneratedWeave from_profile(const WeaveValues& v, ClothSize size) {
-  GeneratedWeave made;
-  made.design = kMake(profile(v, kBlocks, made.why), v, size);
-  return made;
+  auto [blocks, note] = profile(v, kBlocks);
+  return {kMake(blocks, v, size), std::move(note)};
 }
 
 std::vector<const char*> template_choices() {

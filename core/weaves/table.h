@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
+#include "weaves/weave_values.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
@@ -21,9 +23,6 @@ enum class ParameterKind {
   kText,    // text whose syntax `tip` explains: a ratio, a profile, a sequence
 };
 
-/// Values by id; what is missing has its default value.
-using WeaveValues = std::vector<std::pair<std::string, std::string>>;
-
 struct WeaveParameter {
   const char* id;
   const char* label;
@@ -34,12 +33,6 @@ struct WeaveParameter {
   std::vector<const char*> choices = {};
   /// The values from low to high that make a weave, given the parameters before it; null: all.
   std::vector<int> (*allowed)(const WeaveParameter& parameter, const WeaveValues& values) = nullptr;
-};
-
-/// A whole draft of the requested size. `why`: what could not be used as written, and what was used instead.
-struct GeneratedWeave {
-  Design design;
-  std::string why;
 };
 
 /// Colours of a new draft of the weave.
@@ -66,8 +59,8 @@ const WeaveKind* find_weave(std::string_view id);
 WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given);
 /// The same, with each count changed to the nearest allowed one.
 WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given);
-/// Why these values make no weave: a ratio that cannot be read. Empty if they do.
-std::string why_refused(const WeaveKind& kind, const WeaveValues& values);
+/// Whether these values make a weave, or the error: a ratio that cannot be read.
+base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values);
 /// One repeat of the weave with its colours. 0 if that is more than 1,024 threads.
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values);
 /// The whole number of repeats nearest to `about`, at least one; `about` if there is no repeat.
@@ -78,8 +71,7 @@ GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, Cloth
 
 /// Applies a weave to threads of a draft. Applied to all threads, it replaces threading, tie-up and treadling; size,
 /// yarns and (unless the weave has its own) colours stay. Applied to some, only their crossings change (factor.h),
-/// within the loom's limits. `use` is stored instead of weaves that it overlaps. Unchanged, with the reason, if it is
-/// impossible or refused.
-GeneratedWeave with_weave(Design design, const WeaveUse& use);
+/// within the loom's limits. `use` is stored instead of weaves that it overlaps. Refused as check_values().
+base::Result<GeneratedWeave> with_weave(Design design, const WeaveUse& use);
 
 }  // namespace weftlight::weaves

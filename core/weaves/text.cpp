@@ -36,10 +36,10 @@ struct SequenceReader {
   std::string_view text;
   int most;
   size_t at = 0;
-  std::string why;
+  std::string note;
 
   void fail(const std::string& what) {
-    if (why.empty()) why = fill(tr("{problem} at character {at}"), arg("problem", what), arg("at", at + 1));
+    if (note.empty()) note = fill(tr("{problem} at character {at}"), arg("problem", what), arg("at", at + 1));
     at = text.size();
   }
   void append(std::vector<int>& to, const std::vector<int>& part, int times) {
@@ -93,7 +93,7 @@ struct SequenceReader {
       ++at;
       const std::vector<int> inside = parts(depth + 1);
       if (at >= text.size()) {
-        if (why.empty()) why = tr("a bracket is not closed");
+        if (note.empty()) note = tr("a bracket is not closed");
         return out;
       }
       ++at;
@@ -184,16 +184,16 @@ std::vector<int> read_profile(std::string_view text) {
   return blocks;
 }
 
-SequenceRead read_sequence(std::string_view text, int most) {
+Noted<std::vector<int>> read_sequence(std::string_view text, int most) {
   SequenceReader reader{text, most, 0, {}};
-  SequenceRead out{reader.parts(0), {}};
-  if (reader.why.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"));
-  out.why = std::move(reader.why);
-  return out;
+  std::vector<int> threads = reader.parts(0);
+  if (reader.note.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"));
+  return {std::move(threads), std::move(reader.note)};
 }
 
-SettRead read_sett(std::string_view text) {
-  SettRead out;
+Noted<Sett> read_sett(std::string_view text) {
+  Noted<Sett> read;
+  Sett& out = read.value;
   bool pivots = false;
   for (size_t at = 0; at < text.size();) {
     skip_blanks(text, at);
@@ -212,7 +212,7 @@ SettRead read_sett(std::string_view text) {
     }
     const int threads = number_at(text, at);
     if (!color || threads < 0) {
-      out.why = fill(tr("'{text}' is not a colour with a number of threads"), arg("text", text.substr(begin, 12)));
+      read.note = fill(tr("'{text}' is not a colour with a number of threads"), arg("text", text.substr(begin, 12)));
       break;
     }
     out.stripes.push_back({palette_index(out.palette, *color), threads});
@@ -220,7 +220,7 @@ SettRead read_sett(std::string_view text) {
   if (pivots)
     for (int i = static_cast<int>(out.stripes.size()) - 2; i > 0; --i)
       out.stripes.push_back(Stripe(out.stripes[static_cast<size_t>(i)]));
-  return out;
+  return read;
 }
 
 }  // namespace weftlight::weaves

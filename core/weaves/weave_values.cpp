@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "weaves/families.h"
+#include "weaves/table.h"
 
 namespace weftlight::weaves {
 
@@ -24,36 +25,40 @@ int count(const WeaveValues& values, std::string_view id) {
 
 bool is(const WeaveValues& values, std::string_view id, std::string_view choice) { return text(values, id) == choice; }
 
-OverUnder ratio(const WeaveValues& values, std::string& why) {
+Noted<OverUnder> ratio(const WeaveValues& values) {
   OverUnder order = read_ratio(text(values, "ratio"));
-  if (!order.empty()) return order;
-  why =
-      fill(tr("'{text}' is no ratio. Write the threads that the warp passes over and under in turn: 2/2, or 3/1/1/3."),
-           arg("text", text(values, "ratio")));
-  return {2, 2};  // a stand-in: why_refused() keeps it from becoming a draft
+  if (!order.empty()) return {std::move(order), {}};
+  // A stand-in: check_values() keeps it from becoming a draft.
+  return {{2, 2},
+          fill(tr("'{text}' is no ratio. Write the threads that the warp passes over and under in turn: 2/2, or "
+                  "3/1/1/3."),
+               arg("text", text(values, "ratio")))};
 }
 
-std::string why_refused(const WeaveKind& kind, const WeaveValues& values) {
-  std::string why;
-  for (const WeaveParameter& parameter : kind.parameters)
-    if (std::string_view(parameter.id) == "ratio") ratio(complete_values(kind, values), why);
-  return why;
+base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values) {
+  for (const WeaveParameter& parameter : kind.parameters) {
+    if (std::string_view(parameter.id) != "ratio") continue;
+    Noted<OverUnder> read = ratio(complete_values(kind, values));
+    if (!read.note.empty()) return base::failure(base::ErrorKind::kInput, std::move(read.note));
+  }
+  return {};
 }
 
-std::vector<int> profile(const WeaveValues& values, int blocks, std::string& why, const char* id) {
-  std::vector<int> order = read_profile(text(values, id));
+Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id) {
+  Noted<std::vector<int>> read{read_profile(text(values, id)), {}};
+  std::vector<int>& order = read.value;
   if (order.empty()) {
-    why = fill(tr("'{text}' is not a profile such as A4 B2; A B is used instead"), arg("text", text(values, id)));
+    read.note = fill(tr("'{text}' is not a profile such as A4 B2; A B is used instead"), arg("text", text(values, id)));
     order = {0, 1};
   }
   for (int& block : order) {
     if (block < blocks) continue;
-    why = fill(tr_n("this weave has {count} block; further letters start again from A",
-                    "this weave has {count} blocks; further letters start again from A", blocks),
-               arg("count", blocks));
+    read.note = fill(tr_n("this weave has {count} block; further letters start again from A",
+                          "this weave has {count} blocks; further letters start again from A", blocks),
+                     arg("count", blocks));
     block %= blocks;
   }
-  return order;
+  return read;
 }
 
 Lean lean(const WeaveValues& v) { return is(v, "lean", "left") ? Lean::kLeft : Lean::kRight; }

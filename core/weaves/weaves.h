@@ -3,6 +3,7 @@
 // size, the pattern repeated or cut to fill it. Sizes below 1 count as 1. Parameters that make no weave are changed to
 // the nearest that do, so that a slider cannot break the draft.
 
+#include <string>
 #include <vector>
 
 #include "design/design.h"
@@ -15,6 +16,18 @@ using draft::Face, draft::Rgb;
 
 struct ClothSize {
   int ends = 64, picks = 64;
+};
+
+/// A value, and for the user what could not be used as written and what was used instead; empty: all was.
+template <class T>
+struct Noted {
+  T value;
+  std::string note;
+};
+/// A whole draft of the requested size, with its note.
+struct GeneratedWeave {
+  Design design;
+  std::string note;
 };
 
 /// The repeat of a draft, as shaft and treadle numbers.

@@ -70,6 +70,16 @@ std::vector<Diagnostic> Diagnostics::release() {
   return result;
 }
 
+WifRead rejected(std::vector<Diagnostic> diagnostics) {
+  base::Error error{base::ErrorKind::kInput, tr("the file cannot be used")};
+  const auto first = std::ranges::find(diagnostics, Severity::kError, &Diagnostic::severity);
+  if (first != diagnostics.end()) {
+    error.text = fill(tr("{problem}; {remedy}"), arg("problem", first->text), arg("remedy", first->remedy));
+    error.line = first->line;
+  }
+  return {base::Failure(std::move(error)), std::move(diagnostics)};
+}
+
 int WifDialect::base_of(std::string_view section) const {
   return std::find(zero_based.begin(), zero_based.end(), section) != zero_based.end() ? 0 : 1;
 }

@@ -27,17 +27,13 @@ std::string text_of_foreign(std::string_view text) {
 }
 
 WifRead foreign_file(std::optional<WifFile> file, const char* format, Diagnostics& diagnostics) {
-  WifRead out;
-  if (file && !diagnostics.has_error()) {
-    file->bytes = write_new_wif(file->design);
-    file->format = format;
-    file->has_liftplan = file->design.draft.shed_control == ShedControl::kLiftplan;
-    file->has_tieup = file->has_treadling = !file->has_liftplan;
-    file->rising_stated = true;
-    out.file = std::move(file);
-  }
-  out.diagnostics = diagnostics.release();
-  return out;
+  if (!file || diagnostics.has_error()) return rejected(diagnostics.release());
+  file->bytes = write_new_wif(file->design);
+  file->format = format;
+  file->has_liftplan = file->design.draft.shed_control == ShedControl::kLiftplan;
+  file->has_tieup = file->has_treadling = !file->has_liftplan;
+  file->rising_stated = true;
+  return {std::move(*file), diagnostics.release()};
 }
 
 DraftFormat format_of(std::string_view bytes) {

@@ -404,15 +404,12 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
 
 WifRead read_wif(std::string_view bytes) {
   Diagnostics diagnostics;
-  WifRead result;
   WifFile file;
-  if (std::optional<ParsedWif> parsed = parse_wif(bytes, diagnostics, &file)) {
-    file.bytes = std::string(bytes);
-    file.design = std::move(parsed->design);
-    result.file = std::move(file);
-  }
-  result.diagnostics = diagnostics.release();
-  return result;
+  std::optional<ParsedWif> parsed = parse_wif(bytes, diagnostics, &file);
+  if (!parsed) return rejected(diagnostics.release());
+  file.bytes = std::string(bytes);
+  file.design = std::move(parsed->design);
+  return {std::move(file), diagnostics.release()};
 }
 
 }  // namespace weftlight::wif

@@ -2,7 +2,6 @@
 // WIF 1.1, lossless. Reading returns a Design and diagnostics, and keeps the bytes. Writing an edited Design changes
 // only the lines that the edit concerns.
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,9 +41,12 @@ struct WifFile {
 };
 
 struct WifRead {
-  std::optional<WifFile> file;          // empty if the input cannot be used
+  base::Result<WifFile> file;           // or, if the input cannot be used, its first diagnostic of kError
   std::vector<Diagnostic> diagnostics;  // by line
 };
+
+/// What a reader gives for an input that cannot be used.
+WifRead rejected(std::vector<Diagnostic> diagnostics);
 
 /// Reads WIF 1.1 leniently. Never throws; counts are limited (draft.h) before memory is allocated.
 WifRead read_wif(std::string_view bytes);

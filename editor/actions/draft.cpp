@@ -36,7 +36,7 @@ void add_leading(Actions& all, const ActiveDraft& draft, const DraftDialogs& dia
   });
   lock.checked = [&draft] { return draft.document().now().loom.locked; };
   Action& closest =
-      add(all, "Draft", "nearest", tr("Closest weave for this loom\xE2\x80\xA6"), "", dialogs.closest_weave);
+      add(all, "Draft", "closest_weave", tr("Closest weave for this loom\xE2\x80\xA6"), "", dialogs.closest_weave);
   closest.enabled = [&draft] {
     const auto& rejected_edit = draft.view().rejected_edit;
     return rejected_edit && rejected_edit->closest && !rejected_edit->closest->is_there;

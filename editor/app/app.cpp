@@ -20,26 +20,28 @@ using session::Settings, session::load_settings;
 
 namespace {
 
-/// The flag that would replace a foreign file, and why; empty if all may be written.
-std::string refused_flag(const EditorOptions& o) {
-  const auto refusal = [](const char* flag, const std::string& path, const std::string& why) {
-    return why.empty() ? why : std::string(flag) + " " + path + ": " + why;
-  };
-  std::string refused;
+/// An error of this option if the result is one.
+base::Result<void> of_option(const char* option, const base::Result<void>& result) {
+  if (result) return {};
+  return base::failure(result.error().kind, std::string(option) + " " + message(result.error()));
+}
+
+/// An error if an option would replace a file that is not its own.
+base::Result<void> check_options(const EditorOptions& o) {
+  base::Result<void> fine;
   if (!o.live_export.empty())
-    refused = refusal("--live-export", o.live_export,
-                      session::LiveExport(o.live_export, base::state_folder()).rejected_edit(o.file));
-  if (refused.empty() && !o.ui_map.empty())
-    refused = refusal("--ui-map", o.ui_map, session::ui_map_refusal(o.ui_map, o.file));
-  if (refused.empty() && session::same_file(o.ui_map, o.live_export))
-    refused = refusal("--ui-map", o.ui_map, tr("--live-export writes there; give two files"));
-  return refused;
+    fine = of_option("--live-export", session::LiveExport(o.live_export, base::state_folder()).check(o.file));
+  if (fine && !o.ui_map.empty()) fine = of_option("--ui-map", session::check_ui_map(o.ui_map, o.file));
+  if (fine && session::same_file(o.ui_map, o.live_export))
+    fine = of_option(
+        "--ui-map", base::failure(base::ErrorKind::kUsage, tr("--live-export writes there; give two files"), o.ui_map));
+  return fine;
 }
 
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
-  if (const std::string refused = refused_flag(options); !refused.empty()) return refuse(refused);
+  if (const base::Result<void> fine = check_options(options); !fine) return fail(fine.error());
   platform::survive_size_limit();
   const Settings settings = load_settings();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);

@@ -125,20 +125,17 @@ void ClothPane::choose_environment() {
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
         if (!is_environment(path)) return messages_.refuse(tr("An environment picture ends in .hdr or .exr."));
-        base::Task task = base::task_with_result(
-            [path](const base::RunningTask&) {
-              const auto readable = check_environment(path);
-              return readable ? std::string() : message(readable.error());
-            },
-            [this, path, id = editing_.shown_id()](const std::string& problem) {
-              if (!problem.empty()) return messages_.refuse(problem);
-              editing_.commit_to(id, {tr("Environment picture"), [path](Design d) {
-                                        d.scene = lit_by_environment(d.scene, path);
-                                        return d;
-                                      }});
-            },
-            [this](const std::string& why) { messages_.refuse(why); });
+        base::Task task =
+            base::task_with_result([path](const base::RunningTask&) { return check_environment(path); },
+                                   [this, path, id = editing_.shown_id()](const base::Result<void>& readable) {
+                                     if (!readable) return messages_.refuse(message(readable.error()));
+                                     editing_.commit_to(id, {tr("Environment picture"), [path](Design d) {
+                                                               d.scene = lit_by_environment(d.scene, path);
+                                                               return d;
+                                                             }});
+                                   });
         task.kind = "environment";
+        task.may_be_left = true;
         task.name = fill(tr("Opening {file}"), arg("file", std::filesystem::path(path).filename().string()));
         tasks_.reading().start(std::move(task));
       },

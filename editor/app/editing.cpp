@@ -19,9 +19,9 @@ void Editing::commit_to(uint64_t id, const Edit& edit) {
 }
 
 void Editing::take_computed() {
-  SlowEdits::News news = slow_edits_.take_news();
-  if (news.edited) edited_();
-  if (!news.said.empty()) messages_.refuse(std::move(news.said));
+  SlowEdits::Outcome outcome = slow_edits_.take_outcome();
+  if (outcome.edited) edited_();
+  if (!outcome.said.empty()) messages_.refuse(std::move(outcome.said));
 }
 
 bool Editing::commit(const TypedKey& typed) {

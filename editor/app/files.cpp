@@ -93,20 +93,18 @@ void Files::open_copy(const std::string& path) {
 
 void Files::read(const std::string& path, std::function<void(OpenResult)> then) {
   base::Task task = base::task_with_result(
-      [path](const base::RunningTask&) {
+      [path](const base::RunningTask& running) {
         remove_stale_files(path);
-        return open_document(path);
+        return open_document(path, running.stop());
       },
-      [this, then = std::move(then)](OpenResult result) {
-        then(std::move(result));
-        end_start();
-      },
-      [this, path](const std::string& why) {
-        messages_.report({{Severity::kError, 0, why, {}}}, path);
+      [this, path, then = std::move(then)](base::Result<OpenResult> result) {
+        if (result) then(std::move(*result));
+        else messages_.report({{Severity::kError, 0, message(result.error()), {}}}, path);
         end_start();
       });
   task.kind = "read:" + path;
   task.name = fill(tr("Opening {file}"), arg("file", file_name(path)));
+  task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 
@@ -176,13 +174,9 @@ void Files::save_for_others() {
 void Files::write(const std::string& path, std::function<std::string()> make) {
   base::Task task = base::task_with_result(
       [path, make = std::move(make)](const base::RunningTask&) { return write_file_atomically(path, make()); },
-      [this, path](const std::string& problem) {
-        if (problem.empty()) messages_.say(fill(tr("Wrote {file}"), arg("file", file_name(path))));
-        else messages_.refuse(problem);
-      },
-      [this, path](const std::string& why) {
-        messages_.refuse(
-            fill(tr("{file} was not written: {problem}"), arg("file", file_name(path)), arg("problem", why)));
+      [this, path](const base::Result<void>& written) {
+        if (written) messages_.say(fill(tr("Wrote {file}"), arg("file", file_name(path))));
+        else messages_.refuse(fill(tr("Not written: {problem}"), arg("problem", message(written.error()))));
       });
   task.kind = "write:" + path;
   task.name = fill(tr("Writing {file}"), arg("file", file_name(path)));
@@ -201,8 +195,8 @@ void Files::save_to(const std::string& path, bool over_changes, const std::funct
 }
 
 void Files::saved(uint64_t id, const std::string& path, const SaveResult& result, const std::function<void()>& then) {
-  if (!result.problem.empty()) return tell_not_saved(id, result.problem);
-  if (result.changed)
+  if (!result) return tell_not_saved(id, message(result.error()));
+  if (result->changed)
     return dialogs_.when_none([this, id, then] {
       if (session_.find(id) == nullptr) return;
       session_.show(id);
@@ -241,20 +235,22 @@ void Files::look_at_file() {
         const FileChange change = changed_since(path, now);
         return Look{change, now};
       },
-      [this, id = open.id, known = open.document.file()](const Look& look) {
+      [this, id = open.id, known = open.document.file()](const base::Result<Look>& look) {
+        if (!look) return;
         OpenDocument* asked = session_.find(id);
         // Saved or read again meanwhile, or no longer shown: the next look counts.
         if (asked == nullptr || &session_.active() != asked || saver_.saving(id) || asked->document.file() != known)
           return;
-        asked->document.accept(look.change == FileChange::kNone ? look.now : known);
-        if (look.change == FileChange::kGone) {
+        asked->document.accept(look->change == FileChange::kNone ? look->now : known);
+        if (look->change == FileChange::kGone) {
           keep_mine({});
           messages_.say(
               fill(tr("{file} has been moved or deleted. Saving writes it again."), arg("file", document().name())));
         }
-        if (look.change == FileChange::kContent && !dialogs_.any()) ask_about_change(false, nullptr);
+        if (look->change == FileChange::kContent && !dialogs_.any()) ask_about_change(false, nullptr);
       });
   task.kind = "look";
+  task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 
@@ -315,9 +311,9 @@ void Files::reload() {
 
 void Files::show_in_folder() {
   const std::string folder = fs::absolute(document().path()).parent_path().string();
-  if (const std::string missing = platform::show_folder(folder); !missing.empty())
+  if (const auto shown = platform::show_folder(folder); !shown)
     messages_.say(fill(tr("No program shows folders here ({program} is missing). The folder is {folder}"),
-                       arg("program", missing), arg("folder", folder)));
+                       arg("program", shown.error().program), arg("folder", folder)));
 }
 
 }  // namespace weftlight::app

@@ -19,11 +19,12 @@ void LiveExportWriter::keep(const Document& document) {
     refused_ = fill(tr("No live export: {path} is the open draft"), arg("path", path));
     return writer_.drop(path);
   }
-  writer_.keep(path, [out = out_, make = document.writer()] {
-    const std::string problem = out->write(make());
-    return problem.empty()
-               ? problem
-               : fill(tr("No live export to {path}: {problem}"), arg("path", out->path()), arg("problem", problem));
+  writer_.keep(path, [out = out_, make = document.writer()]() -> base::Result<void> {
+    base::Result<void> written = out->write(make());
+    if (written) return written;
+    return base::failure(base::ErrorKind::kOutput,
+                         fill(tr("No live export to {path}: {problem}"), arg("path", out->path()),
+                              arg("problem", written.error().text)));
   });
 }
 

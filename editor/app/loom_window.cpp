@@ -37,15 +37,15 @@ void LoomWindow::carry_out(const LoomStep& step) {
 bool LoomWindow::update() {
   // The loom weaves the draft that it was connected with: another active draft disconnects it.
   if (state_ != LoomLink::State::kOff && weaves_ != session_.active().id) link_.disconnect();
-  const LoomLink::News news = link_.take();
-  if (news.connected) carry_out(greet(at_loom(), editing_.document().now()));
-  for (const loom::LoomReport& report : news.reports) carry_out(hear(at_loom(), editing_.document().now(), report));
+  const LoomLink::Received received = link_.take();
+  if (received.connected) carry_out(greet(at_loom(), editing_.document().now()));
+  for (const loom::LoomReport& report : received.reports) carry_out(hear(at_loom(), editing_.document().now(), report));
   const LoomLink::State state = link_.state();
   std::string why = link_.why();
   const bool other = state != state_ || why != why_;
   state_ = state;
   why_ = std::move(why);
-  return other || news.connected || !news.reports.empty();
+  return other || received.connected || !received.reports.empty();
 }
 
 void LoomWindow::draw(PanelContext& c, const WindowLayout& l) {

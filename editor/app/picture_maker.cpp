@@ -51,7 +51,7 @@ bool PictureMaker::poll() {
   const bool busy = pipeline_.busy();
   const bool changed = pipeline_.poll(*renderer_);
   if (changed) has_cloth_ = dirty_ = true;
-  if (std::optional<PictureComparison> made = tracer_.take()) {
+  if (std::optional<base::Result<PictureComparison>> made = tracer_.take()) {
     comparison_ = std::move(*made);
     return true;
   }
@@ -158,9 +158,9 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
 
 void PictureMaker::follow_reference(const PictureRequest& request, bool changed) {
   if (changed || request.compare == Compare::kOff) {
-    if (traced_ || !comparison_.reference.empty()) tracer_.stop();
+    if (traced_ || (comparison_ && !comparison_->reference.empty())) tracer_.stop();
     traced_ = false;
-    comparison_ = {};
+    comparison_ = session::PictureComparison{};
   }
   if (request.compare == Compare::kOff) return;
   if (!traced_ && drawn_scale_ == 1 && !can_refine() && !pipeline_.busy()) {

@@ -50,11 +50,11 @@ class PictureMaker {
   const FrameStats& stats() const { return stats_; }
   /// The error tolerance of the last picture.
   float tolerance() const { return tolerance_; }
-  /// For Compare::kSplit or kDifference; empty while nothing is traced.
-  const session::PictureComparison& comparison() const { return comparison_; }
+  /// For Compare::kSplit or kDifference; empty while nothing is traced, an error if nothing can be.
+  const base::Result<session::PictureComparison>& comparison() const { return comparison_; }
   /// Why there is no picture, or an error of the mesh.
   std::string problem() const {
-    return !problem_.empty() ? problem_ : !stats_.problem.empty() ? stats_.problem : pipeline_.problem();
+    return !problem_.empty() ? problem_ : !stats_.cloth ? problem_of(stats_.cloth) : problem_of(pipeline_.made());
   }
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// The one that the picture shows; null before the first.
@@ -95,7 +95,7 @@ class PictureMaker {
 
   ReferenceTracer tracer_;
   bool traced_ = false;  // the tracer has the drawn picture
-  session::PictureComparison comparison_;
+  base::Result<session::PictureComparison> comparison_;
 };
 
 }  // namespace weftlight::app

@@ -6,12 +6,12 @@
 
 #include "base/caught.h"
 #include "base/text.h"
-#include "gl/context.h"
+#include "gl/hidden_window.h"
 
 namespace weftlight::app {
 
 using base::arg, base::caught, base::fill, base::message, base::tr;
-using gl::HeadlessContext, gl::Pipeline;
+using gl::Pipeline;
 using session::Compare, session::PictureComparison;
 
 namespace {
@@ -59,25 +59,52 @@ void PreviewPane::ask(const PictureRequest& request, bool moving) {
   wake_.notify_one();
 }
 
-bool PreviewPane::poll() {
-  std::optional<News> news;
+void PreviewPane::open_hidden_window_if_asked() {
   {
     const std::lock_guard lock(mutex_);
-    news = std::exchange(news_, std::nullopt);
+    if (!std::exchange(asks_for_window_, false)) return;
   }
-  if (!news) return false;
-  if (!news->pixels.empty()) {
-    texture_.set(news->width, news->height, news->pixels);
-    const auto is_of = [&](const auto& one) { return one.first == news->of; };
+  HeadlessContext::Opened opened = gl::open_hidden_window();
+  {
+    const std::lock_guard lock(mutex_);
+    hidden_window_ = std::move(opened);
+  }
+  wake_.notify_one();
+}
+
+HeadlessContext::Opened PreviewPane::ask_for_hidden_window() {
+  {
+    const std::lock_guard lock(mutex_);
+    asks_for_window_ = true;
+  }
+  wake_window_();
+  std::unique_lock lock(mutex_);
+  wake_.wait(lock, [this] { return leaving_ || hidden_window_; });
+  if (!hidden_window_) return base::failure(base::ErrorKind::kCancelled, tr("the window was closed"));
+  return *std::exchange(hidden_window_, std::nullopt);
+}
+
+bool PreviewPane::poll() {
+  open_hidden_window_if_asked();
+  std::optional<Drawn> drawn;
+  {
+    const std::lock_guard lock(mutex_);
+    drawn = std::exchange(drawn_, std::nullopt);
+  }
+  if (!drawn) return false;
+  if (!drawn->pixels.empty()) {
+    texture_.set(drawn->width, drawn->height, drawn->pixels);
+    const auto is_of = [&](const auto& one) { return one.first == drawn->of; };
     const auto of = std::find_if(subjects_.begin(), subjects_.end(), is_of);
     if (of != subjects_.end()) {
       shown_subject_ = of->second;
       subjects_.erase(subjects_.begin(), of);  // earlier ones come no more
     }
   }
-  if (!news->reference.empty()) reference_texture_.set(news->reference_width, news->reference_height, news->reference);
-  picture_ = std::move(news->picture);
-  shown_ = std::move(news->made);
+  if (!drawn->reference.empty())
+    reference_texture_.set(drawn->reference_width, drawn->reference_height, drawn->reference);
+  picture_ = std::move(drawn->picture);
+  shown_ = std::move(drawn->made);
   return true;
 }
 
@@ -101,19 +128,23 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
 }
 
 void PreviewPane::work() {
-  const std::string why = caught([this] {
-    Pipeline pipeline;
-    const std::shared_ptr<const Design> first = first_design(pipeline);
-    if (!first) return;
-    const auto context = HeadlessContext::create();
-    if (!context) return fail(message(context.error()));
-    PictureMaker maker(pipeline);
-    maker.follow(first);
-    if (const std::string thrown = caught([&] { hand_over(maker, {}, false); }); !thrown.empty())
-      fail(thrown), failed_ = true;
-    draw_until_left(maker);
-  });
-  if (!why.empty()) fail(why);
+  const base::Result<void> ended = caught([this] { weave_and_draw(); });
+  if (context_) context_->release();
+  if (!ended) fail(ended.error());
+}
+
+void PreviewPane::weave_and_draw() {
+  Pipeline pipeline;
+  const std::shared_ptr<const Design> first = first_design(pipeline);
+  if (!first) return;
+  auto opened = HeadlessContext::create([this] { return ask_for_hidden_window(); });
+  if (!opened) return fail(opened.error());
+  context_ = std::move(*opened);
+  PictureMaker maker(pipeline);
+  maker.follow(first);
+  if (const base::Result<void> done = caught([&] { hand_over(maker, {}, false); }); !done)
+    fail(done.error()), failed_ = true;
+  draw_until_left(maker);
 }
 
 void PreviewPane::draw_until_left(PictureMaker& maker) {
@@ -129,14 +160,14 @@ void PreviewPane::draw_until_left(PictureMaker& maker) {
     const std::optional<PictureRequest> request = request_;
     const bool moving = moving_;
     lock.unlock();
-    const std::string thrown = caught([&] {
+    const base::Result<void> done = caught([&] {
       if (design) maker.submit(design);
       if (request) make(maker, *request, moving);
       failed_ = false;
       next_s = maker.next_s(seconds());
     });
-    if (!thrown.empty()) {
-      fail(thrown);
+    if (!done) {
+      fail(done.error());
       failed_ = true;
       next_s = kAgainS;
     }
@@ -144,12 +175,12 @@ void PreviewPane::draw_until_left(PictureMaker& maker) {
   }
 }
 
-void PreviewPane::fail(const std::string& why) {
+void PreviewPane::fail(const base::Error& error) {
   caught([&] {
     {
       const std::lock_guard lock(mutex_);
-      news_ = News{};
-      news_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", why));
+      drawn_ = Drawn{};
+      drawn_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(error)));
     }
     wake_window_();
   });
@@ -161,12 +192,13 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 }
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
-  News made;
+  Drawn made;
   if (drawn) {
     maker.read(made.width, made.height, made.pixels);
     made.of = maker.drawn_design();
   }
-  const PictureComparison& c = maker.comparison();
+  const base::Result<PictureComparison>& traced = maker.comparison();
+  const PictureComparison c = traced.value_or(PictureComparison{});
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
   if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
   made.reference_width = c.width, made.reference_height = c.height;
@@ -176,15 +208,19 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   made.picture.problem = maker.problem();
   made.picture.busy = maker.busy();
   made.picture.refining = maker.can_refine();
-  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, c.problem};
+  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, {}};
+  if (!traced)
+    made.picture.reference.problem =
+        fill(tr("No ray-traced picture: {problem}"), arg("problem", message(traced.error())));
   if (!made.picture.busy) made.made = maker.design();
   {
     const std::lock_guard lock(mutex_);
     // Pixels that were not taken yet and are not replaced stay valid.
-    if (news_ && made.pixels.empty())
-      made.pixels = std::move(news_->pixels), made.width = news_->width, made.height = news_->height,
-      made.of = std::move(news_->of);
-    news_ = std::move(made);
+    if (drawn_ && made.pixels.empty()) {
+      made.pixels = std::move(drawn_->pixels), made.width = drawn_->width, made.height = drawn_->height;
+      made.of = std::move(drawn_->of);
+    }
+    drawn_ = std::move(made);
   }
   wake_window_();
 }

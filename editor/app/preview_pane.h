@@ -15,12 +15,14 @@
 #include <vector>
 
 #include "app/picture_maker.h"
+#include "gl/context.h"
 #include "ui/pixel_texture.h"
 #include "views/cloth/preview_panel.h"
 
 namespace weftlight::app {
 
 using design::Design;
+using gl::HeadlessContext;
 using ui::PixelTexture;
 using views::PreviewPicture;
 
@@ -43,13 +45,14 @@ class PreviewPane {
   void submit(std::shared_ptr<const Design> design, const ClothSubject& subject = {});
   /// Replaces the earlier request.
   void ask(const PictureRequest& request, bool moving);
-  /// Takes the newest result; true if there is something to show. Needs the window's GL context.
+  /// Takes the newest result; true if there is something to show. Needs the window's GL context and its thread, which
+  /// opens the hidden window where the drawing thread asks for one.
   bool poll();
   PreviewPicture picture() const;
 
  private:
   /// A result of the drawing thread. Unchanged pixels are left out.
-  struct News {
+  struct Drawn {
     int width = 0, height = 0;
     std::vector<uint32_t> pixels;
     std::vector<uint32_t> reference;  // of the shown comparison
@@ -61,9 +64,14 @@ class PreviewPane {
 
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
+  /// Opens `context_` and draws until the pane is left.
+  void weave_and_draw();
+  /// On the drawing thread: waits until the window's thread has opened one.
+  HeadlessContext::Opened ask_for_hidden_window();
+  void open_hidden_window_if_asked();
   void draw_until_left(class PictureMaker& maker);
   /// Shows an exception in place of the picture; the next picture is drawn in full.
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void make(PictureMaker& maker, const PictureRequest& request, bool moving);
   void hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn);
 
@@ -74,8 +82,12 @@ class PreviewPane {
   std::shared_ptr<const Design> design_;
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
-  std::optional<News> news_;
+  std::optional<Drawn> drawn_;
+  bool asks_for_window_ = false;
+  std::optional<HeadlessContext::Opened> hidden_window_;  // the answer
   bool failed_ = false;  // used by the drawing thread: the last picture was not handed over
+  // Opened and used by the drawing thread; destroyed by the window's, which alone may destroy windows.
+  std::unique_ptr<HeadlessContext> context_;
   // Used by the window's thread.
   std::shared_ptr<const Design> submitted_, shown_;
   std::deque<std::pair<std::shared_ptr<const Design>, ClothSubject>>

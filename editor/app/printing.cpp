@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/window.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "platform/environment.h"
 #include "platform/process.h"
@@ -14,7 +15,8 @@
 
 namespace weftlight::app {
 
-using base::arg, base::fill, base::mark, base::problem_of, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::mark, base::tr, base::write_file_atomically;
+using design::Design;
 using session::Document;
 using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::plan_of;
 
@@ -22,11 +24,11 @@ namespace {
 
 constexpr const char* kSpooler = "lp";  // of CUPS, as of other systems
 
-/// Hands a PDF to the spooler, at its own scale. Returns the problem, or "".
-std::string spool(const std::string& pdf, const std::string& title, const std::string& paper) {
+/// Hands a PDF to the spooler, at its own scale.
+base::Result<void> spool(const std::string& pdf, const std::string& title, const std::string& paper) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("weftlight-" + platform::unique_name() + ".pdf");
-  if (std::string problem = write_file_atomically(file.string(), pdf); !problem.empty()) return problem;
+  if (auto done = write_file_atomically(file.string(), pdf); !done) return done;
   platform::Process lp(
       {kSpooler, "-t", title, "-o", "media=" + paper, "-o", "print-scaling=none", "--", file.string()});
   const bool started = lp.running();
@@ -37,8 +39,22 @@ std::string spool(const std::string& pdf, const std::string& title, const std::s
   std::error_code ignored;
   std::filesystem::remove(file, ignored);  // the spooler has a copy
   if (started && lp.succeeded()) return {};
-  return fill(tr("the system's printing program ({program}) reports an error; is a printer set up?"),
-              arg("program", kSpooler));
+  return base::failure(base::ErrorKind::kOutput,
+                       fill(tr("the system's printing program ({program}) reports an error; is a printer set up?"),
+                            arg("program", kSpooler)));
+}
+
+base::Result<void> print_to(const std::string& path, const Design& design, const PrintPrompt& p,
+                            const base::TaskProgress& progress) {
+  const base::Result<print::Printed> printed = print::printed(design, p.format, chosen_options(p));
+  if (!printed) return failed(printed);
+  const size_t sheets = printed->files.size();
+  for (size_t i = 0; i < sheets; ++i) {
+    progress.report(static_cast<float>(i) / static_cast<float>(sheets));
+    const std::string file = print::sheet_file(path, i, sheets);
+    if (const auto done = write_file_atomically(file, printed->files[i]); !done) return done;
+  }
+  return {};
 }
 
 }  // namespace
@@ -74,17 +90,16 @@ void Printing::save(const PrintPrompt& p) {
 void Printing::send(const PrintPrompt& p) {
   const std::string name = editing_.document().shown_name();
   base::Task task = base::task_with_result(
-      [p, name, design = editing_.document().snapshot()](const base::RunningTask&) {
+      [p, name, design = editing_.document().snapshot()](const base::RunningTask&) -> base::Result<void> {
         const base::Result<print::Printed> printed =
             print::printed(*design, print::PrintFormat::kPdf, chosen_options(p));
-        if (!printed) return problem_of(printed);
+        if (!printed) return failed(printed);
         return spool(printed->files.front(), name, print::kPapers[p.paper].name);
       },
-      [this, name](const std::string& problem) {
-        if (problem.empty()) messages_.say(fill(tr("Sent to the printer: {file}"), arg("file", name)));
-        else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", problem)));
-      },
-      [this](const std::string& why) { messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+      [this, name](const base::Result<void>& sent) {
+        if (sent) messages_.say(fill(tr("Sent to the printer: {file}"), arg("file", name)));
+        else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", message(sent.error()))));
+      });
   task.kind = "print";
   task.name = fill(tr("Printing {file}"), arg("file", name));
   task.finishes = true;
@@ -95,19 +110,12 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
   const auto write = [this, path, p] {
     base::Task task = base::task_with_result(
         [path, p, design = editing_.document().snapshot()](const base::RunningTask& running) {
-          const base::Result<print::Printed> printed = print::printed(*design, p.format, chosen_options(p));
-          std::string problem = problem_of(printed);
-          for (size_t i = 0; problem.empty() && i < printed->files.size(); ++i) {
-            running.report(static_cast<float>(i) / static_cast<float>(printed->files.size()));
-            problem = write_file_atomically(print::sheet_file(path, i, printed->files.size()), printed->files[i]);
-          }
-          return problem;
+          return print_to(path, *design, p, running);
         },
-        [this, path](const std::string& problem) {
-          if (problem.empty()) messages_.say(fill(tr("Printed to {path}"), arg("path", path)));
-          else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", problem)));
-        },
-        [this](const std::string& why) { messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", why))); });
+        [this, path](const base::Result<void>& printed) {
+          if (printed) messages_.say(fill(tr("Printed to {path}"), arg("path", path)));
+          else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", message(printed.error()))));
+        });
     task.kind = "print:" + path;
     task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));
     task.finishes = true;

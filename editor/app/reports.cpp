@@ -49,7 +49,7 @@ void Reports::choose_draft() {
 }
 
 bool Reports::update() {
-  const std::string problem = reporter_.take_problem();
+  const std::string problem = reporter_.take_message();
   if (!problem.empty()) messages_.say(problem);
   return reporter_.poll() || !problem.empty();
 }

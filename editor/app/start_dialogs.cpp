@@ -41,16 +41,16 @@ StartDialogs::StartDialogs(Session& session, Files& files, Settings& settings, B
       new_draft_(std::move(new_draft)) {}
 
 void StartDialogs::begin(bool gallery) {
-  base::Task task = base::task_with_result(
-      [&session = session_](const base::RunningTask&) { return session.find_left(); },
-      [this, gallery](std::vector<LeftWork> left) {
-        session_.set_left(std::move(left));
-        if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
-        else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
-      },
-      [this](const std::string& why) {
-        messages_.say(fill(tr("Unsaved work cannot be looked for: {problem}"), arg("problem", why)));
-      });
+  base::Task task =
+      base::task_with_result([&session = session_](const base::RunningTask&) { return session.find_left(); },
+                             [this, gallery](base::Result<std::vector<LeftWork>> left) {
+                               if (!left)
+                                 return messages_.say(fill(tr("Unsaved work cannot be looked for: {problem}"),
+                                                           arg("problem", message(left.error()))));
+                               session_.set_left(std::move(*left));
+                               if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
+                               else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
+                             });
   task.kind = "left";
   tasks_.computing().start(std::move(task));
 }
@@ -76,8 +76,9 @@ void StartDialogs::offer_recovery() {
   RecoveryPrompt prompt;
   for (const LeftWork& left : session_.left()) {
     const std::string when = time_in_words(left.written_ns, now_ns());
-    if (!left.problem.empty()) prompt.rows.push_back({tr("Cannot be read"), when, left.journal + ": " + left.problem});
-    else prompt.rows.push_back({name_of(left.note), when, left.note.path.empty() ? tr("never saved") : left.note.path});
+    if (!left.note) prompt.rows.push_back({tr("Cannot be read"), when, message(left.note.error())});
+    else
+      prompt.rows.push_back({name_of(*left.note), when, left.note->path.empty() ? tr("never saved") : left.note->path});
   }
   dialogs_.ask(std::move(prompt), [this](int button) {
     const auto& asked = dialogs_.prompt<RecoveryPrompt>();
@@ -98,23 +99,26 @@ void StartDialogs::offer_recovery() {
 
 void StartDialogs::bring_back(size_t chosen) {
   const LeftWork& left = session_.left()[chosen];
-  const std::string name = name_of(left.note);
-  base::Task task = base::task_with_result([left](const base::RunningTask&) { return session::bring_back(left); },
-                                           [this, left](OpenResult back) { take_back(left, std::move(back)); },
-                                           [this, name](const std::string& why) {
-                                             messages_.report({{Severity::kError, 0, why, {}}}, name);
-                                           });
+  const std::string name = name_of(left);
+  base::Task task =
+      base::task_with_result([left](const base::RunningTask&) { return session::bring_back(left); },
+                             [this, left, name](base::Result<OpenResult> back) {
+                               if (back) take_back(left, std::move(*back));
+                               else messages_.report({{Severity::kError, 0, message(back.error()), {}}}, name);
+                             });
   task.kind = "left:" + left.journal;
   task.name = fill(tr("Recovering {draft}"), arg("draft", name));
+  task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 
 void StartDialogs::take_back(const LeftWork& left, OpenResult back) {
-  if (!back.document) return messages_.report(std::move(back.remarks), name_of(left.note));
+  if (!back.document) return messages_.report(std::move(back.remarks), name_of(left));
   const OpenDocument* open = session_.take_back(left, std::move(back), settings_.per_inch);
   if (open == nullptr) return;
-  if (open->document.path().empty() && !left.note.path.empty())
-    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", left.note.path)));
+  const std::string path = left.note ? left.note->path : "";
+  if (open->document.path().empty() && !path.empty())
+    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", path)));
   else if (!session_.left().empty()) messages_.say(tr("There is more to recover: File, Recover unsaved work"));
 }
 

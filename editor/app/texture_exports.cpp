@@ -7,6 +7,7 @@
 
 #include "app/window.h"
 #include "base/text.h"
+#include "base/version.h"
 #include "platform/folders.h"
 
 namespace weftlight::app {
@@ -28,7 +29,7 @@ void TextureExports::ask() {
   ExportPrompt prompt;
   prompt.plan = plan_;
   prompt.design = document.snapshot();
-  prompt.draft_path = document.path(), prompt.version = WEFTLIGHT_VERSION;
+  prompt.draft_path = document.path(), prompt.version = base::version();
   prompt.exporter = &exporter_;
   prompt.stage = std::make_shared<ExportStage>(prompt.design, Window::wake);
   exported_ = session_.active().id;
@@ -45,13 +46,13 @@ void TextureExports::ask() {
 void TextureExports::follow() {
   if (!plan_->watch || session_.active().id != exported_ || !exporter_.began()) return;
   const Document& document = session_.active().document;
-  exporter_.start(jobs_of(*plan_, document.now(), document.path(), WEFTLIGHT_VERSION), document.snapshot());
+  exporter_.start(jobs_of(*plan_, document.now(), document.path(), base::version()), document.snapshot());
 }
 
 bool TextureExports::update() {
   const std::string message = exporter_.take_message();
   if (!message.empty()) messages_.say(message);
-  return exporter_.take_news() || !message.empty();
+  return exporter_.take_change() || !message.empty();
 }
 
 }  // namespace weftlight::app

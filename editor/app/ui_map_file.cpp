@@ -30,7 +30,7 @@ void UiMapFile::frame(const UiMap& map) {
   const bool settled = map == before_;
   before_ = map;
   if (path_.empty() || !settled || map == last_) return;
-  if (write_file_atomically(path_, ui_map_json(map, frame_)).empty()) last_ = map;
+  if (write_file_atomically(path_, ui_map_json(map, frame_))) last_ = map;
 }
 
 }  // namespace weftlight::app

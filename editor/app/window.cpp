@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "gl/window_system.h"
 #include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
@@ -96,6 +97,7 @@ void renew_font_texture() {
 }
 
 GLFWwindow* make_window(int width, int height) {
+  glfwDefaultWindowHints();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -115,12 +117,6 @@ void fit_to_screen(GLFWwindow* window) {
   glfwGetWindowSize(window, &width, &height);
   if (room_x > 0 && room_y > 0 && (width > room_x || height > room_y))
     glfwSetWindowSize(window, std::min(width, room_x), std::min(height, room_y));
-}
-
-std::string glfw_problem() {
-  const char* text = nullptr;
-  glfwGetError(&text);
-  return text != nullptr ? text : tr("no reason given");
 }
 
 }  // namespace
@@ -274,17 +270,19 @@ bool Window::take_focus() { return std::exchange(inbox_->focused, false); }
 bool Window::has_input() const { return !inbox_->input.empty(); }
 
 base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
-  if (!glfwInit())
+  auto system = gl::WindowSystem::use();
+  if (!system)
     return base::failure(base::ErrorKind::kGraphics, fill(tr("the window system cannot be reached ({problem}); without "
                                                              "a display, use the commands: weftlight --help"),
-                                                          arg("problem", glfw_problem())));
+                                                          arg("problem", message(system.error()))));
   std::unique_ptr<Window> w(new Window);
+  w->system_ = std::move(*system);
   w->window_ = make_window(width, height);
   if (w->window_ == nullptr)
     return base::failure(
         base::ErrorKind::kGraphics,
         fill(tr("no window with OpenGL 3.3 can be made ({problem}); install or update the graphics driver"),
-             arg("problem", glfw_problem())));
+             arg("problem", gl::WindowSystem::last_problem())));
   fit_to_screen(w->window_);
   glfwMakeContextCurrent(w->window_);
   glfwSwapInterval(1);
@@ -310,7 +308,6 @@ Window::~Window() {
     }
     glfwDestroyWindow(window_);
   }
-  glfwTerminate();
 }
 
 bool Window::wait(double seconds) {

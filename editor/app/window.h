@@ -12,6 +12,10 @@
 struct GLFWwindow;
 struct GLFWcursor;
 
+namespace weftlight::gl {
+class WindowSystem;
+}
+
 namespace weftlight::app {
 
 using ui::Style;
@@ -59,6 +63,7 @@ class Window {
   Window();
   float display_scale() const;
 
+  std::shared_ptr<gl::WindowSystem> system_;  // outlives the window
   GLFWwindow* window_ = nullptr;
   struct Inbox;
   static void listen(GLFWwindow* window);

@@ -41,15 +41,19 @@ std::string read_text(const std::string& path) {
 class ChartRun {
  public:
   ChartRun(ChartBench& bench, std::string dir, ChartSelection part)
-      : bench_(bench), dir_(std::move(dir)), part_(std::move(part)), cells_(chart_cells(bench.methods())) {}
+      : bench_(bench), dir_(std::move(dir)), part_(std::move(part)) {}
 
-  int all() {
+  base::Result<void> all() {
+    auto methods = bench_.methods();
+    if (!methods) return failed(methods);
+    methods_ = std::move(*methods);
+    cells_ = chart_cells(methods_);
     keep_earlier();
     for (const bool automatic : {false, true}) {
       if (automatic) bench_.use_lod_table(lod_table_of(rows_));
       for (const ChartRow& cell : cells_) {
         if ((cell.method == Method::kAuto) != automatic || !part_.holds(cell) || known(cell)) continue;
-        if (const int code = add(cell); code != kDone) return code;
+        if (auto added = add(cell); !added) return added;
       }
     }
     return finish();
@@ -88,11 +92,10 @@ class ChartRun {
     else if (rows_.size() % 20 == 0) std::fprintf(stderr, "%s\n", line);
   }
 
-  int add(const ChartRow& cell) {
+  base::Result<void> add(const ChartRow& cell) {
     report(cell);
-    std::string error;
-    const std::optional<ChartRow> row = bench_.measure(cell, error);
-    if (!row) return fail({base::ErrorKind::kInput, error});
+    const base::Result<ChartRow> row = bench_.measure(cell);
+    if (!row) return failed(row);
     rows_.push_back(*row);
     return save();
   }
@@ -108,30 +111,32 @@ class ChartRun {
     return sorted;
   }
 
-  int save() const {
-    std::string error = write_file_atomically(dir_ + "/chart.csv", chart_csv(in_order()));
-    if (error.empty() && rows_.size() == 1) error = write_file_atomically(dir_ + "/chart.state", bench_.fingerprint());
-    return error.empty() ? kDone : fail({base::ErrorKind::kOutput, error});
+  base::Result<void> write(const char* name, const base::Result<std::string>& text) const {
+    if (!text) return failed(text);
+    return write_file_atomically(dir_ + "/" + name, *text);
   }
 
-  int finish() {
+  base::Result<void> save() const {
+    auto saved = write("chart.csv", chart_csv(in_order()));
+    return saved && rows_.size() == 1 ? write("chart.state", bench_.fingerprint()) : saved;
+  }
+
+  base::Result<void> finish() {
     if (platform::errors_go_to_terminal()) std::fprintf(stderr, "\r%-78s\n", "drawing");
     const std::vector<ChartRow> rows = in_order();
-    std::string error = write_file_atomically(dir_ + "/lod_table.csv", lod_table_csv(lod_table_of(rows)));
-    const std::vector<Brightness> brightness = albedo(error);
-    const std::vector<TruthNoise> noise = truth_noise(error);
-    if (error.empty()) error = write_chart_figures(dir_, bench_.device(), rows, brightness, noise);
-    const std::string light = error.empty() ? other_lights(error) : "";
-    if (error.empty()) error = write_file_atomically(dir_ + "/light.csv", light);
-    const std::vector<DrapeRow> draped = error.empty() ? drapes(error) : std::vector<DrapeRow>{};
-    if (error.empty()) error = write_file_atomically(dir_ + "/drapes.csv", drapes_csv(draped));
-    const std::string frame_times = error.empty() ? frames(error) : "";
-    if (error.empty()) error = write_file_atomically(dir_ + "/frames.csv", frame_times);
-    return error.empty() ? kDone : fail({base::ErrorKind::kOutput, error});
+    if (auto done = write("lod_table.csv", lod_table_csv(lod_table_of(rows))); !done) return done;
+    const auto brightness = albedo();
+    if (!brightness) return failed(brightness);
+    const auto noise = truth_noise();
+    if (!noise) return failed(noise);
+    if (auto done = write_chart_figures(dir_, bench_.device(), rows, *brightness, *noise); !done) return done;
+    if (auto done = write("light.csv", other_lights()); !done) return done;
+    if (auto done = write("drapes.csv", drapes().map(drapes_csv)); !done) return done;
+    return write("frames.csv", frames());
   }
 
   /// Under other lights: close up and from afar, at normal and oblique views.
-  std::string other_lights(std::string& error) {
+  base::Result<std::string> other_lights() {
     std::ostringstream out;
     out << "light,scene,view_deg,yarns_per_pixel,method,rel_rmse_model,energy_ratio\n";
     for (const ChartLight light : {ChartLight::kSky, ChartLight::kBehind}) {
@@ -143,8 +148,8 @@ class ChartRun {
               cell.scene = kChartScenes[scene].name, cell.view_deg = view;
               cell.yarns_per_pixel = footprint, cell.method = method;
               if (method == Method::kYarn) cell.samples = formulas::kMaxYarnSamples;
-              const auto row = bench_.measure_under(light, cell, error);
-              if (!row) return {};
+              const auto row = bench_.measure_under(light, cell);
+              if (!row) return failed(row);
               out << light_name(light) << ',' << cell.scene << ',' << view << ',' << footprint << ','
                   << method_name(method) << ',' << row->cell.model_error << ',' << row->cell.energy_ratio << '\n';
             }
@@ -155,23 +160,23 @@ class ChartRun {
     return out.str();
   }
 
-  std::vector<DrapeRow> drapes(std::string& error) {
+  base::Result<std::vector<DrapeRow>> drapes() {
     std::vector<DrapeRow> rows;
-    for (const DrapeRow& cell : drape_cells(bench_.methods(), bench_.effort())) {
+    for (const DrapeRow& cell : drape_cells(methods_, bench_.effort())) {
       const auto of_it = [&cell](size_t scene) { return cell.scene == kChartScenes[scene].name; };
       const std::vector<size_t> measured = scenes();
       if (std::none_of(measured.begin(), measured.end(), of_it)) continue;
-      const std::optional<DrapeRow> row = bench_.draped(cell, error);
-      if (!row) return {};
+      const base::Result<DrapeRow> row = bench_.draped(cell);
+      if (!row) return failed(row);
       rows.push_back(*row);
     }
     return rows;
   }
 
   /// The cost of a whole picture of cloth, by method and by the tolerance of `auto`.
-  std::string frames(std::string& error) {
+  base::Result<std::string> frames() {
     std::vector<Look> looks;
-    for (const Method method : bench_.methods()) {
+    for (const Method method : methods_) {
       if (method != Method::kAuto) looks.push_back({method});
     }
     for (const float tolerance : kFrameTolerances) looks.push_back({Method::kAuto, tolerance});
@@ -180,8 +185,8 @@ class ChartRun {
     for (const Look& look : looks) {
       for (const double footprint : kFrameFootprints) {
         for (const auto& size : kFrameSizes) {
-          const auto ms = bench_.frame_ms(scenes().back(), look, footprint, size, error);
-          if (!ms) return {};
+          const auto ms = bench_.frame_ms(scenes().back(), look, footprint, size);
+          if (!ms) return failed(ms);
           out << '"' << bench_.device() << "\"," << method_name(look.method) << ',' << look.tolerance << ','
               << footprint << ',' << size[0] << ',' << size[1] << ',' << *ms << '\n';
         }
@@ -190,35 +195,38 @@ class ChartRun {
     return out.str();
   }
 
-  std::vector<Brightness> albedo(std::string& error) {
+  base::Result<std::vector<Brightness>> albedo() {
     std::vector<Brightness> values;
-    const std::vector<Method> methods = bench_.methods();
     for (const size_t scene : scenes()) {
       for (const double view : kAlbedoViews) {
-        if (const auto traced = bench_.brightness(scene, view, {}, error))
-          values.push_back({kChartScenes[scene].name, "truth", view, *traced});
-        for (const Method method : methods) {
-          if (const auto drawn = bench_.brightness(scene, view, method, error)) {
-            values.push_back({kChartScenes[scene].name, std::string(method_name(method)), view, *drawn});
-          }
+        const auto traced = bench_.brightness(scene, view, {});
+        if (!traced) return failed(traced);
+        values.push_back({kChartScenes[scene].name, "truth", view, *traced});
+        for (const Method method : methods_) {
+          const auto drawn = bench_.brightness(scene, view, method);
+          if (!drawn) return failed(drawn);
+          values.push_back({kChartScenes[scene].name, std::string(method_name(method)), view, *drawn});
         }
       }
     }
     return values;
   }
 
-  std::vector<TruthNoise> truth_noise(std::string& error) {
-    std::vector<TruthNoise> noise;
+  base::Result<std::vector<TruthNoise>> truth_noise() {
+    std::vector<TruthNoise> all;
     for (const ChartRow& cell : chart_cells({Method::kFlat})) {
       if (!part_.holds(cell)) continue;
-      noise.push_back({cell.scene, cell.view_deg, cell.yarns_per_pixel, bench_.truth_noise(cell, error)});
+      const base::Result<double> noise = bench_.truth_noise(cell);
+      if (!noise) return failed(noise);
+      all.push_back({cell.scene, cell.view_deg, cell.yarns_per_pixel, *noise});
     }
-    return noise;
+    return all;
   }
 
   ChartBench& bench_;
   std::string dir_;
   ChartSelection part_;
+  std::vector<Method> methods_;         // that this renderer draws
   std::vector<ChartRow> cells_, rows_;  // all cells of the chart; those measured so far
 };
 
@@ -226,8 +234,8 @@ class ChartRun {
 std::unique_ptr<DrawCounter> start_counter(const ChartEffort& effort) {
   return DrawCounter::start([effort, bench = std::shared_ptr<ChartBench>()](
                                 const CountedDraw& what, const LodTable& lod_table, int pixels) mutable {
-    std::string error;
-    if (!bench) bench = ChartBench::create(effort, nullptr, error);
+    if (!bench)
+      if (auto made = ChartBench::create(effort, nullptr)) bench = std::move(*made);
     return bench && bench->draw_counted(what, lod_table, pixels);
   });
 }
@@ -238,14 +246,12 @@ int chart_command(const ChartOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (!std::filesystem::is_directory(options.out))
-    return fail(
-        {base::ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made"), arg("folder", options.out))});
+    return fail({base::ErrorKind::kOutput, tr("the folder cannot be made"), options.out});
   ChartEffort effort = chart_effort(options.quick);
   effort.count_instructions = options.count;
-  std::string error;
-  const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr, error);
-  if (!bench) return fail({base::ErrorKind::kGraphics, error});
-  return ChartRun(*bench, options.out, options.part).all();
+  const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr);
+  if (!bench) return fail(bench.error());
+  return finish(ChartRun(**bench, options.out, options.part).all());
 }
 
 }  // namespace weftlight::commands

@@ -6,14 +6,16 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <numeric>
 #include <utility>
 
 #include "base/caught.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "commands/built_commit.h"
+#include "commands/closest_word.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
+#include "commands/parser_texts.h"
 #include "commands/verbs.h"
 
 namespace weftlight::commands {
@@ -60,34 +62,6 @@ void add_language(CLI::App& app) {
       ->check(language_name());
 }
 
-/// The number of letters to change, to add or to leave out. Based on: V. I. Levenshtein, Binary codes capable of
-/// correcting deletions, insertions and reversals, 1966.
-size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t{0});
-  for (size_t i = 0; i < a.size(); ++i) {
-    size_t corner = std::exchange(row[0], i + 1);
-    for (size_t k = 0; k < b.size(); ++k) {
-      const size_t changed = corner + (a[i] != b[k]);
-      corner = row[k + 1];
-      row[k + 1] = std::min({changed, corner + 1, row[k] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The verb with the fewest different letters; empty if none is similar. Most letters of the word must be right.
-std::string closest_verb(const std::vector<CLI::App*>& verbs, const std::string& word) {
-  constexpr size_t kMaxDistance = 3;
-  std::string closest;
-  size_t apart = std::min(kMaxDistance, word.size() / 2) + 1;
-  for (const CLI::App* verb : verbs) {
-    const size_t letters = edit_distance(word, verb->get_name());
-    if (letters < apart) apart = letters, closest = verb->get_name();
-  }
-  return closest;
-}
-
 /// Refuses a first word that is neither a verb nor looks like a file: the editor would open an empty window.
 bool refuse_mistyped_verb(CLI::App& app, const std::string& word) {
   const std::filesystem::path file(word);
@@ -95,12 +69,10 @@ bool refuse_mistyped_verb(CLI::App& app, const std::string& word) {
   if (word.empty() || word[0] == '-' || file.has_extension() || file.has_parent_path()) return false;
   if (std::filesystem::exists(file, ignored)) return false;
   const std::vector<CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });
-  std::string all;
-  for (const CLI::App* verb : verbs) {
-    if (verb->get_name() == word) return false;
-    all.append(all.empty() ? "" : ", ").append(verb->get_name());
-  }
-  const std::string closest = closest_verb(verbs, word);
+  std::vector<std::string> names;
+  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
+  if (std::ranges::find(names, word) != names.end()) return false;
+  const std::string all = CLI::detail::join(names, ", "), closest = closest_word(word, names);
   refuse(closest.empty() ? fill(tr("{word} is neither a command nor a file; the commands are {commands}"),
                                 arg("word", quoted(word)), arg("commands", all))
                          : fill(tr("{word} is neither a command nor a file; did you mean '{command}'?"),
@@ -137,25 +109,26 @@ std::string failure_message(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> verbs = app->get_subcommands();
   const std::string program = verbs.empty() ? "weftlight" : "weftlight " + verbs[0]->get_name();
   return fill(tr("{program}: {problem}\nSee {program} --help.\n"), arg("program", program),
-              arg("problem", error.what()));
+              arg("problem", parse_problem(verbs.empty() ? *app : *verbs[0], error)));
 }
 
 void translate_help(CLI::App& app) {
-  const std::shared_ptr<CLI::FormatterBase> form = app.get_formatter();
+  const auto form = std::make_shared<HelpFormat>();
   form->label("Usage", tr("Usage"));
   form->label("Positionals", tr("Arguments"));
   form->label("OPTIONS", tr("OPTIONS"));
   form->label("SUBCOMMAND", tr("COMMAND"));
-  form->label("REQUIRED", tr("(required)"));
-  form->label("Excludes", tr("not with"));
+  app.formatter(form);
   app.option_defaults()->group(tr("Options"));
   app.set_help_flag("-h,--help", tr("This help"));
 }
 
 void add_editor_options(CLI::App& app, EditorOptions& options) {
   app.add_option("file", options.file, tr("Draft to open in the editor"));
-  app.add_option("--live-export", options.live_export, tr("Editor: .wif file that every edit is written to"));
-  app.add_option("--ui-map", options.ui_map, tr("Editor: JSON file for the positions of the controls"));
+  app.add_option("--live-export", options.live_export, tr("Editor: .wif file that every edit is written to"))
+      ->type_name(tr("FILE"));
+  app.add_option("--ui-map", options.ui_map, tr("Editor: JSON file for the positions of the controls"))
+      ->type_name(tr("FILE"));
 }
 
 RunVerb add_verb(CLI::App& app, const Verb& verb) {
@@ -193,16 +166,16 @@ std::string requested_language(int argc, char** argv) {
 
 CommandLine run_command_line(int argc, char** argv) {
   CommandLine result;
-  CLI::App app{tr("Weftlight: paint a draft and see the real cloth, lit and draped, at once")};
+  CLI::App app{tr("Weftlight: paint a draft and see its cloth at once, lit and draped")};
   app.name("weftlight");
   translate_help(app);
-  app.set_version_flag("--version", "weftlight " WEFTLIGHT_VERSION, tr("The version of the program"));
+  app.set_version_flag("--version", "weftlight " + version_and_commit(), tr("The version of the program"));
   app.require_subcommand(0, 1);
   app.failure_message(failure_message);
   add_editor_options(app, result.editor);
   add_language(app);
   std::vector<std::pair<const char*, RunVerb>> runs;
-  for (const std::span<const Verb> verbs : {draft_verbs(), cloth_verbs()})
+  for (const std::span<const Verb> verbs : {draft_verbs(), cloth_verbs(), shell_verbs()})
     for (const Verb& verb : verbs) runs.emplace_back(verb.name, add_verb(app, verb));
 
   if (refuse_mistyped_verb(app, first_word(argc, argv))) {

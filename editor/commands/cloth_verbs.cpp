@@ -79,7 +79,8 @@ bool apply_picture_texts(PictureVerb& verb) {
 }
 
 void add_mesh_options(CLI::App& verb, PictureOptions& o) {
-  verb.add_option("--mesh", o.mesh, tr("Drape by its name, or a .glb or .gltf file; default: the draft's"));
+  verb.add_option("--mesh", o.mesh, tr("Drape by its name, or a .glb or .gltf file; default: the draft's"))
+      ->type_name(tr("NAME|FILE"));
   verb.add_flag("--simulate-drape", o.simulated_drape,
                 tr("Drape simulated with this fabric's own stiffness; takes seconds"));
   verb.add_flag("--own-drape", o.simulated_drape)->group("");  // the earlier name
@@ -89,14 +90,15 @@ void add_view_options(CLI::App& verb, PictureVerb& p) {
   PictureOptions& o = p.options;
   verb.add_option("--size", p.size, tr("Size of the picture in pixels; default: 1280x800"))->check(pair_of('x', "WxH"));
   verb.add_option("--method", o.method, tr("Shading method; default: the draft's, which is auto unless changed"))
-      ->check(CLI::IsMember(method_names(true)));
+      ->check(one_of(method_names(true)));
   verb.add_option("--yarns-per-pixel", o.yarns_per_pixel,
                   tr("Footprint in yarns per pixel at the middle of the picture; default: as the view frames it"))
       ->check(above_zero());
   verb.add_option("--view", p.view, tr("Direction of the view: azimuth and elevation in degrees"))
       ->check(pair_of(',', "AZ,EL"));
   verb.add_option("--view-name", o.view_name,
-                  tr("View that is saved with the draft, or one of: whole, head_on, grazing, near"));
+                  tr("View that is saved with the draft, or one of: whole, head_on, grazing, near"))
+      ->type_name(tr("NAME"));
   add_face(verb, o.face);
 }
 
@@ -105,14 +107,15 @@ void add_light_options(CLI::App& verb, PictureVerb& p) {
   verb.add_option("--light", p.light, tr("Direction of the key light: azimuth and elevation in degrees"))
       ->check(pair_of(',', "AZ,EL"));
   auto* preset = verb.add_option("--lights", o.lights, tr("Lighting preset; --light moves its key light"))
-                     ->check(CLI::IsMember(light_names()));
+                     ->check(one_of(light_names()));
   verb.add_option("--environment", o.lights, tr("Environment map, an equirectangular .hdr or .exr; --light rotates it"))
       ->check(environment_file())
       ->excludes(preset);
   verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
-  verb.add_option("--exposure", p.exposure,
-                  tr("Exposure in stops, or auto: the less a cloth reflects, the more it is brightened; an .exr uses "
-                     "the stops only"))
+  verb.add_option(
+          "--exposure", p.exposure,
+          tr("Exposure in stops, or auto, which brightens a cloth the more, the less it reflects; in an .exr only "
+             "the stops count"))
       ->check(exposure_form());
 }
 
@@ -139,14 +142,13 @@ RunVerb add_render(CLI::App& verb) {
                               "5, 8, 13, 21 or {most}; other counts are rounded down to one of these"),
                            arg("most", int{formulas::kMaxYarnSamples})))
           ->check(whole_number(1, 1024));
-  auto* tolerance = verb.add_option("--tolerance", o.tolerance,
-                                    tr("Error allowed to the method auto, as a fraction of the brightness: 0.05 is 5%"))
-                        ->check(above_zero())
-                        ->check(CLI::Range(0.01, 1.0));
+  auto* tolerance =
+      verb.add_option("--tolerance", o.tolerance,
+                      tr("Error that the method auto may make, as a fraction of the brightness: 0.05 is 5%"))
+          ->check(number_in(0.01, 1.0));
   verb.add_option("--budget-ms", o.budget_ms,
                   tr("Time for drawing the cloth in milliseconds; the error is the smallest that fits into it"))
-      ->check(above_zero())
-      ->check(CLI::Range(0.01, 1e7))
+      ->check(number_in(0.01, 1e7))
       ->excludes(samples)
       ->excludes(tolerance);
   verb.add_option(
@@ -167,21 +169,21 @@ RunVerb add_reference(CLI::App& verb) {
 void add_texture_options(CLI::App& verb, ExportOptions& o) {
   auto* size = verb.add_option("--size", o.size, tr("Side of the textures in texels, a power of two; default: 1024"))
                    ->check(whole_number(16, 8192));
-  verb.add_option("--px-per-mm", o.texels_per_mm, tr("Resolution in texels per millimetre, at least"))
-      ->check(CLI::Range(0.1, 1000.0))
+  verb.add_option("--px-per-mm", o.texels_per_mm, tr("Least resolution, in texels per millimetre of cloth"))
+      ->check(number_in(0.1, 1000.0))
       ->excludes(size);
   verb.add_option("--tile-cm", o.tile_cm,
-                  tr("Smallest side of a tile in cm, filled with whole repeats; default: one repeat"))
-      ->check(CLI::Range(0.1, 500.0));
+                  tr("Least side of the tile in cm, filled with whole repeats; default: one repeat"))
+      ->check(number_in(0.1, 500.0));
   verb.add_option("--alpha", o.alpha, tr("Alpha mode of the gaps between threads; default: auto"))
-      ->check(CLI::IsMember({"auto", "opaque", "mask", "hashed", "blend"}));
+      ->check(one_of({"auto", "opaque", "mask", "hashed", "blend"}));
   verb.add_option("--distance", o.distance_m,
                   tr("Viewing distance in metres that the roughness is made for; 0: close up; default: 1"))
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(number_in(0.0, 1000.0));
   verb.add_option("--mips", o.mips,
                   tr("Container for 8-bit images with prefiltered mipmaps, written beside each image"))
-      ->check(CLI::IsMember({"dds", "ktx2"}));
-  verb.add_option("--mesh", o.mesh, tr("Drape for the .glb; default: plane"));
+      ->check(one_of({"dds", "ktx2"}));
+  verb.add_option("--mesh", o.mesh, tr("Drape that the .glb shows; default: plane"))->type_name(tr("NAME|FILE"));
 }
 
 RunVerb add_export(CLI::App& verb) {
@@ -191,10 +193,11 @@ RunVerb add_export(CLI::App& verb) {
   verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft
-      ->check(CLI::IsMember(target_ids()));
-  verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path());
+      ->check(one_of(target_ids()));
+  verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path(mark("FOLDER")));
   add_texture_options(verb, o);
-  verb.add_option("--name", o.name, tr("Template for the folder of a set; {name}, {target} and {size} are filled in"));
+  verb.add_option("--name", o.name, tr("Template for the folder of a set; {name}, {target} and {size} are filled in"))
+      ->type_name(tr("TEMPLATE"));
   verb.add_option("--jobs", o.jobs, tr("Number of sets made at the same time; default: 1"))->check(whole_number(1, 64));
   verb.add_flag("--zip", o.zip, tr("Archive of each set beside its folder"));
   verb.add_flag("--resume", o.resume, tr("Skip sets that are complete and up to date"));
@@ -209,19 +212,19 @@ void add_chart_part(CLI::App& verb, ChartSelection& part) {
   for (const ChartScene& scene : kChartScenes) scenes.emplace_back(scene.name);
   verb.add_option("--scene", part.scenes, tr("Cloths to measure, separated by commas; default: all"))
       ->delimiter(',')
-      ->check(CLI::IsMember(scenes));
+      ->check(one_of(scenes));
   verb.add_option("--view", part.views_deg, tr("Views to measure, in degrees from the normal; default: all"))
       ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<int>(kChartViews.begin(), kChartViews.end())));
+      ->check(one_of_numbers({kChartViews.begin(), kChartViews.end()}));
   verb.add_option("--yarns-per-pixel", part.yarns_per_pixel, tr("Footprints to measure; default: all"))
       ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<double>(kChartFootprints.begin(), kChartFootprints.end())));
+      ->check(one_of_numbers({kChartFootprints.begin(), kChartFootprints.end()}));
 }
 
 RunVerb add_chart(CLI::App& verb) {
   const auto options = std::make_shared<ChartOptions>();
   ChartOptions& o = *options;
-  verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path());
+  verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path(mark("FOLDER")));
   add_chart_part(verb, o.part);
   verb.add_flag("--quick", o.quick, tr("Smaller patches; takes a few minutes"));
   verb.add_flag("--count", o.count, tr("Instruction counts too, by single-stepping the processor; takes hours"));
@@ -232,11 +235,11 @@ RunVerb add_response(CLI::App& verb) {
   const auto options = std::make_shared<ResponseOptions>();
   ResponseOptions& o = *options;
   verb.add_option("file", o.file, tr("Draft"))->required();
-  verb.add_option("-o,--output", o.out, tr("Output file: .csv"))->required();
+  verb.add_option("-o,--output", o.out, tr("Output file: .csv"))->required()->check(some_path());
   verb.add_option("--method", o.method, tr("Shading method, or reference for ray tracing; default: cloth"))
-      ->check(CLI::IsMember(method_names(false)));
+      ->check(one_of(method_names(false)));
   verb.add_option("--plane", o.plane, tr("Threads that lie in the plane of incidence; default: both"))
-      ->check(CLI::IsMember({"warp", "weft", "both"}));
+      ->check(one_of({"warp", "weft", "both"}));
   verb.add_option_function<std::string>(
           "--views", [](const std::string&) {}, tr("View angles in degrees from the normal; default: 0,30,60"))
       ->check(angles_into(o.views_deg));
@@ -245,9 +248,9 @@ RunVerb add_response(CLI::App& verb) {
       ->check(angles_into(o.lights_deg));
   add_face(verb, o.face);
   verb.add_option("--spp", o.spp, tr("Rays per sample of the reference, with 1,024 samples per repeat; default: 16"))
-      ->check(CLI::Range(1, 1 << 16));
+      ->check(whole_number(1, 1 << 16));
   return [options] {
-    if (options->lights_deg.empty()) parse_angles("-80:80:5", options->lights_deg);
+    if (options->lights_deg.empty()) options->lights_deg = *parse_angles("-80:80:5");
     return response_command(*options);
   };
 }
@@ -262,10 +265,10 @@ RunVerb add_drape(CLI::App& verb) {
   verb.add_option("name", o.name,
                   fill(tr("{drapes} or all; or a draft, to drape its own fabric"), arg("drapes", all_drape_names())))
       ->required();
-  verb.add_option("--mesh", o.mesh, tr("Drape for a draft; default: the one in its scene"));
+  verb.add_option("--mesh", o.mesh, tr("Drape for a draft; default: the one in its scene"))->type_name(tr("NAME"));
   verb.add_option("--stiffness", o.stiffness, tr("Drape stiffness of a generic fabric; default: medium"))
-      ->check(CLI::IsMember({"limp", "medium", "stiff"}));
-  verb.add_option("--hang", options->hang)->check(CLI::IsMember({"limp", "medium", "stiff"}))->group("");
+      ->check(one_of({"limp", "medium", "stiff"}));
+  verb.add_option("--hang", options->hang)->check(one_of({"limp", "medium", "stiff"}))->group("");
   verb.add_option("-o,--output", o.out, tr("Output file: .glb or .gltf; for all: a folder"))
       ->required()
       ->check(some_path());

@@ -46,7 +46,7 @@ struct ConvertOptions {
   bool plain = false;
   ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // the size that the result has to fit
-  bool nearest = false;    // a draft that does not fit is replaced by the closest weave
+  bool closest = false;    // a draft that does not fit is replaced by the closest weave
   files::PictureDraft picture{};
 };
 /// NaN or empty: the design's own value.

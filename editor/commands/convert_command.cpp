@@ -8,14 +8,13 @@
 #include "commands/commands.h"
 #include "design/edits.h"
 #include "draft/factor.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 
 using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
 using design::Design, design::to_liftplan, design::to_treadling;
-using draft::Factored, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown, draft::kMaxShafts,
-    draft::within_loom;
+using draft::ClosestDraft, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
+    draft::kMaxShafts, draft::within_loom, draft::Draft;
 using files::is_picture;
 using wif::PlainShedControl, wif::WifFile, wif::write_plain_wif, wif::write_wif;
 
@@ -34,36 +33,38 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
   return liftplan || treadling || asks_for_loom(options) ? write_wif(file, design) : file.bytes;
 }
 
-/// Applies the requested shed control. Returns an exit code; the problem is printed.
-int set_shed_control(Design& design, const ConvertOptions& options) {
-  if (options.shed_control == ConvertShedControl::kLiftplan) design = to_liftplan(std::move(design));
-  if (options.shed_control != ConvertShedControl::kTreadling) return kDone;
+base::Result<Design> with_shed_control(Design design, const ConvertOptions& options) {
+  if (options.shed_control == ConvertShedControl::kLiftplan) return to_liftplan(std::move(design));
+  if (options.shed_control != ConvertShedControl::kTreadling) return design;
   design = to_treadling(std::move(design));
-  if (design.draft.shed_control == ShedControl::kTreadling) return kDone;
-  return fail({ErrorKind::kInput,
-               fill(tr("the draft needs more than {count} treadles; keep its liftplan"), arg("count", int{kMaxShafts})),
-               options.in});
+  if (design.draft.shed_control == ShedControl::kTreadling) return design;
+  return base::failure(
+      ErrorKind::kInput,
+      fill(tr("the draft needs more than {count} treadles; keep its liftplan"), arg("count", int{kMaxShafts})),
+      options.in);
 }
 
-/// Makes the draft fit the loom. Returns an exit code; the problem is printed.
-int fit(Design& design, const ConvertOptions& options) {
-  if (!asks_for_loom(options)) return kDone;
-  Factored fitted = within_loom(design.draft, options.loom);
-  if (!fitted.done() && !options.nearest) {
-    return fail({ErrorKind::kInput,
-                 fill(tr("{problem}; --nearest gives the closest weave for that loom"), arg("problem", fitted.why)),
-                 options.in});
+/// Makes the draft fit the loom.
+base::Result<Design> fitted_to_loom(Design design, const ConvertOptions& options) {
+  if (!asks_for_loom(options)) return design;
+  base::Result<Draft> fitted = within_loom(design.draft, options.loom);
+  if (!fitted && !options.closest) {
+    return base::failure(
+        ErrorKind::kInput,
+        fill(tr("{problem}; --closest gives the closest weave for that loom"), arg("problem", fitted.error().text)),
+        options.in);
   }
-  if (!fitted.done()) {
-    fitted = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
+  if (!fitted) {
+    ClosestDraft closest = closest_drawdown(design.draft, drawdown(design.draft), options.loom);
     const long long all = static_cast<long long>(design.draft.ends()) * design.draft.picks();
     const std::string line =
-        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", fitted.wrong),
-             arg("count", fitted.wrong), arg("all", all));
+        fill(tr_n("{count} of {all} crossings differs", "{count} of {all} crossings differ", closest.wrong),
+             arg("count", closest.wrong), arg("all", all));
     std::printf("%s\n", line.c_str());
+    fitted = std::move(closest.draft);
   }
-  design.draft = std::move(fitted.draft);
-  return kDone;
+  design.draft = std::move(*fitted);
+  return design;
 }
 
 }  // namespace
@@ -75,10 +76,11 @@ int convert_command(const ConvertOptions& options) {
   }
   const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;
-  Design design = opened.design;
-  if (const int code = set_shed_control(design, options); code != kDone) return code;
-  if (const int code = fit(design, options); code != kDone) return code;
-  return finish(files::written(write_file_atomically(options.out, converted(opened.file, design, options))));
+  const base::Result<Design> design = with_shed_control(opened.design, options).and_then([&](Design changed) {
+    return fitted_to_loom(std::move(changed), options);
+  });
+  if (!design) return fail(design.error());
+  return finish(write_file_atomically(options.out, converted(opened.file, *design, options)));
 }
 
 }  // namespace weftlight::commands

@@ -31,20 +31,22 @@ RunVerb add_analyse(CLI::App& verb) {
   AnalyseOptions& o = *options;
   verb.add_option("file", o.file, tr("Draft"))->required();
   verb.add_flag("--json", o.json, tr("Output as JSON"));
-  verb.add_option("--floats", o.float_limit, tr("Float length in threads; longer floats are listed; default: 7"))
-      ->check(CLI::Range(0, kMaxThreads));
+  verb.add_option("--floats", o.float_limit,
+                  tr("Longest float allowed, in threads; longer ones are listed; default: 7"))
+      ->check(whole_number(0, kMaxThreads));
   verb.add_option("--length", o.plan.length_mm, tr("Length of the finished cloth in mm; default: as drafted"))
-      ->check(CLI::Range(0.0, kMaxLengthMm));
+      ->check(number_in(0.0, kMaxLengthMm));
   verb.add_option("--width", o.plan.width_mm, tr("Width of the finished cloth in mm; default: as drafted"))
-      ->check(CLI::Range(0.0, kMaxLengthMm));
+      ->check(number_in(0.0, kMaxLengthMm));
   verb.add_option("--waste", o.plan.loom_waste_mm, tr("Loom waste in mm, the warp that cannot be woven; default: 600"))
-      ->check(CLI::Range(0.0, kMaxLengthMm));
+      ->check(number_in(0.0, kMaxLengthMm));
   verb.add_option("--shrinkage", o.plan.warp_shrinkage,
-                  tr("Shrinkage in the wash as a fraction; default: 0.08, which is 8%"))
-      ->check(CLI::Range(0.0, 0.9));
+                  tr("Shrinkage in washing, as a fraction; default: 0.08, which is 8%"))
+      ->check(number_in(0.0, 0.9));
   verb.add_option("--spare", o.plan.spare, tr("Yarn lost in winding and on the bobbins, as a fraction; default: 0.05"))
-      ->check(CLI::Range(0.0, 1.0));
-  verb.add_option("--price", o.prices, tr("Price of a kilogram of yarn: YARN=PRICE, or PRICE for all yarns"));
+      ->check(number_in(0.0, 1.0));
+  verb.add_option("--price", o.prices, tr("Price of a kilogram of yarn: YARN=PRICE, or PRICE for all yarns"))
+      ->type_name(tr("[YARN=]PRICE"));
   return [options] {
     options->plan.weft_shrinkage = options->plan.warp_shrinkage;
     return analyse_command(*options);
@@ -70,14 +72,14 @@ void add_print_words(CLI::App& verb, PrintWords& words) {
   verb.add_option("--parts", words.parts, tr("Parts to print, separated by commas; default: all"))
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(parts));
-  verb.add_option("--paper", words.paper, tr("Paper size; default: a4"))->check(CLI::IsMember(papers));
+      ->check(one_of(parts));
+  verb.add_option("--paper", words.paper, tr("Paper size; default: a4"))->check(one_of(papers));
   verb.add_flag("--across", words.across, tr("Landscape orientation"));
-  verb.add_option("--end1", words.end1, tr("Side of end 1; default: right"))->check(CLI::IsMember({"left", "right"}));
-  verb.add_option("--pick1", words.pick1, tr("Side of pick 1; default: top"))->check(CLI::IsMember({"top", "bottom"}));
+  verb.add_option("--end1", words.end1, tr("Side of end 1; default: right"))->check(one_of({"left", "right"}));
+  verb.add_option("--pick1", words.pick1, tr("Side of pick 1; default: top"))->check(one_of({"top", "bottom"}));
   verb.add_option("--threading", words.threading,
                   tr("Position of the threading relative to the drawdown; default: above"))
-      ->check(CLI::IsMember({"above", "below"}));
+      ->check(one_of({"above", "below"}));
 }
 
 void apply_print_words(print::PrintOptions& o, const PrintWords& words) {
@@ -99,10 +101,12 @@ RunVerb add_print(CLI::App& verb) {
   const auto options = std::make_shared<Options>();
   print::PrintOptions& o = options->command.options;
   verb.add_option("file", options->command.file, tr("Draft"))->required();
-  verb.add_option("-o,--output", options->command.out, tr("Output file: .pdf, .svg or .png"))->required();
+  verb.add_option("-o,--output", options->command.out, tr("Output file: .pdf, .svg or .png"))
+      ->required()
+      ->check(some_path());
   add_print_words(verb, options->words);
   verb.add_option("--scale", o.cell_mm, tr("Side of a grid cell in mm; default: chosen to fit the paper"))
-      ->check(CLI::Range(0.5, 20.0));
+      ->check(number_in(0.5, 20.0));
   verb.add_option("--heavy", o.heavy_lines, tr("Threads from one heavier grid line to the next; 0: none; default: 4"))
       ->check(whole_number(0, 1000));
   verb.add_flag("--one-repeat", o.one_repeat, tr("Grids and lists of one repeat only"));
@@ -111,7 +115,7 @@ RunVerb add_print(CLI::App& verb) {
   verb.add_option("--last-sheet", o.last_sheet, tr("Last sheet to print; default: all"))
       ->check(whole_number(1, print::kMaxSheets));
   verb.add_option("--dpi", o.png_dpi, tr("Resolution of a .png in dots per inch; default: 150"))
-      ->check(CLI::Range(30.0, 1200.0));
+      ->check(number_in(30.0, 1200.0));
   return [options] {
     apply_print_words(options->command.options, options->words);
     return print_command(options->command);
@@ -122,10 +126,10 @@ RunVerb add_weave(CLI::App& verb) {
   const auto options = std::make_shared<WeaveOptions>();
   WeaveOptions& o = *options;
   verb.add_option("weave", o.weave, tr("Id of the weave; see --list"));
-  verb.add_option("-o,--output", o.out, tr("Output file: .wif"));
-  verb.add_option("--set", o.set, tr("Parameter of the weave: ID=VALUE; may be given several times"));
-  verb.add_option("--ends", o.ends, tr("Number of ends; default: 64"))->check(CLI::Range(1, kMaxThreads));
-  verb.add_option("--picks", o.picks, tr("Number of picks; default: 64"))->check(CLI::Range(1, kMaxThreads));
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->check(some_path());
+  verb.add_option("--set", o.set, tr("Parameter of the weave; may be given several times"))->type_name(tr("ID=VALUE"));
+  verb.add_option("--ends", o.ends, tr("Number of ends; default: 64"))->check(whole_number(1, kMaxThreads));
+  verb.add_option("--picks", o.picks, tr("Number of picks; default: 64"))->check(whole_number(1, kMaxThreads));
   verb.add_flag("--list", o.list, tr("List of all weaves with their parameters"));
   return [options] { return weave_command(*options); };
 }
@@ -150,11 +154,11 @@ RunVerb add_drawdown(CLI::App& verb) {
   verb.add_option_function<std::string>(
           "--end1", [&o](const std::string& side) { o.origin.end1_left = side == "left"; },
           tr("Side of end 1 in the picture; default: right"))
-      ->check(CLI::IsMember({"left", "right"}));
+      ->check(one_of({"left", "right"}));
   verb.add_option_function<std::string>(
           "--pick1", [&o](const std::string& side) { o.origin.pick1_bottom = side == "bottom"; },
           tr("Side of pick 1 in the picture; default: top"))
-      ->check(CLI::IsMember({"top", "bottom"}));
+      ->check(one_of({"top", "bottom"}));
   return [options] { return drawdown_command(*options); };
 }
 
@@ -185,11 +189,12 @@ RunVerb add_convert(CLI::App& verb) {
   auto* treadles = verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has"))
                        ->check(whole_number(1, kMaxShafts))
                        ->excludes(liftplan);
-  verb.add_flag("--nearest", o.nearest, tr("Closest weave for the loom, where the draft itself does not fit it"));
+  verb.add_flag("--closest", o.closest, tr("Closest weave for the loom, where the draft itself does not fit it"));
+  verb.add_flag("--nearest", o.closest)->group("");  // the earlier name
   add_picture_draft_options(verb, o.picture);
   return [options, shafts, treadles] {
-    if (!options->nearest || shafts->count() + treadles->count() > 0) return convert_command(*options);
-    return refuse(tr("--nearest: give the loom's --shafts or --treadles with it"));
+    if (!options->closest || shafts->count() + treadles->count() > 0) return convert_command(*options);
+    return refuse(tr("--closest: give the loom's --shafts or --treadles with it"));
   };
 }
 
@@ -200,7 +205,7 @@ constexpr Verb kDraftVerbs[] = {
     {"weave", mark("Generate a draft from the table of weaves"), add_weave},
     {"diff", mark("Compare two drafts"), add_diff},
     {"drawdown", mark("Write the drawdown as text or as a coloured picture"), add_drawdown},
-    {"convert", mark("Copy a draft; without options the copy has the same bytes"), add_convert},
+    {"convert", mark("Copy a draft, to the byte unless an option changes it"), add_convert},
 };
 
 }  // namespace

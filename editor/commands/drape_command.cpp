@@ -11,16 +11,14 @@
 #include "drape/stiffness.h"
 #include "files/design_drape.h"
 #include "files/files.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 
-using base::arg, base::cause_of, base::fill, base::tr, base::why_not_writable;
+using base::arg, base::cause_of, base::fill, base::tr;
 using design::Design;
 using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
     drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
-using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh,
-    files::written;
+using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh;
 
 namespace {
 
@@ -85,7 +83,7 @@ int write_design_drape(const DrapeOptions& options) {
   if (!can_drape(design))
     return refuse(fill(tr("{file}: the mesh of its scene, {mesh}, cannot be simulated; give --mesh"),
                        arg("file", options.name), arg("mesh", design.scene.mesh)));
-  if (const auto place = written(why_not_writable(options.out)); !place) return fail(place.error());
+  if (const auto place = base::check_writable(options.out); !place) return fail(place.error());
   return write_drape(design.scene.mesh, simulated_mesh(design), options.out);
 }
 

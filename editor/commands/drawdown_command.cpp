@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "commands/drawdown_picture.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 
@@ -61,7 +60,7 @@ int drawdown_command(const DrawdownOptions& options) {
   }
   const Draft& draft = opened.design.draft;
   const std::string& out = options.out;
-  return finish(form == Form::kText    ? files::written(write_file_atomically(out, as_text(cells)))
+  return finish(form == Form::kText    ? write_file_atomically(out, as_text(cells))
                 : options.points       ? write_drawdown_points(out, cells)
                 : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.origin)
                                        : write_drawdown_drawing(out, cells, draft, options.origin));

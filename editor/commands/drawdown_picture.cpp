@@ -9,7 +9,6 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "files/files.h"
-#include "files/written.h"
 
 namespace weftlight::commands {
 
@@ -100,7 +99,7 @@ base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatr
   if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many_for_drawing(path, cells);
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
-  return files::written(write_through(path, [&](const std::string& beside) -> std::string {
+  return write_through(path, [&](const std::string& beside) {
     const auto create =
         beside.ends_with(".svg") || beside.ends_with(".SVG") ? cairo_svg_surface_create : cairo_pdf_surface_create;
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> sheet(
@@ -110,8 +109,8 @@ base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatr
     cairo_surface_finish(sheet.get());
     const cairo_status_t drawn = cairo_status(pen.get()), whole = cairo_surface_status(sheet.get());
     const cairo_status_t status = drawn != CAIRO_STATUS_SUCCESS ? drawn : whole;
-    return status == CAIRO_STATUS_SUCCESS ? "" : cairo_status_to_string(status);
-  }));
+    return base::written_unless(status == CAIRO_STATUS_SUCCESS ? "" : cairo_status_to_string(status));
+  });
 }
 
 }  // namespace weftlight::commands

@@ -14,11 +14,13 @@
 #include "base/caught.h"
 #include "base/loops.h"
 #include "base/text.h"
+#include "base/version.h"
 #include "commands/commands.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
 #include "platform/clock.h"
+#include "platform/files_below.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
@@ -70,12 +72,11 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
       out.push_back(path);
       continue;
     }
-    std::vector<std::string> within;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, ec)) {
-      if (is_draft_name(entry.path().string()) && entry.is_regular_file(ec)) within.push_back(entry.path().string());
-    }
-    std::sort(within.begin(), within.end());
-    out.insert(out.end(), within.begin(), within.end());
+    platform::FilesBelow within = platform::files_below(path);
+    std::erase_if(within.files, [](const std::string& file) { return !is_draft_name(file); });
+    out.insert(out.end(), within.files.begin(), within.files.end());
+    for (const std::string& folder : within.unread)
+      print_problem(fill(tr("{folder}: the folder cannot be read; its drafts are left out"), arg("folder", folder)));
   }
   return out;
 }
@@ -135,7 +136,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
     for (const ExportTarget* target : targets) {
       TextureSetOptions o;
       o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
-      o.program_version = WEFTLIGHT_VERSION, o.size = options.size, o.force = options.force;
+      o.program_version = base::version(), o.size = options.size, o.force = options.force;
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
       o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
       o.modified = changed(file);
@@ -147,17 +148,22 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
   return jobs;
 }
 
-std::string write_archive(const Job& job, bool force) {
+std::string archive_of(const Job& job) { return job.folder + ".zip"; }
+
+/// Whether the archive can be written, before its set is.
+base::Result<void> check_archive(const Job& job, const ExportOptions& options) {
   std::error_code ec;
-  const std::string path = job.folder + ".zip";
-  if (!force && fs::exists(path, ec) && !lists_archive(job.folder)) {
-    return fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"), arg("file", path));
-  }
+  if (!options.zip || options.force || lists_archive(job.folder) || !fs::exists(archive_of(job), ec)) return {};
+  return base::failure(base::ErrorKind::kOutput,
+                       tr("is not an archive of this set; move it away, or --force to replace it"), archive_of(job));
+}
+
+base::Result<void> write_archive(const Job& job) {
   std::vector<ZipEntry> entries;
   const std::string top = fs::path(job.folder).filename().string();
   for (const std::string& name : listed_files(job.folder))
     entries.push_back({top + "/" + name, (fs::path(job.folder) / name).string()});
-  return problem_of(write_zip(path, entries, ZipKind::kPlain));
+  return write_zip(archive_of(job), entries, ZipKind::kPlain);
 }
 
 void report(ExportRun& run, int code, const std::string& problem) {
@@ -195,16 +201,13 @@ void run_job(Job job, ExportRun& run) {
     const std::lock_guard lock(run.console);
     std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
   }
-  const bool had_archive = lists_archive(job.folder);
   const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
-  std::string problem = run.options.zip && !run.options.force && !had_archive && fs::exists(job.folder + ".zip")
-                            ? fill(tr("{file}: is not an archive of this set; move it away, or --force to replace it"),
-                                   arg("file", job.folder + ".zip"))
-                            : write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options);
-  if (problem.empty() && run.options.zip) problem = write_archive(job, true);
-  if (!problem.empty())
+  base::Result<void> done = check_archive(job, run.options);
+  if (done) done = write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options);
+  if (done && run.options.zip) done = write_archive(job);
+  if (!done)
     return report(run, kNotWritten,
-                  fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem)));
+                  fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem_of(done))));
   ++run.written;
   const std::lock_guard lock(run.console);
   std::printf("%s\n", job.folder.c_str());
@@ -215,10 +218,9 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   ExportRun run{options, mesh, {}, kDone, 0, 0, {}};
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
     const Job& job = jobs[static_cast<size_t>(j)];
-    const std::string thrown = caught([&] { run_job(job, run); });
-    if (!thrown.empty())
+    if (const base::Result<void> done = caught([&] { run_job(job, run); }); !done)
       report(run, kNotWritten,
-             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", thrown)));
+             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
   });
   if (jobs.size() > 1) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),

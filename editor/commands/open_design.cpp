@@ -7,7 +7,7 @@
 
 namespace weftlight::commands {
 
-using base::ErrorKind, base::FileBytes, base::arg, base::fill, base::message, base::read_file, base::tr;
+using base::ErrorKind, base::arg, base::fill, base::message, base::read_file, base::tr;
 using files::is_picture, files::read_picture_draft;
 using wif::Diagnostic, wif::Severity, wif::WifRead, wif::read_draft;
 
@@ -60,12 +60,12 @@ int finish(const base::Result<void>& result) { return result ? kDone : fail(resu
 
 OpenedDesign open_design(const std::string& path, bool print_warnings, const files::PictureDraft& picture) {
   OpenedDesign result;
-  const FileBytes file = read_file(path);
-  if (!file.error.empty()) {
-    fail({ErrorKind::kInput, fill(tr("{problem}; give the path of a draft"), arg("problem", file.error)), path});
+  const base::Result<std::string> file = read_file(path);
+  if (!file) {
+    fail({ErrorKind::kInput, fill(tr("{problem}; give the path of a draft"), arg("problem", file.error().text)), path});
     return result;
   }
-  WifRead read = is_picture(path) ? read_picture_draft(path, picture) : read_draft(file.bytes);
+  WifRead read = is_picture(path) ? read_picture_draft(path, picture) : read_draft(*file);
   for (const Diagnostic& d : read.diagnostics) {
     const bool warning = print_warnings && d.severity == Severity::kWarning;
     if (d.severity == Severity::kError || warning) print_diagnostic(path, d);

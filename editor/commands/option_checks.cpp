@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 #include <string_view>
 
 #include "base/text.h"
@@ -44,15 +46,33 @@ bool parse_numbers(const std::vector<std::string>& parts, std::vector<double>& o
   return true;
 }
 
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+/// Without an exponent, unless it is very large.
+std::string plain_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+base::Failure not_angles(std::string why) { return base::failure(base::ErrorKind::kUsage, std::move(why)); }
+
 /// FROM:TO:STEP as the angles themselves.
-std::string expand_range(const std::string& text, const std::vector<double>& range, std::vector<double>& out) {
+base::Result<std::vector<double>> expand_range(const std::string& text, const std::vector<double>& range) {
   if (range.size() != 3 || range[2] <= 0 || range[1] < range[0])
-    return fill(tr("'{text}' is not of the form FROM:TO:STEP, upwards"), arg("text", text));
+    return not_angles(fill(tr("'{text}' is not of the form FROM:TO:STEP, upwards"), arg("text", text)));
   const double count = std::floor((range[1] - range[0]) / range[2] + 1e-9) + 1;
   if (count > static_cast<double>(kMaxAngles))
-    return fill(tr("'{text}': too many angles; take a wider step"), arg("text", text));
-  for (int k = 0; k < static_cast<int>(count); ++k) out.push_back(range[0] + k * range[2]);
-  return {};
+    return not_angles(fill(tr("'{text}': too many angles; take a wider step"), arg("text", text)));
+  std::vector<double> angles;
+  for (int k = 0; k < static_cast<int>(count); ++k) angles.push_back(range[0] + k * range[2]);
+  return angles;
 }
 
 }  // namespace
@@ -102,40 +122,84 @@ CLI::Validator whole_number(int64_t low, int64_t high) {
       std::to_string(low) + ".." + std::to_string(high));
 }
 
+CLI::Validator number_in(double low, double high) {
+  const std::string from = plain_number(low), to = plain_number(high);
+  return CLI::Validator(
+      [=](const std::string& text) {
+        const std::optional<double> value = number_of(text);
+        return value && *value >= low && *value <= high
+                   ? std::string{}
+                   : fill(tr("{text} is not a number from {low} to {high}"), arg("text", quoted(text)),
+                          arg("low", from), arg("high", to));
+      },
+      from + ".." + to);
+}
+
 CLI::Validator above_zero() {
   return CLI::Validator(
       [](const std::string& text) {
-        float value = 0;
-        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool good = read.ec == std::errc{} && read.ptr == text.data() + text.size() && std::isfinite(value);
-        return good && value > 0 ? std::string{}
-                                 : fill(tr("{text} is not a number greater than 0"), arg("text", quoted(text)));
+        const std::optional<double> value = number_of(text);
+        return value && static_cast<float>(*value) > 0
+                   ? std::string{}
+                   : fill(tr("{text} is not a number greater than 0"), arg("text", quoted(text)));
       },
-      "> 0");
+      "X");
 }
 
-CLI::Validator some_path() {
+CLI::Validator one_of(std::vector<std::string> words) {
+  const std::string form = CLI::detail::join(words, "|");
   return CLI::Validator(
-      [](const std::string& text) -> std::string { return text.empty() ? tr("the name is empty") : ""; }, "PATH");
+      [words = std::move(words)](const std::string& text) {
+        return std::ranges::find(words, text) != words.end()
+                   ? std::string{}
+                   : fill(tr("{text} is none of {words}"), arg("text", quoted(text)),
+                          arg("words", CLI::detail::join(words, ", ")));
+      },
+      form);
 }
 
-std::string parse_angles(const std::string& text, std::vector<double>& out) {
-  out.clear();
+CLI::Validator one_of_numbers(std::vector<double> numbers) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(plain_number(number));
+  const std::string form = CLI::detail::join(words, "|");
+  return CLI::Validator(
+      [numbers = std::move(numbers), words = std::move(words)](const std::string& text) {
+        const std::optional<double> value = number_of(text);
+        return value && std::ranges::find(numbers, *value) != numbers.end()
+                   ? std::string{}
+                   : fill(tr("{text} is none of {words}"), arg("text", quoted(text)),
+                          arg("words", CLI::detail::join(words, ", ")));
+      },
+      form);
+}
+
+CLI::Validator some_path(const char* form) {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string { return text.empty() ? tr("the name is empty") : ""; }, tr(form));
+}
+
+base::Result<std::vector<double>> parse_angles(const std::string& text) {
   const bool range = text.find(':') != std::string::npos;
   std::vector<double> numbers;
   if (!parse_numbers(split(text, range ? ':' : ','), numbers))
-    return fill(tr("'{text}' is not a list of angles"), arg("text", text));
-  if (!range) out = numbers;
-  else if (std::string wrong = expand_range(text, numbers, out); !wrong.empty()) return wrong;
-  if (out.size() > kMaxAngles) return fill(tr("'{text}': too many angles"), arg("text", text));
-  const bool inside = std::all_of(out.begin(), out.end(), [](double a) { return std::abs(a) <= kMaxAngleDeg; });
-  return inside ? std::string{}
-                : fill(tr("'{text}': angles lie between {low} and {high} degrees"), arg("text", text),
-                       arg("low", -kMaxAngleDeg), arg("high", kMaxAngleDeg));
+    return not_angles(fill(tr("'{text}' is not a list of angles"), arg("text", text)));
+  base::Result<std::vector<double>> angles = range ? expand_range(text, numbers) : numbers;
+  if (!angles) return angles;
+  if (angles->size() > kMaxAngles) return not_angles(fill(tr("'{text}': too many angles"), arg("text", text)));
+  if (std::ranges::any_of(*angles, [](double a) { return std::abs(a) > kMaxAngleDeg; }))
+    return not_angles(fill(tr("'{text}': angles lie between {low} and {high} degrees"), arg("text", text),
+                           arg("low", -kMaxAngleDeg), arg("high", kMaxAngleDeg)));
+  return angles;
 }
 
 CLI::Validator angles_into(std::vector<double>& out) {
-  return CLI::Validator([&out](const std::string& text) { return parse_angles(text, out); }, "A,B,..|FROM:TO:STEP");
+  return CLI::Validator(
+      [&out](const std::string& text) {
+        base::Result<std::vector<double>> angles = parse_angles(text);
+        if (angles) out = *angles;
+        return problem_of(angles);
+      },
+      "A,B,..|FROM:TO:STEP");
 }
 
 bool parse_exposure(const std::string& text, bool& automatic, float& stops) {
@@ -180,7 +244,7 @@ void add_face(CLI::App& verb, Face& face) {
   verb.add_option_function<std::string>(
           "--face", [&face](const std::string& name) { face = name == "back" ? Face::kBack : Face::kFront; },
           tr("Face of the cloth; default: front"))
-      ->check(CLI::IsMember({"front", "back"}));
+      ->check(one_of({"front", "back"}));
 }
 
 }  // namespace weftlight::commands

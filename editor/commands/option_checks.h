@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
+#include "base/text.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::commands {
@@ -18,12 +20,15 @@ bool parse_pair(const std::string& text, char between, float& a, float& b);
 CLI::Validator pair_of(char between, const std::string& form);
 
 CLI::Validator whole_number(int64_t low, int64_t high);
+CLI::Validator number_in(double low, double high);
 CLI::Validator above_zero();
-CLI::Validator some_path();  // not empty
+CLI::Validator one_of(std::vector<std::string> words);
+CLI::Validator one_of_numbers(std::vector<double> numbers);
+/// Not empty. `form` stands in the help.
+CLI::Validator some_path(const char* form = base::mark("FILE"));
 
 /// Angles in degrees from the normal, below 90 on either side: "0,30,60" or FROM:TO:STEP ("-80:80:5").
-/// Returns what is wrong, or an empty string.
-std::string parse_angles(const std::string& text, std::vector<double>& out);
+base::Result<std::vector<double>> parse_angles(const std::string& text);
 /// Reads the text into `out` when it is checked.
 CLI::Validator angles_into(std::vector<double>& out);
 

@@ -8,18 +8,17 @@
 #include "design/lights.h"
 #include "files/design_drape.h"
 #include "files/files.h"
-#include "files/written.h"
 #include "gl/pipeline.h"
 #include "light/lod_table.h"
 #include "scene/named_views.h"
 
 namespace weftlight::commands {
 
-using base::arg, base::fill, base::message, base::tr, base::why_not_writable;
+using base::arg, base::fill, base::message, base::tr;
 using design::Method, design::NamedView, design::Scene, design::is_environment, design::lighting_preset, design::lit_by,
     design::lit_by_environment, design::method_from_name;
 using draft::Draft;
-using files::PixelType, files::can_drape, files::drape_cloth, files::is_draped, files::write_image, files::written;
+using files::PixelType, files::can_drape, files::drape_cloth, files::is_draped, files::write_image;
 using gl::upload_once;
 using scene::drawn_scene, scene::view_named, scene::view_names;
 
@@ -69,7 +68,7 @@ int PictureSetup::open(const PictureOptions& o) {
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
     return refuse(fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
   }
-  if (const auto place = o.turntable > 0 ? written({}) : written(why_not_writable(o.out)); !place)
+  if (const auto place = o.turntable > 0 ? base::Result<void>() : base::check_writable(o.out); !place)
     return fail(place.error());
   status.show(fill(tr("reading {file}"), arg("file", o.file)));
   OpenedDesign opened = open_design(o.file);
@@ -87,7 +86,7 @@ int PictureSetup::open(const PictureOptions& o) {
   apply_options(design, o);
   drape(design, status);
   if (const int code = open_graphics(); code != kDone) return code;
-  if (const std::string& problem = renderer->lod_table_problem(); !problem.empty()) print_problem(problem);
+  if (const auto& read = renderer->lod_table_read(); !read) print_problem(problem_of(read));
   const Draft& d = design.draft;
   status.show(fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks())));
   const base::Result<void> shown = upload_once(std::make_shared<const Design>(design), *renderer);

@@ -5,7 +5,6 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
-#include "files/written.h"
 #include "print/print.h"
 
 namespace weftlight::commands {
@@ -27,8 +26,7 @@ int print_command(const PrintCommand& options) {
   if (!printed) return fail({ErrorKind::kInput, printed.error().text, options.file});
   for (size_t i = 0; i < printed->files.size(); ++i) {
     const std::string path = print::sheet_file(options.out, i, printed->files.size());
-    if (const auto saved = files::written(write_file_atomically(path, printed->files[i])); !saved)
-      return fail(saved.error());
+    if (const auto saved = write_file_atomically(path, printed->files[i]); !saved) return fail(saved.error());
   }
   const std::string line =
       fill(tr_n("{count} sheet", "{count} sheets", printed->sheets), arg("count", printed->sheets));

@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "commands/picture_setup.h"
-#include "files/written.h"
 #include "light/lod_table.h"
 #include "render_data/method_weights.h"
 #include "wif/wif.h"
@@ -16,7 +15,6 @@ namespace weftlight::commands {
 
 using base::arg, base::fill, base::tr, base::write_file_atomically;
 using design::Look, design::Method, design::Scene, design::method_name;
-using files::written;
 using gl::Frame, gl::FrameStats;
 using render_data::kCoarsestTolerance;
 
@@ -35,7 +33,7 @@ base::Result<void> write_stats(const std::string& path, const FrameStats& stats,
                             {"bytes", stats.texture_bytes},
                             {"width", o.width},
                             {"height", o.height}};
-  return written(write_file_atomically(path, json.dump(2) + "\n"));
+  return write_file_atomically(path, json.dump(2) + "\n");
 }
 
 /// "picture_001.png" from "picture.png" and 1.
@@ -56,9 +54,9 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
     scene.view_azimuth =
         std::remainder(from + 360.0f * static_cast<float>(k) / static_cast<float>(o.turntable), 360.0f);
     setup.renderer->draw(scene, setup.design.look, frame);
-    if (const FrameStats stats = setup.renderer->measure(); !stats.problem.empty()) {
+    if (const FrameStats stats = setup.renderer->measure(); !stats.cloth) {
       setup.status.clear();
-      return fail({base::ErrorKind::kGraphics, stats.problem});
+      return fail(stats.cloth.error());
     }
     const auto saved = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
     if (!saved) {
@@ -95,7 +93,7 @@ int render_command(const PictureOptions& o) {
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   setup.status.clear();
-  if (!stats.problem.empty()) return fail({base::ErrorKind::kGraphics, stats.problem});
+  if (!stats.cloth) return fail(stats.cloth.error());
   if (requested != Method::kAuto && requested != stats.method) {
     print_problem(fill(tr("drawn with the method {method}, the closest one available"),
                        arg("method", std::string(method_name(stats.method)))));

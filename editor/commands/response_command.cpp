@@ -11,7 +11,6 @@
 #include "commands/picture_setup.h"
 #include "design/methods.h"
 #include "files/files.h"
-#include "files/written.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
@@ -22,11 +21,11 @@
 namespace weftlight::commands {
 
 using base::ErrorKind, base::Result, base::arg, base::failure, base::fill, base::message, base::tr,
-    base::why_not_writable, base::write_file_atomically;
+    base::write_file_atomically;
 using cloth::Cloth, cloth::Period;
 using design::Design, design::Look, design::Method, design::method_from_name;
 using draft::BitMatrix, draft::Face, draft::drawdown;
-using files::Image, files::written;
+using files::Image;
 using gl::HeadlessContext, gl::Renderer;
 using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
 using render_data::FarField, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages,
@@ -153,7 +152,7 @@ std::string as_csv(const std::vector<Directions>& directions, const Radiances& r
 }  // namespace
 
 int response_command(const ResponseOptions& o) {
-  if (const auto place = written(why_not_writable(o.out)); !place) return fail(place.error());
+  if (const auto place = base::check_writable(o.out); !place) return fail(place.error());
   const OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
@@ -164,7 +163,7 @@ int response_command(const ResponseOptions& o) {
                                       : o.method == "reference" ? traced(one_face(opened.design, o.face), o, directions)
                                                                 : drawn(opened.design, o, directions);
   if (!radiances) return fail(radiances.error());
-  return finish(written(write_file_atomically(o.out, as_csv(directions, *radiances))));
+  return finish(write_file_atomically(o.out, as_csv(directions, *radiances)));
 }
 
 }  // namespace weftlight::commands

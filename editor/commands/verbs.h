@@ -22,5 +22,7 @@ struct Verb {
 std::span<const Verb> draft_verbs();
 /// Verbs for the cloth: render, reference, export, chart, response, drape.
 std::span<const Verb> cloth_verbs();
+/// Verbs for the shell: completion, manual.
+std::span<const Verb> shell_verbs();
 
 }  // namespace weftlight::commands

@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/edits.h"
-#include "files/written.h"
 #include "weaves/table.h"
 
 namespace weftlight::commands {
@@ -70,15 +69,15 @@ int weave_command(const WeaveOptions& options) {
   }
   WeaveValues values;
   if (!read_values(*kind, options.set, values)) return kUsage;
-  if (const std::string why = why_refused(*kind, values); !why.empty()) return refuse(why);
+  if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));
   GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
   generated.design.title = kind->name;
-  if (!generated.why.empty()) {
+  if (!generated.note.empty()) {
     const std::string line =
-        fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", generated.why));
+        fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", generated.note));
     std::fprintf(stderr, "%s\n", line.c_str());
   }
-  return finish(files::written(write_file_atomically(options.out, write_new_wif(generated.design))));
+  return finish(write_file_atomically(options.out, write_new_wif(generated.design)));
 }
 
 }  // namespace weftlight::commands

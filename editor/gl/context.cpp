@@ -1,91 +1,65 @@
-// EGL without a surface: Mesa's surfaceless platform first (a GPU or llvmpipe), then the default display
-// of the vendor's driver.
-
 #include "gl/context.h"
 
-#include <dlfcn.h>
-#include <epoxy/egl.h>
-#include <epoxy/gl.h>
-
-#include <algorithm>
-#include <array>
-#include <initializer_list>
+#include <string>
+#include <utility>
 
 #include "base/text.h"
+#include "gl/egl_context.h"
+#include "gl/hidden_window.h"
+#include "platform/environment.h"
 
 namespace weftlight::gl {
 
-using base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 
-bool loads(std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [](const char* name) {
-    void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
-    return library != nullptr;  // kept open: libepoxy loads the same one next
-  });
+using Opened = HeadlessContext::Opened;
+
+constexpr const char* kVariable = "WEFTLIGHT_OFFSCREEN";
+
+base::Failure none(std::string why) { return base::failure(base::ErrorKind::kGraphics, std::move(why)); }
+
+Opened made_current(Opened opened) {
+  if (!opened) return opened;
+  if (const auto current = (*opened)->make_current(); !current) return base::failed(current);
+  return opened;
 }
 
-/// libepoxy exits the program if a library that it loads is missing.
-std::string missing_library() {
-#ifdef __linux__
-  if (!loads({"libEGL.so.1"})) return tr("libEGL.so.1 is not there: install it (Debian: libegl1 and libgl1-mesa-dri)");
-  if (!loads({"libOpenGL.so.0", "libGL.so.1"}))
-    return tr("libGL.so.1 is not there: install it (Debian: libgl1 and libgl1-mesa-dri)");
-#endif
-  return {};
+Opened by_egl() {
+  if constexpr (WEFTLIGHT_EGL) return made_current(open_egl());
+  else return none(tr("this program was built without EGL"));
 }
 
-EGLDisplay open_display() {
-  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-  }
-  const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-  return EGL_NO_DISPLAY;
+Opened by_window(const std::function<Opened()>& hidden_window) {
+  Opened opened = made_current(hidden_window());
+  if (opened) return opened;
+  return none(fill(tr("no hidden window can be opened ({problem}): draw where there is a display"),
+                   arg("problem", message(opened.error()))));
 }
 
-EGLContext open_context(EGLDisplay display) {
-  // Highest version first: some drivers give exactly the requested version.
-  constexpr std::array<std::array<int, 2>, 3> kVersions{{{4, 5}, {4, 1}, {3, 3}}};
-  for (const auto& [major, minor] : kVersions) {
-    const EGLint attributes[] = {
-        EGL_CONTEXT_MAJOR_VERSION,           major,   EGL_CONTEXT_MINOR_VERSION, minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (context != EGL_NO_CONTEXT) return context;
-  }
-  return EGL_NO_CONTEXT;
+/// By EGL, else by a hidden window.
+Opened by_either(const std::function<Opened()>& hidden_window) {
+  Opened first = by_egl();
+  if (first) return first;
+  Opened second = made_current(hidden_window());
+  if (second) return second;
+  return none(fill(tr("{problem}, or draw where there is a display ({no_display})"),
+                   arg("problem", message(first.error())), arg("no_display", message(second.error()))));
 }
 
 }  // namespace
 
-base::Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
-  const auto none = [](std::string why) { return base::failure(base::ErrorKind::kGraphics, std::move(why)); };
-  if (std::string missing = missing_library(); !missing.empty()) return none(std::move(missing));
-  std::unique_ptr<HeadlessContext> made(new HeadlessContext);
-  const EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY)
-    return none(tr("no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)"));
-  made->display_ = display;
-  if (!eglBindAPI(EGL_OPENGL_API)) return none(tr("EGL has no desktop OpenGL: install Mesa (Debian: libgl1-mesa-dri)"));
-  const EGLContext context = open_context(display);
-  if (context == EGL_NO_CONTEXT)
-    return none(
-        tr("OpenGL 3.3 core is not there: update the graphics driver, or use Mesa's software renderer "
-           "(LIBGL_ALWAYS_SOFTWARE=1)"));
-  made->context_ = context;
-  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
-    return none(tr("the OpenGL context cannot be used without a window: update the graphics driver"));
-  return made;
-}
+Opened HeadlessContext::create() { return create(open_hidden_window); }
 
-HeadlessContext::~HeadlessContext() {
-  if (!display_) return;
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  if (context_) eglDestroyContext(display_, context_);
-  eglTerminate(display_);
+Opened HeadlessContext::create(const std::function<Opened()>& hidden_window) {
+  const std::string way = platform::variable(kVariable);
+  if (way == "none") return none(fill(tr("drawing is turned off ({variable} is none)"), arg("variable", kVariable)));
+  if (way == "egl") return by_egl();
+  if (way == "window" || (way.empty() && !WEFTLIGHT_EGL)) return by_window(hidden_window);
+  if (way.empty()) return by_either(hidden_window);
+  return none(fill(tr("{variable} is '{value}': write egl, window or none, or leave it unset"),
+                   arg("variable", kVariable), arg("value", way)));
 }
 
 }  // namespace weftlight::gl

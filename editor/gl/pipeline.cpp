@@ -35,7 +35,7 @@ struct Pipeline::Parts {
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
   std::shared_ptr<const Design> handed, uploaded;  // the designs that those are of, and that the renderer has
-  std::string problem;
+  base::Result<void> made;                         // of the last design
   VisiblePart visible;
   bool quick_drawn = true;
   std::condition_variable_any drawn;
@@ -43,7 +43,7 @@ struct Pipeline::Parts {
   // Constructed last and destroyed first: its tasks use all of the above.
   base::TaskRunner runner;
 
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void compute(const std::shared_ptr<const Design>& design, Effort effort, const std::stop_token& stop = {});
   void wait_for_picture(const std::stop_token& stop);
   void hand_over(const std::shared_ptr<const Design>& design, StageResult result, std::optional<PackedCloth> copy);
@@ -67,13 +67,14 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
 }
 
 /// The next design is computed from the start: stages that threw may hold half of this one.
-void Pipeline::Parts::fail(const std::string& why) {
+void Pipeline::Parts::fail(const base::Error& error) {
   const std::lock_guard hold(maps);
   const std::lock_guard lock(mutex);
   stages = Stages();
   all_maps = false;
   patches = {};
-  problem = base::fill(base::tr("The cloth cannot be computed: {problem}"), base::arg("problem", why));
+  made = base::failure(error.kind, base::fill(base::tr("The cloth cannot be computed: {problem}"),
+                                              base::arg("problem", message(error))));
 }
 
 /// Waits until the quick result is drawn, since drawing may need the same cores.
@@ -101,7 +102,7 @@ void Pipeline::Parts::hand_over(const std::shared_ptr<const Design>& design, Sta
     append(patches.crossings, std::move(result.patches.crossings));
     if (!result.all_maps && result.lobes) lobes = std::move(result.lobes);
   }
-  problem = std::move(result.problem);
+  made = std::move(result.made);
 }
 
 bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
@@ -138,7 +139,7 @@ void Pipeline::submit(std::shared_ptr<const Design> design) {
     parts->wait_for_picture(running.stop());
     if (!running.stopped()) parts->compute(design, Effort::kFull, running.stop());
   };
-  task.failed = [parts = parts_.get()](const std::string& why, const base::RunningTask&) { parts->fail(why); };
+  task.failed = [parts = parts_.get()](const base::Error& error, const base::RunningTask&) { parts->fail(error); };
   parts_->runner.start(std::move(task));
 }
 
@@ -157,13 +158,12 @@ void Pipeline::wait() const { parts_->runner.wait(); }
 base::Result<void> Pipeline::finish(Renderer& renderer) {
   wait();
   parts_->upload(renderer, true);
-  if (std::string why = problem(); !why.empty()) return base::failure(base::ErrorKind::kInput, std::move(why));
-  return {};
+  return made();
 }
 
-std::string Pipeline::problem() const {
+base::Result<void> Pipeline::made() const {
   const std::lock_guard lock(parts_->mutex);
-  return parts_->problem;
+  return parts_->made;
 }
 
 std::shared_ptr<const Design> Pipeline::uploaded() const {
@@ -183,8 +183,7 @@ base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& r
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
   if (result.lights) renderer.set_lights(std::move(*result.lights));
   if (result.all_maps) renderer.upload(stages.release_packed());
-  if (!result.problem.empty()) return base::failure(base::ErrorKind::kInput, std::move(result.problem));
-  return {};
+  return result.made;
 }
 
 }  // namespace weftlight::gl

@@ -4,7 +4,6 @@
 // for a newer design. The window shows the last good result and never waits.
 
 #include <memory>
-#include <string>
 
 #include "base/result.h"
 #include "design/design.h"
@@ -34,8 +33,8 @@ class Pipeline {
   base::Result<void> finish(Renderer& renderer);
   /// The design that the renderer has, with its mesh and at least its quick maps; null before the first.
   std::shared_ptr<const Design> uploaded() const;
-  /// Problem of the last design, if any (shown by the window).
-  std::string problem() const;
+  /// Whether all of the last design could be made (the error is shown by the window).
+  base::Result<void> made() const;
   /// Whether a submitted design is not yet computed and uploaded.
   bool busy() const;
 

@@ -26,7 +26,6 @@
 
 namespace weftlight::gl {
 
-using base::problem_of;
 using cloth::Linear, cloth::linear_from_srgb;
 using design::method_facts, design::method_name;
 using light::LodDemand, light::Plan, light::expected_error, light::fitted, light::plan_of, light::samples_at;
@@ -74,7 +73,7 @@ struct Renderer::Parts {
   /// Compiled when first needed; one that fails is not tried again.
   struct ClothProgram {
     GlProgram program;
-    std::string problem;
+    base::Result<void> built;
   };
   std::map<std::array<int, 7>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
@@ -125,11 +124,8 @@ base::Result<void> Renderer::Parts::build() {
   if (auto built = flyaways.build(); !built) return built;
   if (auto built = average.build(); !built) return built;
   // Without a graphics card the first picture is a quick one, with its own program.
-  const std::string& problem = software
-                                   ? cloth_program(Method::kAuto, kQuickTaps, kRepeatMethod, false).problem
-                                   : cloth_program(Method::kAuto, kFullTaps, kAllMethods & ~kCellMethod, false).problem;
-  if (!problem.empty()) return base::failure(base::ErrorKind::kGraphics, problem);
-  return {};
+  return software ? cloth_program(Method::kAuto, kQuickTaps, kRepeatMethod, false).built
+                  : cloth_program(Method::kAuto, kFullTaps, kAllMethods & ~kCellMethod, false).built;
 }
 
 /// Methods and samples of a picture by footprint. Moving pictures get at most two samples: a blurred thread looks
@@ -155,7 +151,7 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
                                                                     ThreadKind kind) {
   ClothProgram& made =
       cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer, kind.smooth}];
-  if (!made.program.name() && made.problem.empty()) {
+  if (!made.program.name() && made.built) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
                                      "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
@@ -165,8 +161,8 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
     if (kind.smooth) defines.push_back("SMOOTH_YARNS");
-    made.problem = problem_of(build_into(made.program, "cloth.vert", "cloth.frag", defines));
-    if (!made.problem.empty()) made.problem = name + ": " + made.problem;
+    made.built = build_into(made.program, "cloth.vert", "cloth.frag", defines);
+    if (!made.built) made.built.error().text.insert(0, name + ": ");
   }
   return made;
 }
@@ -263,7 +259,7 @@ std::chrono::steady_clock::time_point Renderer::Parts::time_when_drawn(const Fra
 }
 
 void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
-  stats.problem.clear();
+  stats.cloth = {};
   if (cloth.empty() || !drawn.frame.cloth) return;
   cloth.bind();
   Method method = drawn_method(drawn.look.method);
@@ -272,8 +268,8 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.methods & kYarnMethod));
   const ClothProgram& with = cloth_program(method, taps, drawn.methods, drawn.light.lights.size() > 1,
                                            software && of_threads ? cloth.thread_kind() : ThreadKind{});
-  stats.problem = with.problem;
-  if (!with.problem.empty()) return;
+  stats.cloth = with.built;
+  if (!with.built) return;
   glUseProgram(with.program.name());
   drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   read_queries(queried);
@@ -562,7 +558,7 @@ VisiblePart Renderer::visible_part() const {
 }
 
 bool Renderer::is_software() const { return parts_->software; }
-const std::string& Renderer::lod_table_problem() const { return parts_->shipped.problem; }
+const base::Result<void>& Renderer::lod_table_read() const { return parts_->shipped.read; }
 
 std::string Renderer::device() const {
   return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", OpenGL " +

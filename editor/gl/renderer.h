@@ -61,7 +61,7 @@ struct FrameStats {
   size_t flyaways = 0;                    // number of flyaway fibres
   float estimated_error = 0;              // by the LOD table, at the mean footprint
   float exposure_ev = 0;                  // exposure of the picture; a scene-linear one has only that of the look
-  std::string problem;                    // why the cloth is missing; empty: it is drawn
+  base::Result<void> cloth;               // or why it is not drawn
 };
 
 class Renderer {
@@ -104,8 +104,8 @@ class Renderer {
   VisiblePart visible_part() const;
   /// Software rendering (Mesa's llvmpipe).
   bool is_software() const;
-  /// Problem of the shipped LOD table; the built-in one is then used.
-  const std::string& lod_table_problem() const;
+  /// Whether the shipped LOD table was read; without it the built-in one is used.
+  const base::Result<void>& lod_table_read() const;
   /// Graphics card and driver.
   std::string device() const;
 

@@ -62,13 +62,14 @@ void Reporter::start(const Asked& now, const std::shared_ptr<const Design>& desi
         made->revision = now.revision;
         return made;
       },
-      [this](std::unique_ptr<Report> made) {
-        report_ = std::move(made);
-        asked_.reset();
-      },
-      [this](const std::string& why) {
-        failed_ = std::exchange(asked_, std::nullopt);
-        problem_ = fill(tr("The draft was not analysed: {problem}"), arg("problem", why));
+      [this](base::Result<std::unique_ptr<Report>> made) {
+        const std::optional<Asked> asked = std::exchange(asked_, std::nullopt);
+        if (made) {
+          report_ = std::move(*made);
+          return;
+        }
+        failed_ = asked;
+        message_ = fill(tr("The draft was not analysed: {problem}"), arg("problem", message(made.error())));
       }));
 }
 

@@ -52,8 +52,8 @@ class Reporter {
                    const std::shared_ptr<const OtherDraft>& other = nullptr);
   /// The newest report, without starting one.
   const Report* last() const { return report_.get(); }
-  /// The error of the last request, returned once; empty if there is none.
-  std::string take_problem() { return std::exchange(problem_, {}); }
+  /// What the user is told of a request that failed since the last call; empty if none did.
+  std::string take_message() { return std::exchange(message_, {}); }
   bool busy() const { return asked_.has_value(); }
   /// True if a report was finished or has failed.
   bool poll() { return runner_.take(); }
@@ -70,7 +70,7 @@ class Reporter {
   void start(const Asked& now, const std::shared_ptr<const Design>& design, const BitMatrix& cells);
 
   std::optional<Asked> asked_, failed_;  // the request in progress; the last one, if it failed
-  std::string problem_;
+  std::string message_;
   base::TaskRunner runner_;
 };
 

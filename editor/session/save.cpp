@@ -7,16 +7,13 @@ namespace weftlight::session {
 using base::write_file_atomically;
 
 SaveResult write(const SaveJob& job) {
-  SaveResult result;
   if (job.known) {
     FileIdentity known = *job.known;
-    result.changed = changed_since(job.path, known) == FileChange::kContent;
-    if (result.changed) return result;
+    if (changed_since(job.path, known) == FileChange::kContent) return Saved{true, {}};
   }
   const std::string bytes = job.text();
-  result.problem = write_file_atomically(job.path, bytes);
-  if (result.problem.empty()) result.file = identify(job.path, bytes);
-  return result;
+  if (const auto written = write_file_atomically(job.path, bytes); !written) return failed(written);
+  return Saved{false, identify(job.path, bytes)};
 }
 
 }  // namespace weftlight::session

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/result.h"
 #include "session/files/file_identity.h"
 
 namespace weftlight::session {
@@ -18,12 +19,12 @@ struct SaveJob {
   std::optional<FileIdentity> known;  // only written if the file at `path` still is this one
 };
 
-struct SaveResult {
-  std::string problem;   // why it was not written
+struct Saved {
   bool changed = false;  // not written, since another program changed the file
   FileIdentity file;     // as it was written
-  bool written() const { return problem.empty() && !changed; }
 };
+using SaveResult = base::Result<Saved>;
+inline bool is_written(const SaveResult& result) { return result && !result->changed; }
 
 /// Writes the file, flushed to the disk. Callable from any thread.
 SaveResult write(const SaveJob& job);

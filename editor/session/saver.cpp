@@ -31,10 +31,7 @@ void Saver::start() {
   if (!request.over_changes && open != nullptr && open->document.path() == request.job.path)
     request.job.known = open->document.file();
   base::Task task = base::task_with_result([job = request.job](const base::RunningTask&) { return write(job); },
-                                           [this](const SaveResult& result) { finish(result); },
-                                           [this](const std::string& why) {
-                                             finish({why, false, {}});
-                                           });
+                                           [this](const SaveResult& result) { finish(result); });
   const std::string file = std::filesystem::path(request.job.path).filename().string();
   task.name = fill(tr("Saving {file}"), arg("file", file));
   task.kind = "save";
@@ -47,7 +44,7 @@ void Saver::finish(const SaveResult& result) {
   requests_.erase(requests_.begin());
   session_.take_saved(done.job, result);
   if (!requests_.empty()) start();
-  if (!result.written())
+  if (!is_written(result))
     std::erase_if(after_, [&](const auto& a) { return a.first == 0 || a.first == done.job.document; });
   for (const Then& then : done.then)
     if (then) then(result);

@@ -185,8 +185,8 @@ SaveJob Session::save_job(uint64_t id, const std::string& path) const {
 
 void Session::take_saved(const SaveJob& job, const SaveResult& result) {
   OpenDocument* open = find(job.document);
-  if (open == nullptr || !result.written()) return;
-  open->document.mark_saved(job.path, result.file, job.mark);
+  if (open == nullptr || !is_written(result)) return;
+  open->document.mark_saved(job.path, result->file, job.mark);
   open->origin = Origin::kOwn;
   keep_unsaved(*open);
 }

@@ -15,12 +15,12 @@ constexpr const char* kClosest = "closest weave";
 
 void SlowEdits::start(const SlowEdit& edit) {
   const State of{session_.active().id, session_.active().document.snapshot(), nullptr};
-  base::Task task =
-      base::task_with_result([edit, of](const base::RunningTask& running) { return edit.apply(*of.design, running); },
-                             [this, edit, of](const Design& made) { take(edit, of, made); },
-                             [this, edit](const std::string& why) {
-                               news_.said = fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", why));
-                             });
+  base::Task task = base::task_with_result(
+      [edit, of](const base::RunningTask& running) { return edit.apply(*of.design, running); },
+      [this, edit, of](const base::Result<Design>& made) {
+        if (made) return take(edit, of, *made);
+        outcome_.said = fill(tr("{edit}: {problem}"), arg("edit", edit.label), arg("problem", message(made.error())));
+      });
   task.kind = kEdit;
   task.name = edit.doing;
   runner_.start(std::move(task));
@@ -30,12 +30,12 @@ void SlowEdits::take(const SlowEdit& edit, const State& of, const Design& made) 
   OpenDocument* open = session_.find(of.document);
   if (open == nullptr) return;
   if (open->document.snapshot() != of.design) {
-    news_.said = fill(tr("{edit}: not applied, because the draft has changed meanwhile"), arg("edit", edit.label));
+    outcome_.said = fill(tr("{edit}: not applied, because the draft has changed meanwhile"), arg("edit", edit.label));
     return;
   }
   const bool changed = session_.commit(*open, {edit.label, [&made](const Design&) { return made; }}, 0);
-  if (!changed) news_.said = edit.no_change;
-  news_.edited |= changed && open == &session_.active();
+  if (!changed) outcome_.said = edit.no_change;
+  outcome_.edited |= changed && open == &session_.active();
 }
 
 void SlowEdits::find_closest_weave() {
@@ -51,10 +51,11 @@ void SlowEdits::find_closest_weave() {
   searched_ = of;
   base::Task task = base::task_with_result(
       [of](const base::RunningTask& running) { return closest_weave_to(*of.design, *of.requested, running); },
-      [this, of](std::shared_ptr<const ClosestWeave> found) { take(of, std::move(found)); },
-      [this, of](const std::string& why) {
-        take(of, nullptr);
-        news_.said = fill(tr("The closest weave was not found: {problem}"), arg("problem", why));
+      [this, of](const base::Result<std::shared_ptr<const ClosestWeave>>& found) {
+        take(of, found.value_or(nullptr));
+        if (!found)
+          outcome_.said =
+              fill(tr("The closest weave was not found: {problem}"), arg("problem", message(found.error())));
       });
   task.kind = kClosest;
   task.name = tr("Searching for the closest weave");

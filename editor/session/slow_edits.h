@@ -31,12 +31,12 @@ class SlowEdits {
   /// Drops what is computed as a task of this kind, at the user's request.
   void cancel(const std::string& kind);
 
-  struct News {
+  struct Outcome {
     bool edited = false;  // the active document
     std::string said;
   };
   /// What came of the results taken since the last call.
-  News take_news() { return std::exchange(news_, {}); }
+  Outcome take_outcome() { return std::exchange(outcome_, {}); }
 
  private:
   /// What a result belongs to.
@@ -51,7 +51,7 @@ class SlowEdits {
   Session& session_;
   base::TaskRunner& runner_;
   State searched_;  // the closest weave to this is being searched for
-  News news_;
+  Outcome outcome_;
 };
 
 }  // namespace weftlight::session

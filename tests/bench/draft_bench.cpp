@@ -7,6 +7,7 @@
 
 #include "analysis/floats.h"
 #include "analysis/weave_layers.h"
+#include "design/crossings.h"
 #include "design/edits.h"
 #include "design/repeat.h"
 #include "draft/drawdown.h"
@@ -130,5 +131,20 @@ void factor_a_painted_cell_1285_x_3058(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(with_drawdown(d, cells, {}));
 }
 BENCHMARK(factor_a_painted_cell_1285_x_3058)->Unit(benchmark::kMillisecond);
+
+// A crossing painted while the drawdown leads, and the drawdown that is shown.
+void paint_a_crossing(benchmark::State& state) {
+  const int size = static_cast<int>(state.range(0));
+  Design design = twill({3, 2, 1, 2, 5, 3, 4, 3}, Lean::kRight, {size, size});
+  design.loom.leading = Leading::kDrawdown;
+  BitMatrix cells = drawdown(design.draft);
+  const bool up = !cells.get(size / 2, size / 3);
+  for (auto _ : state) {
+    const Painted painted = painted_cell(design, size / 3, size / 2, up);
+    benchmark::DoNotOptimize(update_drawdown(cells, design.draft, painted.design.draft));
+    benchmark::DoNotOptimize(update_drawdown(cells, painted.design.draft, design.draft));
+  }
+}
+BENCHMARK(paint_a_crossing)->Arg(2000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -73,11 +73,22 @@ const unit = (plane, angle) => {
   return plane === 'warp' ? [0, Math.sin(a), Math.cos(a)] : [Math.sin(a), 0, Math.cos(a)];
 };
 
+/// Whether the far field was drawn, for the list of tests/house/drawing.sh.
+function record_drawing(drawn) {
+  const folder = process.env.WEFTLIGHT_NOT_DRAWN;
+  if (!folder) return;
+  const record = path.join(folder, 'engines.three_js');
+  if (drawn) return fs.rmSync(record, { force: true });
+  fs.mkdirSync(folder, { recursive: true });
+  fs.writeFileSync(record, 'no graphics: weftlight response draws nothing\n');
+}
+
 /// The far field of method `engine`; empty without graphics.
 function of_method(weftlight, draft, folder) {
   const table = path.join(folder, 'method.csv');
   const asked = spawnSync(weftlight, ['response', draft, '--method', 'engine', '--plane', 'both', `--views=${kMethodViews}`,
     `--lights=${kMethodLights}`, '-o', table], { stdio: ['ignore', 'ignore', 'inherit'] });
+  record_drawing(asked.status !== 4);
   if (asked.status === 4) return [];
   if (asked.status !== 0) throw new Error('weftlight response failed');
   return fs.readFileSync(table, 'utf8').trim().split('\n').slice(1).map((row) => {

@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   {
     Recovery recovery(root.string());
     for (const LeftWork& left : recovery.left_behind()) {
-      require(read_left(left).has_value() == left.problem.empty(), "an offered journal can be read or has a reason");
+      require(read_left(left).has_value() == left.note.has_value(), "an offered journal can be read or has a reason");
       recovery.discard(left);
       require(!fs::is_regular_file(left.journal), "a discarded journal is deleted");
     }

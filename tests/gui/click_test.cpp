@@ -180,7 +180,7 @@ TEST_P(PressTest, AStrokeLeavesNoTreadleAndNoShaftThatItAddedOnItsWay) {
   const draft::Selection s{draft::BitGrid::kDrawdown, from - 1, to, 1, 2};
   const draft::Write write = cells.get(1, from - 1) ? draft::Write::kErase : draft::Write::kAdd;
   expect_drag(w, "drawdown", {a, {(a.x + b.x) / 2, a.y}, b, b},
-              design::painted_crossings(first, s, s.a0, s.b0, both, write).design);
+              design::painted_crossings(first, s, s.a0, s.b0, both, write).value());
 }
 
 std::string name_of(const testing::TestParamInfo<Way>& way) { return way.param.name; }

@@ -180,9 +180,10 @@ Window::Window(const Display& display, const std::filesystem::path& folder, cons
   std::vector<std::string> words{WEFTLIGHT_BINARY, "--ui-map", map_.string(), "--live-export", live_.string()};
   if (!draft.empty()) words.push_back(draft.string());
   std::vector<std::string> environment = more;  // the first entry of a name counts
-  for (const std::string& variable : {"DISPLAY=" + display.name(), std::string("WAYLAND_DISPLAY="), "HOME=" + own,
-                                      "XDG_STATE_HOME=" + own + "/state", "XDG_CONFIG_HOME=" + own + "/config",
-                                      "XDG_CACHE_HOME=" + own + "/cache", std::string("LIBGL_ALWAYS_SOFTWARE=1")})
+  for (const std::string& variable :
+       {"DISPLAY=" + display.name(), std::string("WAYLAND_DISPLAY="), "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",
+        "XDG_CONFIG_HOME=" + own + "/config", "XDG_CACHE_HOME=" + own + "/cache",
+        std::string("LIBGL_ALWAYS_SOFTWARE=1"), std::string("WEFTLIGHT_OFFSCREEN=")})
     environment.push_back(variable);
   process_ = Process(std::move(words), std::move(environment));
 }

@@ -117,36 +117,36 @@ TEST_F(DrawingTest, AnEditBeyondTheLoomOffersTheClosestWeave) {
   const auto refused = [&] {
     display_.key("shift+u");
     display_.drag({w.cell("drawdown", 1, 1), w.cell("drawdown", 5, 5), w.cell("drawdown", 16, 24)});
-    ASSERT_TRUE(comes_true([&] { return w.has("nearest.leave"); })) << "there is no notice";
+    ASSERT_TRUE(comes_true([&] { return w.has("closest.leave"); })) << "there is no notice";
     EXPECT_EQ(w.live(), before) << "the draft changed";
-    ASSERT_TRUE(w.has("nearest.see")) << "there is a closer weave than the draft";
+    ASSERT_TRUE(w.has("closest.see")) << "there is a closer weave than the draft";
   };
   ASSERT_NO_FATAL_FAILURE(refused());
-  display_.click(w.middle_of("nearest.leave"));
-  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); }));
+  display_.click(w.middle_of("closest.leave"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("closest.leave"); }));
   ASSERT_NO_FATAL_FAILURE(refused());
   display_.key("Escape");
-  ASSERT_TRUE(comes_true([&] { return !w.has("nearest.leave"); })) << "Escape dismisses it, too";
+  ASSERT_TRUE(comes_true([&] { return !w.has("closest.leave"); })) << "Escape dismisses it, too";
 
   ASSERT_NO_FATAL_FAILURE(refused());
-  display_.click(w.middle_of("nearest.see"));
+  display_.click(w.middle_of("closest.see"));
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Use closest weave") && w.live() != before; }));
-  EXPECT_TRUE(w.has("nearest.place:1")) << "the crossings that differ are listed";
-  display_.click(w.middle_of("nearest.place:1"));
+  EXPECT_TRUE(w.has("closest.place:1")) << "the crossings that differ are listed";
+  display_.click(w.middle_of("closest.place:1"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
   EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "to the byte";
 
   ASSERT_NO_FATAL_FAILURE(refused());
-  display_.click(w.middle_of("nearest.see"));
+  display_.click(w.middle_of("closest.see"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Use closest weave"));
   const draft::Draft taken = draft_of(w);
   EXPECT_NE(taken, blank_.draft);
   EXPECT_LE(taken.shafts, 4);
   EXPECT_LE(taken.treadles, 4);
-  undone(w, "the nearest");
+  undone(w, "the closest weave");
 
   ASSERT_NO_FATAL_FAILURE(refused());
-  display_.click(w.middle_of("nearest.larger"));
+  display_.click(w.middle_of("closest.larger"));
   EXPECT_TRUE(comes_true([&] {
     const draft::BitMatrix cells = draft::drawdown(draft_of(w));
     for (int pick = 0; pick < 24; ++pick)

@@ -36,7 +36,7 @@ inline design::Design design_of(const std::string& bytes) {
 class OnDisplay : public testing::Test {
  protected:
   void SetUp() override {
-    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << reason;
+    if (const std::string reason = why_not(); !reason.empty()) GTEST_SKIP() << "no graphics: " << reason;
     ASSERT_TRUE(display_.is_up()) << "Xvfb did not start";
     char name[] = "/tmp/weftlight_gui_XXXXXX";
     folder_ = mkdtemp(name);

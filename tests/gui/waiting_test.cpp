@@ -40,6 +40,22 @@ class WaitingTest : public OnDisplay {
     EXPECT_FALSE(w.has("task.cancel")) << "half a save is none";
     EXPECT_EQ(bytes_of(draft_), original_);
   }
+  void type_path(const Window& w, const fs::path& path) const {
+    display_.key("ctrl+o");
+    ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+    display_.key("ctrl+a");
+    display_.type(path.string());
+    display_.key("Return");
+  }
+  /// Opens the draft and waits until the window says so.
+  void open_slowly(const Window& w) const {
+    ASSERT_NO_FATAL_FAILURE(type_path(w, draft_));
+    ASSERT_TRUE(comes_true([&] { return w.has("task.cancel"); })) << "nothing tells that the draft is being opened";
+  }
+  void cancel_opening(const Window& w) const {
+    display_.click(w.middle_of("task.cancel"));
+    ASSERT_TRUE(comes_true([&] { return !w.has("task"); }));
+  }
   /// Another end on shaft 3, and another frame for it.
   void paint_on(const Window& w, int end) const {
     ASSERT_NO_FATAL_FAILURE(paint(w, end));
@@ -135,23 +151,43 @@ TEST_F(WaitingTest, PaintingGoesOnWhileADraftIsOpened) {
   Window w(display_, folder_, mine, on_a_slow_disk());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   disk_hangs();
-  const auto open = [&] {
-    display_.key("ctrl+o");
-    ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
-    display_.key("ctrl+a");
-    display_.type(draft_.string());
-    display_.key("Return");
-    ASSERT_TRUE(comes_true([&] { return w.has("task.cancel"); })) << "nothing tells that the draft is being opened";
-  };
-  ASSERT_NO_FATAL_FAILURE(open());
+  ASSERT_NO_FATAL_FAILURE(open_slowly(w));
   ASSERT_NO_FATAL_FAILURE(paint_on(w, 1));
-  display_.click(w.middle_of("task.cancel"));
-  ASSERT_TRUE(comes_true([&] { return !w.has("task"); }));
-  ASSERT_NO_FATAL_FAILURE(open());
+  ASSERT_NO_FATAL_FAILURE(cancel_opening(w));
+  ASSERT_NO_FATAL_FAILURE(open_slowly(w));
   ASSERT_NO_FATAL_FAILURE(paint_on(w, 2));
   EXPECT_NE(w.live(), original_);
   disk_ends();
   EXPECT_TRUE(comes_true([&] { return w.live() == original_; })) << "it is not shown";
+}
+
+TEST_F(WaitingTest, AReadThatHangsKeepsNeitherAnotherNorTheEndOfTheProgram) {
+  const fs::path mine = folder_ / "mine.wif", other = folder_ / "other.wif";
+  put(mine, straight_draft());
+  put(other, original_);
+  Window w(display_, folder_, mine, on_a_slow_disk());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  disk_hangs();
+  ASSERT_NO_FATAL_FAILURE(open_slowly(w));
+  ASSERT_NO_FATAL_FAILURE(cancel_opening(w));
+  ASSERT_NO_FATAL_FAILURE(type_path(w, other));
+  EXPECT_TRUE(comes_true([&] { return w.has("tab.shown:2"); })) << "a draft elsewhere is not opened";
+  EXPECT_FALSE(w.has("task"));
+  display_.key("ctrl+q");
+  EXPECT_TRUE(comes_true([&] { return !w.process().is_running(); })) << "quitting waits for the disk";
+  disk_ends();
+  EXPECT_EQ(w.process().wait(), 0);
+}
+
+TEST_F(WaitingTest, QuittingDoesNotWaitForADraftThatIsBeingOpened) {
+  disk_hangs();
+  Window w(display_, folder_, draft_, on_a_slow_disk());
+  ASSERT_TRUE(comes_true([&] { return w.has("task.cancel"); }));
+  display_.key("ctrl+q");
+  EXPECT_TRUE(comes_true([&] { return !w.process().is_running(); })) << "quitting waits for the disk";
+  disk_ends();
+  EXPECT_EQ(w.process().wait(), 0);
 }
 
 TEST_F(WaitingTest, AWindowComesBeforeASlowFile) {

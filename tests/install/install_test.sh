@@ -27,9 +27,12 @@ cd /
 draft=$share/weftlight/presets/drafts/starter.wif
 "$root/weftlight" info "$draft" >/dev/null || fail "info"
 render() { "$root/weftlight" render "$draft" -o "$root/picture.png" --size 64x48 --mesh plane --method flat; }
+record=${WEFTLIGHT_NOT_DRAWN:+$WEFTLIGHT_NOT_DRAWN/install.runs_from_where_it_lies}  # read by tests/house/drawing.sh
+if [[ -n $record ]]; then rm -f "$record"; fi
 code=0
 render 2>"$root/said" || code=$?
 if ((code == 4)); then
+  if [[ -n $record ]]; then mkdir -p "${record%/*}" && cp "$root/said" "$record"; fi
   echo "skipped: no graphics here: $(cat "$root/said")"
   exit 77
 fi

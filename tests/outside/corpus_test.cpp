@@ -17,7 +17,7 @@
 
 namespace weftlight::wif {
 
-using base::FileBytes, base::read_file;
+using base::read_file;
 using design::Design, design::is_consistent;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::Threads, draft::drawdown;
 
@@ -42,7 +42,7 @@ std::vector<std::string> split(const std::string& line) {
 }
 
 std::vector<Facts> read_index(const std::string& dir) {
-  std::stringstream in(read_file(dir + "/INDEX.tsv").bytes);
+  std::stringstream in(read_file(dir + "/INDEX.tsv").value_or(""));
   std::string line;
   std::getline(in, line);
   const std::vector<std::string> columns = split(line);
@@ -158,9 +158,9 @@ TEST(corpus, every_file_matches_or_is_rejected) {
   ASSERT_GT(index.size(), 100u);
   int refused = 0;
   for (const Facts& facts : index) {
-    const FileBytes file = read_file(dir + "/" + facts.file);
-    ASSERT_EQ(file.error, "") << facts.file;
-    const WifRead read = read_wif(file.bytes);
+    const auto bytes = read_file(dir + "/" + facts.file);
+    ASSERT_TRUE(bytes) << problem_of(bytes);
+    const WifRead read = read_wif(*bytes);
     if (!read.file) {
       EXPECT_FALSE(facts.genuine()) << facts.file;
       expect_clear_refusal(facts.file, read.diagnostics);
@@ -169,7 +169,7 @@ TEST(corpus, every_file_matches_or_is_rejected) {
     }
     ASSERT_TRUE(is_consistent(read.file->design)) << facts.file;
     expect_facts(facts, *read.file);
-    EXPECT_TRUE(write_wif(*read.file, read.file->design) == file.bytes) << facts.file;
+    EXPECT_TRUE(write_wif(*read.file, read.file->design) == *bytes) << facts.file;
     expect_other_forms(facts.file, read.file->design);
     expect_small_edit(facts.file, *read.file);
   }

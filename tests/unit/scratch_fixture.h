@@ -15,7 +15,7 @@ class ScratchTest : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return scratch_ / name; }
   std::string written(const std::string& name, std::string_view bytes) const {
-    EXPECT_EQ(base::write_file_atomically(path(name), bytes), "");
+    EXPECT_EQ(problem_of(base::write_file_atomically(path(name), bytes)), "");
     return path(name);
   }
 

@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "base/version.h"
 #include "chart/flip.h"
 #include "chart/methods.h"
 #include "draft/drawdown.h"
@@ -115,14 +116,13 @@ double method_bytes(const PackedCloth& cloth, Method method) {
   return bytes;
 }
 
-std::unique_ptr<ChartBench> ChartBench::create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter,
-                                               std::string& error) {
+base::Result<std::unique_ptr<ChartBench>> ChartBench::create(const ChartEffort& effort,
+                                                             std::unique_ptr<DrawCounter> counter) {
   std::unique_ptr<ChartBench> bench(new ChartBench);
   bench->effort_ = effort;
   bench->counter_ = std::move(counter);
-  const auto none = [&error](const base::Error& why) {
-    error = fill(tr("no graphics: {problem}"), arg("problem", message(why)));
-    return nullptr;
+  const auto none = [](const base::Error& why) {
+    return base::failure(base::ErrorKind::kGraphics, fill(tr("no graphics: {problem}"), arg("problem", message(why))));
   };
   auto context = HeadlessContext::create();
   if (!context) return none(context.error());
@@ -150,20 +150,18 @@ std::string ChartBench::fingerprint() const {
     text += std::string(std::istreambuf_iterator<char>(in), {});
   }
   std::ostringstream out;
-  out << "weftlight " << WEFTLIGHT_VERSION << "\nshaders " << std::hex << base::content_hash(text) << std::dec
+  out << "weftlight " << base::version() << "\nshaders " << std::hex << base::content_hash(text) << std::dec
       << "\ndevice " << renderer_->device() << "\nbudget " << effort_.fine_budget << " x " << effort_.fine_samples
       << '\n';
   return out.str();
 }
 
-ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
+base::Result<ChartBench::Loaded*> ChartBench::load(size_t scene) {
   std::unique_ptr<Loaded>& slot = loaded_[scene];
   if (slot) return slot.get();
-  const WifRead read = read_draft(read_file(presets_dir() + "/drafts/" + kChartScenes[scene].preset).bytes);
-  if (!read.file) {
-    error = fill(tr("{file}: the preset cannot be read"), arg("file", kChartScenes[scene].preset));
-    return nullptr;
-  }
+  const WifRead read = read_draft(read_file(presets_dir() + "/drafts/" + kChartScenes[scene].preset).value_or(""));
+  if (!read.file)
+    return base::failure(base::ErrorKind::kInput, tr("the preset cannot be read"), kChartScenes[scene].preset);
   auto made = std::make_unique<Loaded>();
   Design design = in_scene_colours(read.file->design, kChartScenes[scene]);
   design.look.method = Method::kVrst03;  // the only method with maps of its own
@@ -178,22 +176,22 @@ ChartBench::Loaded* ChartBench::load(size_t scene, std::string& error) {
   return slot.get();
 }
 
-const TubeScene* ChartBench::tubes(Loaded& loaded, std::string& error) {
+base::Result<const TubeScene*> ChartBench::tubes(Loaded& loaded) {
   if (loaded.tubes) return loaded.tubes.get();
   TubeOptions options;
   options.around = effort_.tube_facets;
   auto built = TubeScene::build(loaded.cloth, options);
-  if (built) loaded.tubes = std::move(*built);
-  else error = message(built.error());
+  if (!built) return failed(built);
+  loaded.tubes = std::move(*built);
   return loaded.tubes.get();
 }
 
-bool ChartBench::show(size_t scene, std::string& error) {
-  const Loaded* loaded = load(scene, error);
-  if (!loaded) return false;
-  if (shown_ != scene) renderer_->upload(loaded->packed);
+base::Result<ChartBench::Loaded*> ChartBench::show(size_t scene) {
+  const base::Result<Loaded*> loaded = load(scene);
+  if (!loaded) return loaded;
+  if (shown_ != scene) renderer_->upload((*loaded)->packed);
   shown_ = scene;
-  return true;
+  return loaded;
 }
 
 FlatPatch ChartBench::patch_of(double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
@@ -222,9 +220,8 @@ PixelSteps ChartBench::pixel_of(const ChartRow& cell) const {
   return pixel_steps(cell.view_deg, cell.yarns_per_pixel * spacing);
 }
 
-bool ChartBench::draw_counted(const CountedDraw& what, const LodTable& lod_table, int pixels) {
-  std::string error;
-  if (!show(what.scene, error)) return false;
+base::Result<void> ChartBench::draw_counted(const CountedDraw& what, const LodTable& lod_table, int pixels) {
+  if (const auto shown = show(what.scene); !shown) return failed(shown);
   renderer_->set_lod_table(lod_table);
   ChartRow cell;
   cell.scene = kChartScenes[what.scene].name, cell.view_deg = what.view_deg;
@@ -232,13 +229,12 @@ bool ChartBench::draw_counted(const CountedDraw& what, const LodTable& lod_table
   Look look;
   look.method = what.method;
   renderer_->draw_patch(patch_of(what.view_deg, kCorner, pixel_of(cell), pixels, pixels, what.samples), look);
-  return true;
+  return {};
 }
 
-std::vector<Method> ChartBench::methods() {
+base::Result<std::vector<Method>> ChartBench::methods() {
+  if (const auto shown = show(0); !shown) return failed(shown);
   std::vector<Method> offered;
-  std::string error;
-  if (!show(0, error)) return offered;
   for (const ChartMethod& m : kChartMethods) {
     draw(m.method, 0, kCorner, pixel_steps(0, 1), 4, 4);
     if (renderer_->measure().method == m.method) offered.push_back(m.method);
@@ -246,25 +242,24 @@ std::vector<Method> ChartBench::methods() {
   return offered;
 }
 
-const Truth* ChartBench::truth(const ChartRow& cell, std::string& error) {
-  Loaded* loaded = load(scene_of(cell), error);
-  if (!loaded) return nullptr;
-  Truth& truth = loaded->truths[{cell.view_deg, cell.yarns_per_pixel}];
+base::Result<const Truth*> ChartBench::truth(const ChartRow& cell) {
+  const base::Result<Loaded*> loaded = load(scene_of(cell));
+  if (!loaded) return failed(loaded);
+  Truth& truth = (*loaded)->truths[{cell.view_deg, cell.yarns_per_pixel}];
   if (!truth.half.empty()) return &truth;
   const int pixels = patch_pixels(cell.yarns_per_pixel, effort_);
-  const TubeScene* traced = tubes(*loaded, error);
-  if (!traced) return nullptr;
+  const base::Result<const TubeScene*> traced = tubes(**loaded);
+  if (!traced) return failed(traced);
   for (const uint64_t seed : {1u, 2u}) {
     const FlatPicture picture =
         flat_picture(cell.view_deg, kCorner, pixel_of(cell), pixels, effort_.truth_budget, seed);
-    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(*traced, picture, {}));
+    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(**traced, picture, {}));
   }
   return &truth;
 }
 
-double ChartBench::truth_noise(const ChartRow& cell, std::string& error) {
-  const Truth* known = truth(cell, error);
-  return known ? noise_of(known->half, known->other_half) : 0;
+base::Result<double> ChartBench::truth_noise(const ChartRow& cell) {
+  return truth(cell).map([](const Truth* known) { return noise_of(known->half, known->other_half); });
 }
 
 /// Averages at least a thousand finer pixels for each pixel.
@@ -334,9 +329,9 @@ double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
   return *std::min_element(times.begin(), times.end());
 }
 
-std::optional<double> ChartBench::frame_ms(size_t scene, const Look& look, double yarns_per_pixel,
-                                           std::array<int, 2> size, std::string& error) {
-  if (!show(scene, error)) return std::nullopt;
+base::Result<double> ChartBench::frame_ms(size_t scene, const Look& look, double yarns_per_pixel,
+                                          std::array<int, 2> size) {
+  if (const auto shown = show(scene); !shown) return failed(shown);
   const bool whole = !renderer_->is_software();
   const double pixels = static_cast<double>(size[0]) * size[1];
   double& known = frame_ns_[{scene, look.method, look.tolerance, yarns_per_pixel}];  // per pixel
@@ -350,11 +345,11 @@ std::optional<double> ChartBench::frame_ms(size_t scene, const Look& look, doubl
   return known * pixels * 1e-6;
 }
 
-std::optional<LightRow> ChartBench::measure_under(ChartLight light, const ChartRow& cell, std::string& error) {
-  const size_t scene = scene_of(cell);
-  if (!show(scene, error)) return std::nullopt;
-  const TubeScene* traced = tubes(*loaded_[scene], error);
-  if (!traced) return std::nullopt;
+base::Result<LightRow> ChartBench::measure_under(ChartLight light, const ChartRow& cell) {
+  const base::Result<Loaded*> shown = show(scene_of(cell));
+  if (!shown) return failed(shown);
+  const base::Result<const TubeScene*> traced = tubes(**shown);
+  if (!traced) return failed(traced);
   const PixelSteps pixel = pixel_of(cell);
   const int size = patch_pixels(cell.yarns_per_pixel, effort_);
   FlatPatch patch = patch_of(cell.view_deg, kCorner, pixel, size, size, cell.samples);
@@ -365,7 +360,7 @@ std::optional<LightRow> ChartBench::measure_under(ChartLight light, const ChartR
     FlatPicture picture = flat_picture(cell.view_deg, kCorner, pixel, size, effort_.truth_budget, seed);
     picture.around.light_towards = patch.light_towards, picture.around.light_irradiance = patch.light_irradiance;
     if (light == ChartLight::kSky) picture.around.sky = [](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * d.z); };
-    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(*traced, picture, {}));
+    (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(**traced, picture, {}));
   }
   Look look;
   look.method = cell.method;
@@ -395,39 +390,40 @@ double ChartBench::instructions(const ChartRow& cell) {
   return one + (few - one) / (kFew - 1) * (cell.samples - 1);
 }
 
-std::optional<ChartRow> ChartBench::measure(const ChartRow& cell, std::string& error) {
-  const size_t scene = scene_of(cell);
-  if (!show(scene, error)) return std::nullopt;
-  const Truth* known = truth(cell, error);
-  if (!known) return std::nullopt;
+base::Result<ChartRow> ChartBench::measure(const ChartRow& cell) {
+  const base::Result<Loaded*> shown = show(scene_of(cell));
+  if (!shown) return failed(shown);
+  const base::Result<const Truth*> traced = truth(cell);
+  if (!traced) return failed(traced);
+  const Truth& known = **traced;
   const PixelSteps pixel = pixel_of(cell);
   const int size = patch_pixels(cell.yarns_per_pixel, effort_);
   const Pixels drawn = draw(cell.method, cell.view_deg, kCorner, pixel, size, size, cell.samples);
   ChartRow row = cell;
-  row.model_error = relative_rmse(drawn, known->half, known->other_half);
-  row.energy_ratio = 0.5 * (mean_ratio(drawn, known->half) + mean_ratio(drawn, known->other_half));
-  row.flip = flip_error(drawn, mean_of(*known), size, size);
+  row.model_error = relative_rmse(drawn, known.half, known.other_half);
+  row.energy_ratio = 0.5 * (mean_ratio(drawn, known.half) + mean_ratio(drawn, known.other_half));
+  row.flip = flip_error(drawn, mean_of(known), size, size);
   row.filtering_error = filtering_error(cell, pixel);
   row.flicker = flicker(cell, pixel);
   row.ns_per_pixel = nanoseconds(cell, pixel);
   row.instructions_per_pixel = instructions(cell);
-  row.bytes = method_bytes(loaded_[scene]->packed, cell.method);
+  row.bytes = method_bytes((*shown)->packed, cell.method);
   return as_written(row);
 }
 
-std::optional<double> ChartBench::brightness(size_t scene, double view_deg, std::optional<Method> method,
-                                             std::string& error) {
-  if (!show(scene, error)) return std::nullopt;
+base::Result<double> ChartBench::brightness(size_t scene, double view_deg, std::optional<Method> method) {
+  const base::Result<Loaded*> shown = show(scene);
+  if (!shown) return failed(shown);
   constexpr int kPixels = 16;
   constexpr double kYarns = 4;  // per pixel, so that the patch contains whole repeats
-  Loaded& loaded = *loaded_[scene];
+  Loaded& loaded = **shown;
   const PixelSteps steps = pixel_steps(view_deg, kYarns * static_cast<double>(loaded.packed.mean_spacing_mm));
   const double white = static_cast<double>(kIrradiance.x * chart_light().z) / 3.141592653589793;
   if (method) return mean_value(draw(*method, view_deg, kCorner, steps, kPixels, kPixels)) / white;
-  const TubeScene* traced = tubes(loaded, error);
-  if (!traced) return std::nullopt;
+  const base::Result<const TubeScene*> traced = tubes(loaded);
+  if (!traced) return failed(traced);
   return mean_value(colours(
-             trace_flat(*traced, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) /
+             trace_flat(**traced, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) /
          white;
 }
 

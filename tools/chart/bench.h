@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/result.h"
 #include "chart/counter.h"
 #include "chart/drapes.h"
 #include "chart/error.h"
@@ -40,33 +41,32 @@ struct LightRow {
 
 class ChartBench {
  public:
-  /// Null, with `error`, without graphics. counter: counts instructions; may be null.
-  static std::unique_ptr<ChartBench> create(const ChartEffort& effort, std::unique_ptr<DrawCounter> counter,
-                                            std::string& error);
+  /// An error without graphics. counter: counts instructions; may be null.
+  static base::Result<std::unique_ptr<ChartBench>> create(const ChartEffort& effort,
+                                                          std::unique_ptr<DrawCounter> counter);
 
   const ChartEffort& effort() const { return effort_; }
   /// The methods that this renderer supports.
-  std::vector<Method> methods();
-  /// All values of a row; empty after an error.
-  std::optional<ChartRow> measure(const ChartRow& cell, std::string& error);
+  base::Result<std::vector<Method>> methods();
+  /// All values of a row.
+  base::Result<ChartRow> measure(const ChartRow& cell);
   /// Mean radiance divided by that of a white Lambertian under the same light; without a method it is traced.
-  std::optional<double> brightness(size_t scene, double view_deg, std::optional<Method> method, std::string& error);
+  base::Result<double> brightness(size_t scene, double view_deg, std::optional<Method> method);
   /// Model error and mean brightness under another light.
-  std::optional<LightRow> measure_under(ChartLight light, const ChartRow& cell, std::string& error);
+  base::Result<LightRow> measure_under(ChartLight light, const ChartRow& cell);
   /// Milliseconds for a frame filled with one cloth at normal view. For a software renderer: processor time of a
   /// smaller patch, divided by the number of cores and scaled.
-  std::optional<double> frame_ms(size_t scene, const Look& look, double yarns_per_pixel, std::array<int, 2> size,
-                                 std::string& error);
+  base::Result<double> frame_ms(size_t scene, const Look& look, double yarns_per_pixel, std::array<int, 2> size);
   /// All values of a row on the drape.
-  std::optional<DrapeRow> draped(const DrapeRow& cell, std::string& error);
-  double truth_noise(const ChartRow& cell, std::string& error);
+  base::Result<DrapeRow> draped(const DrapeRow& cell);
+  base::Result<double> truth_noise(const ChartRow& cell);
   /// Sets the LOD table that auto uses.
   void use_lod_table(const LodTable& lod_table);
   /// Identifies graphics, shaders and effort; rows with another fingerprint are measured again.
   std::string fingerprint() const;
   std::string device() const { return renderer_->device(); }
-  /// Draws a patch and waits for it; false if the preset cannot be read.
-  bool draw_counted(const CountedDraw& what, const LodTable& lod_table, int pixels);
+  /// Draws a patch and waits for it; an error if the preset cannot be read.
+  base::Result<void> draw_counted(const CountedDraw& what, const LodTable& lod_table, int pixels);
 
  private:
   struct Loaded {
@@ -81,10 +81,11 @@ class ChartBench {
     std::map<std::tuple<ChartLight, double, int>, double> bare_ns;  // picture of that many pixels without the cloth
   };
   ChartBench() = default;
-  Loaded* load(size_t scene, std::string& error);
-  const TubeScene* tubes(Loaded& loaded, std::string& error);
-  bool show(size_t scene, std::string& error);
-  const Truth* truth(const ChartRow& cell, std::string& error);
+  // The pointers are never null, and stay valid as long as this.
+  base::Result<Loaded*> load(size_t scene);
+  base::Result<const TubeScene*> tubes(Loaded& loaded);
+  base::Result<Loaded*> show(size_t scene);
+  base::Result<const Truth*> truth(const ChartRow& cell);
   FlatPatch patch_of(double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
                      int samples) const;
   Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
@@ -96,7 +97,7 @@ class ChartBench {
   double patch_ns(const FlatPatch& patch, const Look& look);
   double nanoseconds(const ChartRow& cell, const PixelSteps& pixel);
   double instructions(const ChartRow& cell);
-  bool show_drape(size_t scene, std::string& error);
+  base::Result<Loaded*> show_drape(size_t scene);
   const Truth& draped_truth(size_t scene, const DrapeRow& cell);
   double picture_ns(const DrapeRow& cell, const Frame& frame, FrameStats& stats);
   double draped_ns(size_t scene, const DrapeRow& cell);

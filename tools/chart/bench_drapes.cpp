@@ -36,6 +36,14 @@ Look look_of(Method method) {
   return look;
 }
 
+base::Result<void> build_once(std::unique_ptr<MeshScene>& scene, const Mesh& mesh) {
+  if (scene) return {};
+  auto built = MeshScene::build(mesh);
+  if (!built) return failed(built);
+  scene = std::move(*built);
+  return {};
+}
+
 /// The traced picture, with the camera and the lights of the renderer.
 DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::ivec2 size, float spacing_mm) {
   const Scene scene = drape_scene(cell.light);
@@ -55,20 +63,17 @@ DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::
 
 }  // namespace
 
-bool ChartBench::show_drape(size_t scene, std::string& error) {
-  if (!show(scene, error)) return false;
-  Loaded& loaded = *loaded_[scene];
+base::Result<ChartBench::Loaded*> ChartBench::show_drape(size_t scene) {
+  const base::Result<Loaded*> shown = show(scene);
+  if (!shown) return shown;
+  Loaded& loaded = **shown;
   if (draped_scene_ != scene) renderer_->set_mesh(loaded.mesh);
   draped_scene_ = scene;
-  const auto build = [&error](std::unique_ptr<MeshScene>& scene_of, const Mesh& mesh) {
-    auto built = MeshScene::build(mesh);
-    if (built) scene_of = std::move(*built);
-    else error = message(built.error());
-  };
-  if (!loaded.drape) build(loaded.drape, loaded.mesh.mesh);
-  if (!loaded.body && !loaded.mesh.body.index.empty()) build(loaded.body, loaded.mesh.body);
-  if (error.empty()) tubes(loaded, error);
-  return error.empty();
+  if (auto built = build_once(loaded.drape, loaded.mesh.mesh); !built) return failed(built);
+  if (!loaded.mesh.body.index.empty())
+    if (auto built = build_once(loaded.body, loaded.mesh.body); !built) return failed(built);
+  if (const auto traced = tubes(loaded); !traced) return failed(traced);
+  return shown;
 }
 
 const Truth& ChartBench::draped_truth(size_t scene, const DrapeRow& cell) {
@@ -118,9 +123,9 @@ double ChartBench::draped_ns(size_t scene, const DrapeRow& cell) {
   return std::max(with - at->second, 0.0) / std::max(stats.shaded_pixels, 1.0);
 }
 
-std::optional<DrapeRow> ChartBench::draped(const DrapeRow& cell, std::string& error) {
+base::Result<DrapeRow> ChartBench::draped(const DrapeRow& cell) {
   const size_t scene = scene_named(cell.scene);
-  if (!show_drape(scene, error)) return std::nullopt;
+  if (const auto shown = show_drape(scene); !shown) return failed(shown);
   const Truth& truth = draped_truth(scene, cell);
   const Frame frame = frame_of(cell.yarns_per_pixel, effort_.drape_width, effort_.drape_height);
   renderer_->draw(drape_scene(cell.light), look_of(cell.method), frame);

@@ -280,10 +280,11 @@ std::string part_csv(const std::vector<ChartRow>& rows, const std::string& name,
 
 }  // namespace
 
-std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
-                                const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise) {
+base::Result<void> write_chart_figures(const std::string& dir, const std::string& device,
+                                       const std::vector<ChartRow>& rows, const std::vector<Brightness>& brightness,
+                                       const std::vector<TruthNoise>& noise) {
   const std::vector<Memory> memory = memory_points(rows);
-  const std::array<std::function<std::string()>, 11> steps{
+  const std::array<std::function<base::Result<void>()>, 11> steps{
       [&] { return write_figure(cost_figure(rows, device), dir + "/error_cost"); },
       [&] {
         return write_file_atomically(dir + "/error_cost.csv",
@@ -316,7 +317,7 @@ std::string write_chart_figures(const std::string& dir, const std::string& devic
       [&] { return write_file_atomically(dir + "/truth_noise.csv", noise_csv(noise)); },
   };
   for (const auto& step : steps) {
-    if (std::string problem = step(); !problem.empty()) return problem;
+    if (auto done = step(); !done) return done;
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "chart/rows.h"
 
 namespace weftlight::chart {
@@ -20,8 +21,9 @@ struct TruthNoise {
 };
 
 /// Writes error_cost, error_footprint, filtering_footprint, albedo and memory (.svg, .png, .csv) and
-/// truth_noise.csv into `dir`. Returns an error, or an empty string.
-std::string write_chart_figures(const std::string& dir, const std::string& device, const std::vector<ChartRow>& rows,
-                                const std::vector<Brightness>& brightness, const std::vector<TruthNoise>& noise);
+/// truth_noise.csv into `dir`.
+base::Result<void> write_chart_figures(const std::string& dir, const std::string& device,
+                                       const std::vector<ChartRow>& rows, const std::vector<Brightness>& brightness,
+                                       const std::vector<TruthNoise>& noise);
 
 }  // namespace weftlight::chart

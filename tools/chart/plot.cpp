@@ -275,13 +275,14 @@ void draw_figure(cairo_t* c, const Figure& figure) {
   if (!figure.key.empty()) draw_key(c, figure, size.height - kKeyHeight / 2 - kMargin / 4);
 }
 
-std::string finish(cairo_t* c, cairo_surface_t* sheet) {
+base::Result<void> finish(cairo_t* c, cairo_surface_t* sheet) {
   cairo_surface_finish(sheet);
   const bool whole = cairo_status(c) == CAIRO_STATUS_SUCCESS && cairo_surface_status(sheet) == CAIRO_STATUS_SUCCESS;
-  return whole ? "" : base::tr("the drawing failed, or the disk is full");
+  if (whole) return {};
+  return base::failure(base::ErrorKind::kOutput, base::tr("the drawing failed, or the disk is full"));
 }
 
-std::string write_svg(const Figure& figure, const std::string& path) {
+base::Result<void> write_svg(const Figure& figure, const std::string& path) {
   return write_through(path, [&figure](const std::string& beside) {
     const Size size = size_of(figure);
     const Sheet sheet(cairo_svg_surface_create(beside.c_str(), size.width, size.height), cairo_surface_destroy);
@@ -291,8 +292,8 @@ std::string write_svg(const Figure& figure, const std::string& path) {
   });
 }
 
-std::string write_png(const Figure& figure, const std::string& path) {
-  return write_through(path, [&figure](const std::string& beside) -> std::string {
+base::Result<void> write_png(const Figure& figure, const std::string& path) {
+  return write_through(path, [&figure](const std::string& beside) {
     const Size size = size_of(figure);
     const Sheet sheet(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width * kPngScale),
                                                  static_cast<int>(size.height * kPngScale)),
@@ -302,15 +303,16 @@ std::string write_png(const Figure& figure, const std::string& path) {
     draw_figure(pen.get(), figure);
     cairo_surface_flush(sheet.get());
     const cairo_status_t status = cairo_surface_write_to_png(sheet.get(), beside.c_str());
-    return status == CAIRO_STATUS_SUCCESS ? finish(pen.get(), sheet.get()) : cairo_status_to_string(status);
+    if (status != CAIRO_STATUS_SUCCESS) return base::written_unless(cairo_status_to_string(status));
+    return finish(pen.get(), sheet.get());
   });
 }
 
 }  // namespace
 
-std::string write_figure(const Figure& figure, const std::string& base) {
-  const std::string problem = write_svg(figure, base + ".svg");
-  return problem.empty() ? write_png(figure, base + ".png") : problem;
+base::Result<void> write_figure(const Figure& figure, const std::string& base) {
+  if (auto svg = write_svg(figure, base + ".svg"); !svg) return svg;
+  return write_png(figure, base + ".png");
 }
 
 void fit_log(Axis& axis, const std::vector<double>& values) {

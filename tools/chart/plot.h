@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
+
 namespace weftlight::chart::plot {
 
 struct Ink {
@@ -58,8 +60,8 @@ struct Figure {
   std::vector<KeyEntry> key;
 };
 
-/// Writes BASE.svg and BASE.png. Returns an error, or an empty string.
-std::string write_figure(const Figure& figure, const std::string& base);
+/// Writes BASE.svg and BASE.png.
+base::Result<void> write_figure(const Figure& figure, const std::string& base);
 
 /// Sets a logarithmic axis with some room around the values.
 void fit_log(Axis& axis, const std::vector<double>& values);

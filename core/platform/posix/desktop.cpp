@@ -13,7 +13,11 @@ DialogProgram installed_program() { return find_dialog_program(variable("PATH"),
 
 }  // namespace
 
-std::string show_folder(const std::string& folder) { return start_program({"xdg-open", folder}) ? "" : "xdg-open"; }
+tl::expected<void, MissingProgram> show_folder(const std::string& folder) {
+  constexpr const char* kProgram = "xdg-open";
+  if (start_program({kProgram, folder})) return {};
+  return tl::unexpected(MissingProgram{kProgram});
+}
 
 struct FileDialog::Asked {
   Process program;

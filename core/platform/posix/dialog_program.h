@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/desktop.h"
+#include "platform/file_question.h"
 
 namespace weftlight::platform {
 

@@ -173,7 +173,7 @@ std::string older_of(const FaceSource& face) {
       {{"R", text(tint.r)}, {"G", text(tint.g)}, {"B", text(tint.b)}, {"SPECULAR", text(older.specular())}});
 }
 
-std::string write_script(const SetFacts& set) {
+base::Result<void> write_script(const SetFacts& set) {
   const EngineFit &front = set.front.fit(), &back = set.back.fit();
   const SurfaceTexels& s = set.front.small();
   return write_file_atomically(
@@ -190,9 +190,8 @@ std::string write_script(const SetFacts& set) {
 }
 
 /// The images belong to the script; the mesh is a .glb with images of its own.
-std::string write_material(const SetFacts& set) {
-  const std::string problem = write_gltf(set, ".glb", GltfImages::kEmbedded);
-  return problem.empty() ? write_script(set) : problem;
+base::Result<void> write_material(const SetFacts& set) {
+  return write_gltf(set, ".glb", GltfImages::kEmbedded).and_then([&set] { return write_script(set); });
 }
 
 }  // namespace

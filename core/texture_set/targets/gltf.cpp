@@ -8,7 +8,6 @@
 
 namespace weftlight::texture_set {
 
-using base::problem_of;
 using draft::Face;
 using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::encode_png, files::write_mesh;
 
@@ -59,16 +58,17 @@ GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
   return m;
 }
 
-std::string write_material(const SetFacts& set) {
-  const std::string problem = write_gltf(set, ".glb", GltfImages::kBeside);
-  return problem.empty() ? write_gltf(set, ".gltf", GltfImages::kBeside) : problem;
+base::Result<void> write_material(const SetFacts& set) {
+  return write_gltf(set, ".glb", GltfImages::kBeside).and_then([&set] {
+    return write_gltf(set, ".gltf", GltfImages::kBeside);
+  });
 }
 
 }  // namespace
 
-std::string write_gltf(const SetFacts& set, const std::string& extension, GltfImages images) {
+base::Result<void> write_gltf(const SetFacts& set, const std::string& extension, GltfImages images) {
   const GltfMaterial front = material_of(set, Face::kFront, images), back = material_of(set, Face::kBack, images);
-  return problem_of(write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back));
+  return write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back);
 }
 
 const ExportTarget targets::kGltf{

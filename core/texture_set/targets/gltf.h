@@ -11,7 +11,7 @@ namespace weftlight::texture_set {
 /// side and without sheen, for a set whose own images are for something else.
 enum class GltfImages { kBeside, kEmbedded };
 
-/// extension: ".glb" or ".gltf". Returns an error, or an empty string.
-std::string write_gltf(const SetFacts& set, const std::string& extension, GltfImages images);
+/// extension: ".glb" or ".gltf".
+base::Result<void> write_gltf(const SetFacts& set, const std::string& extension, GltfImages images);
 
 }  // namespace weftlight::texture_set

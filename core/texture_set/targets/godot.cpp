@@ -46,7 +46,7 @@ anisotropy_flowmap = ExtResource("4")
 uv1_scale = Vector3({SCALE_U}, {SCALE_V}, 1)
 {NEXT})";
 
-std::string write_godot_face(const SetFacts& set, Face face) {
+base::Result<void> write_godot_face(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
   const std::string name = material_name(set, face);
   // Godot has one material for both sides: the front has the back as its next pass.
@@ -73,9 +73,9 @@ std::string write_godot_face(const SetFacts& set, Face face) {
                                      {"NEXT", front ? "next_pass = ExtResource(\"5\")\n" : ""}}));
 }
 
-std::string write_material(const SetFacts& set) {
+base::Result<void> write_material(const SetFacts& set) {
   for (const Face face : {Face::kFront, Face::kBack}) {
-    if (std::string problem = write_godot_face(set, face); !problem.empty()) return problem;
+    if (base::Result<void> done = write_godot_face(set, face); !done) return done;
   }
   return write_scale_quad(set);
 }

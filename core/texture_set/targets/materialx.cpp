@@ -12,7 +12,7 @@
 
 namespace weftlight::texture_set {
 
-using base::problem_of, base::write_file_atomically;
+using base::write_file_atomically;
 using draft::Face;
 using files::ZipEntry, files::ZipKind, files::write_zip;
 
@@ -229,7 +229,7 @@ Values values_of(const SetFacts& set, Face face) {
           {"FUZZ_ROUGHNESS", number(static_cast<double>(source.fit().sheen_roughness))}};
 }
 
-std::string write_mtlx(const SetFacts& set) {
+base::Result<void> write_mtlx(const SetFacts& set) {
   std::string text = "<?xml version=\"1.0\"?>\n<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n";
   for (const Face face : {Face::kFront, Face::kBack}) text += fill_template(kGraph, values_of(set, face));
   text += fill_template(kMaterials, {{"NAME", prim_name(set.name)}});
@@ -319,14 +319,14 @@ over "{PRIM}"
 }
 )";
 
-std::string write_material(const SetFacts& set) {
+base::Result<void> write_material(const SetFacts& set) {
   const std::string path = set.folder + "/" + set.name;
-  std::string problem = write_mtlx(set);
-  if (problem.empty()) problem = write_file_atomically(path + ".usda", stage(set));
-  if (problem.empty())
-    problem = write_file_atomically(path + "_openpbr.usda",
-                                    fill_template(kReferencing, {{"PRIM", prim_name(set.name)}, {"NAME", set.name}}));
-  if (!problem.empty()) return problem;
+  base::Result<void> done = write_mtlx(set);
+  if (done) done = write_file_atomically(path + ".usda", stage(set));
+  if (done)
+    done = write_file_atomically(path + "_openpbr.usda",
+                                 fill_template(kReferencing, {{"PRIM", prim_name(set.name)}, {"NAME", set.name}}));
+  if (!done) return done;
   std::vector<ZipEntry> entries{{set.name + ".usda", path + ".usda"}};
   for (const Face face : {Face::kFront, Face::kBack}) {
     for (const UsdTexture& t : kUsdTextures) {
@@ -334,7 +334,7 @@ std::string write_material(const SetFacts& set) {
       entries.push_back({image, set.folder + "/" + image});
     }
   }
-  return problem_of(write_zip(path + ".usdz", entries, ZipKind::kUsdz));
+  return write_zip(path + ".usdz", entries, ZipKind::kUsdz);
 }
 
 }  // namespace

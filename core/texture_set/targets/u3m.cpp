@@ -15,7 +15,7 @@
 
 namespace weftlight::texture_set {
 
-using base::problem_of, base::write_file_atomically;
+using base::write_file_atomically;
 using cloth::Cloth, cloth::ThreadBody, cloth::srgb_from_linear;
 using design::Design, design::Yarn;
 using draft::BitMatrix, draft::Face, draft::Rgb;
@@ -218,7 +218,7 @@ std::string uuid_of(const SetFacts& set) {
   return d.substr(0, 8) + "-" + d.substr(8, 4) + "-" + d.substr(12, 4) + "-" + d.substr(16, 4) + "-" + d.substr(20, 12);
 }
 
-std::string write_material(const SetFacts& set) {
+base::Result<void> write_material(const SetFacts& set) {
   const json root{{"schema", "1.1"},
                   {"custom", nullptr},
                   {"material",
@@ -234,7 +234,7 @@ std::string write_material(const SetFacts& set) {
                     {"metadata", nullptr}}}};
   const std::string file = set.name + ".u3m", path = set.folder + "/" + file;
   const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-  if (std::string problem = write_file_atomically(path, text); !problem.empty()) return problem;
+  if (base::Result<void> done = write_file_atomically(path, text); !done) return done;
   std::vector<ZipEntry> entries{{file, path}};
   for (const Face face : {Face::kFront, Face::kBack}) {
     for (const ImageRow& row : kImages) {
@@ -242,7 +242,7 @@ std::string write_material(const SetFacts& set) {
       entries.push_back({image, set.folder + "/" + image});
     }
   }
-  return problem_of(write_zip(set.folder + "/" + set.name + ".u3ma", entries, ZipKind::kU3ma));
+  return write_zip(set.folder + "/" + set.name + ".u3ma", entries, ZipKind::kU3ma);
 }
 
 }  // namespace

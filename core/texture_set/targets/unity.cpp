@@ -69,17 +69,17 @@ std::string lines(const std::vector<std::string>& all) {
   return out;
 }
 
-std::string write_import_settings(const SetFacts& set, Face face) {
+base::Result<void> write_import_settings(const SetFacts& set, Face face) {
   for (const ImageRow& row : set.target.images) {
     const std::string file = image_file(set.target, row, set.name, face);
     const bool normal = std::string_view(row.suffix).starts_with("_Normal");
     const bool covers = row.channels[3] == Channel::kCoverage && set.alpha == Alpha::kMask;
-    std::string problem = write_file_atomically(set.folder + "/" + file + ".meta",
-                                                fill_template(kTextureMeta, {{"GUID", guid(file)},
-                                                                             {"SRGB", row.srgb ? "1" : "0"},
-                                                                             {"KEEP", covers ? "1" : "0"},
-                                                                             {"TYPE", normal ? "1" : "0"}}));
-    if (!problem.empty()) return problem;
+    base::Result<void> done = write_file_atomically(set.folder + "/" + file + ".meta",
+                                                    fill_template(kTextureMeta, {{"GUID", guid(file)},
+                                                                                 {"SRGB", row.srgb ? "1" : "0"},
+                                                                                 {"KEEP", covers ? "1" : "0"},
+                                                                                 {"TYPE", normal ? "1" : "0"}}));
+    if (!done) return done;
   }
   return {};
 }
@@ -106,10 +106,10 @@ std::string keywords_of(const SetFacts& set, const UnityShader& shader, Face fac
   return out;
 }
 
-std::string write_face(const SetFacts& set, const UnityShader& shader, Face face) {
-  if (std::string problem = write_import_settings(set, face); !problem.empty()) return problem;
+base::Result<void> write_face(const SetFacts& set, const UnityShader& shader, Face face) {
+  if (base::Result<void> done = write_import_settings(set, face); !done) return done;
   const std::string name = material_name(set, face), file = name + ".mat";
-  std::string problem = write_file_atomically(
+  base::Result<void> done = write_file_atomically(
       set.folder + "/" + file, fill_template(kMaterial, {{"NAME", name},
                                                          {"SHADER", shader.guid},
                                                          {"KEYWORDS", keywords_of(set, shader, face)},
@@ -122,12 +122,12 @@ std::string write_face(const SetFacts& set, const UnityShader& shader, Face face
                                                          {"TEXTURES", lines(textures_of(set, shader, face))},
                                                          {"FLOATS", lines(shader.floats(set, face))},
                                                          {"COLORS", lines(shader.colors(set, face))}}));
-  if (!problem.empty()) return problem;
+  if (!done) return done;
   return write_file_atomically(set.folder + "/" + file + ".meta", fill_template(kMaterialMeta, {{"GUID", guid(file)}}));
 }
 
 /// The quad as .obj, since Unity cannot read glTF without a package: metres, texture coordinates in millimetres.
-std::string write_obj_quad(const SetFacts& set) {
+base::Result<void> write_obj_quad(const SetFacts& set) {
   const Mesh quad = scale_quad();
   std::string text = "# 100 mm a side; texture coordinates in millimetres\n";
   for (const Vec3& p : quad.position_mm)
@@ -142,9 +142,9 @@ std::string write_obj_quad(const SetFacts& set) {
 
 bool cuts_out(Alpha alpha) { return alpha == Alpha::kMask || alpha == Alpha::kHashed; }
 
-std::string write_unity_material(const SetFacts& set, const UnityShader& shader) {
+base::Result<void> write_unity_material(const SetFacts& set, const UnityShader& shader) {
   for (const Face face : {Face::kFront, Face::kBack}) {
-    if (std::string problem = write_face(set, shader, face); !problem.empty()) return problem;
+    if (base::Result<void> done = write_face(set, shader, face); !done) return done;
   }
   return write_obj_quad(set);
 }

@@ -30,7 +30,6 @@ struct UnityShader {
 /// True for the alpha modes that Unity draws as alpha clipping.
 bool cuts_out(Alpha alpha);
 
-/// Returns an error, or an empty string.
-std::string write_unity_material(const SetFacts& set, const UnityShader& shader);
+base::Result<void> write_unity_material(const SetFacts& set, const UnityShader& shader);
 
 }  // namespace weftlight::texture_set

@@ -111,9 +111,9 @@ material("", {SPECULAR})
 material("_back", {BACK_SPECULAR})
 )";
 
-std::string write_material(const SetFacts& set) {
+base::Result<void> write_material(const SetFacts& set) {
   const SurfaceTexels& s = set.front.small();
-  const std::string problem = write_file_atomically(
+  base::Result<void> done = write_file_atomically(
       set.folder + "/" + set.name + "_import.py",
       fill_template(kScript, {{"NAME", set.name},
                               {"ALPHA", alpha_name(set.alpha)},
@@ -121,7 +121,8 @@ std::string write_material(const SetFacts& set) {
                               {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
                               {"SPECULAR", number(static_cast<double>(set.front.fit().specular()))},
                               {"BACK_SPECULAR", number(static_cast<double>(set.back.fit().specular()))}}));
-  return problem.empty() ? write_scale_quad(set) : problem;
+  if (!done) return done;
+  return write_scale_quad(set);
 }
 
 }  // namespace

@@ -22,15 +22,13 @@ std::tm local_time(int64_t ns) { return platform::local_time(ns / kNsPerS); }
 }  // namespace
 
 OpenResult bring_back(const LeftWork& left) {
-  std::optional<JournalEntry> entry = read_left(left);
-  if (!entry) {
-    return {{},
-            {{Severity::kError, 0,
-              left.problem.empty() ? fill(tr("{file} cannot be read"), arg("file", left.journal))
-                                   : fill(tr("{file} cannot be read: {problem}"), arg("file", left.journal),
-                                          arg("problem", left.problem)),
-              tr("The file was left as it is.")}}};
-  }
+  const base::Result<JournalEntry> entry = read_left(left);
+  if (!entry)
+    return {
+        {},
+        {{Severity::kError, 0,
+          fill(tr("{file} cannot be read: {problem}"), arg("file", left.journal), arg("problem", entry.error().text)),
+          tr("The file was left as it is.")}}};
   WifRead read = read_wif(entry->text);
   if (!read.file) return {{}, std::move(read.diagnostics)};
   const DocumentNote& note = entry->note;
@@ -46,6 +44,8 @@ OpenResult bring_back(const LeftWork& left) {
   document.without_file(note.name);
   return {std::move(document), {}};
 }
+
+std::string name_of(const LeftWork& left) { return left.note ? name_of(*left.note) : left.journal; }
 
 std::string time_in_words(int64_t then_ns, int64_t now_ns) {
   const std::tm then = local_time(then_ns), today = local_time(now_ns),

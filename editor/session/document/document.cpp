@@ -11,7 +11,7 @@
 
 namespace weftlight::session {
 
-using base::FileBytes, base::content_hash, base::mark, base::read_file, base::tr;
+using base::content_hash, base::mark, base::read_file, base::tr;
 using draft::drawdown, draft::update_drawdown;
 using wif::Severity, wif::WifRead, wif::read_draft, wif::write_new_wif, wif::write_wif;
 
@@ -104,15 +104,15 @@ std::function<std::string()> Document::writer() const {
 
 std::string name_of(const DocumentNote& note) { return note.name == kUntitled ? tr(kUntitled) : note.name; }
 
-OpenResult open_document(const std::string& path) {
+OpenResult open_document(const std::string& path, const std::stop_token& stop) {
   // Read before the bytes, so that a write in between is noticed.
   FileIdentity identity = facts_of(path);
-  FileBytes file = read_file(path);
-  if (!file.error.empty())
-    return {{}, {{Severity::kError, 0, file.error, tr("Check the path, and that the file may be read.")}}};
-  WifRead read = files::is_picture(path) ? files::read_picture_draft(path) : read_draft(file.bytes);
+  const base::Result<std::string> file = read_file(path, base::kMaxFileBytes, stop);
+  if (!file)
+    return {{}, {{Severity::kError, 0, file.error().text, tr("Check the path, and that the file may be read.")}}};
+  WifRead read = files::is_picture(path) ? files::read_picture_draft(path) : read_draft(*file);
   if (!read.file) return {{}, std::move(read.diagnostics)};
-  identity.hash = content_hash(file.bytes);
+  identity.hash = content_hash(*file);
   if (read.file->format == "wif")
     return {Document(std::move(*read.file), std::move(read.diagnostics), path, identity), {}};
   // A file of another format is not overwritten: saving asks for a name.

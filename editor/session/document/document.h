@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,6 +89,7 @@ struct OpenResult {
   std::optional<Document> document;
   std::vector<Diagnostic> remarks;  // why it could not be opened
 };
-OpenResult open_document(const std::string& path);
+/// Ends with an error soon after a request to stop.
+OpenResult open_document(const std::string& path, const std::stop_token& stop = {});
 
 }  // namespace weftlight::session

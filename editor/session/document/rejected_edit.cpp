@@ -13,7 +13,8 @@ namespace weftlight::session {
 
 using base::tr;
 using design::Loom, design::loom_size;
-using draft::Draft, draft::Factored, draft::closest_drawdown, draft::differences, draft::drawdown, draft::kMaxShafts;
+using draft::Draft, draft::ClosestDraft, draft::closest_drawdown, draft::differences, draft::drawdown,
+    draft::kMaxShafts;
 
 namespace {
 
@@ -38,9 +39,9 @@ std::shared_ptr<const ClosestWeave> closest_weave_to(const Design& now, const De
                                                      const base::TaskProgress& progress) {
   const BitMatrix wanted = drawdown(requested.draft), shown = drawdown(now.draft);
   if (wanted == shown || !same_size(now.draft, requested.draft)) return nullptr;
-  Factored factored = closest_drawdown(now.draft, wanted, loom_size(now), progress);
+  ClosestDraft factored = closest_drawdown(now.draft, wanted, loom_size(now), progress);
   ClosestWeave out;
-  out.why = std::move(factored.why);
+  out.why = problem_of(factored.exact);
   // Without fewer wrong crossings the weaver's own threading and treadling stay.
   int64_t stays_wrong = 0;
   for (int p = 0; p < shown.rows(); ++p) stays_wrong += differences(shown.row(p), wanted.row(p));

@@ -13,9 +13,9 @@
 namespace weftlight::session {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
-using design::Painted, design::Yarn, design::painted_crossings, design::why_locked, design::with_drawdown_cell,
-    design::with_liftplan, design::with_thread_color, design::with_thread_yarn, design::with_threading,
-    design::with_tieup, design::with_treadling;
+using design::Yarn, design::painted_crossings, design::may_paint, design::with_drawdown_cell, design::with_liftplan,
+    design::with_thread_color, design::with_thread_yarn, design::with_threading, design::with_tieup,
+    design::with_treadling;
 using draft::BitGrid, draft::Selection, draft::ShedControl, draft::System, draft::Threads, draft::Write, draft::clipped,
     draft::without_spare;
 
@@ -87,16 +87,16 @@ std::vector<Cell> with_images(const std::vector<Cell>& cells, GridId grid, const
 }
 
 /// Paints all the crossings, or none if the loom cannot weave them.
-Painted painted_cells(const Design& design, const std::vector<Cell>& all, bool on, LoomSize given) {
+base::Result<Design> painted_cells(const Design& design, const std::vector<Cell>& all, bool on, LoomSize given) {
   const auto [left, right] = std::ranges::minmax(all, {}, &Cell::a);
   const auto [top, bottom] = std::ranges::minmax(all, {}, &Cell::b);
   const Selection s = clipped({BitGrid::kDrawdown, left.a, right.a + 1, top.b, bottom.b + 1}, design.draft);
-  if (s.empty()) return {design, {}};
+  if (s.empty()) return design;
   BitMatrix cells(s.rows(), s.columns());
   for (const Cell& at : all)
     if (holds(s, BitGrid::kDrawdown, at)) cells.set(at.b - s.b0, at.a - s.a0, true);
-  Painted painted = painted_crossings(design, s, s.a0, s.b0, cells, on ? Write::kAdd : Write::kErase);
-  painted.design.draft = without_spare(std::move(painted.design.draft), design.draft, given);
+  base::Result<Design> painted = painted_crossings(design, s, s.a0, s.b0, cells, on ? Write::kAdd : Write::kErase);
+  if (painted) painted->draft = without_spare(std::move(painted->draft), design.draft, given);
   return painted;
 }
 
@@ -109,10 +109,10 @@ Edit crossings_edit(Stroke& s, const Design& design, LoomSize given, const std::
   }
   std::vector<Cell> all = s.cells;
   all.insert(all.end(), cells.begin(), cells.end());
-  Painted painted = painted_cells(*s.base, all, s.on, given);
-  if (!painted.why.empty()) return step;
+  base::Result<Design> painted = painted_cells(*s.base, all, s.on, given);
+  if (!painted) return step;
   s.cells = std::move(all);
-  s.reached = std::make_shared<const Design>(std::move(painted.design));
+  s.reached = std::make_shared<const Design>(std::move(*painted));
   step.anew = std::exchange(step.apply, [next = s.reached](const Design&) { return *next; });
   return step;
 }
@@ -180,7 +180,7 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirro
   const bool crossings = grid == GridId::kDrawdown;
   Edit edit{tr(kLabels[static_cast<int>(grid)]),
             [=, all = with_images(line_of_cells(from, to), grid, mirror)](Design design) {
-              if (crossings) return painted_cells(design, all, on, given).design;
+              if (crossings) return painted_cells(design, all, on, given).value_or(design);
               for (const Cell& at : all) design = with_cell(std::move(design), grid, at, on, only);
               return design;
             }};
@@ -188,9 +188,9 @@ Edit paint_edit(GridId grid, Cell from, Cell to, bool on, bool only, const Mirro
   edit.why = [=, all = with_images(line_of_cells(from, to), grid, mirror)](const Design& design) {
     constexpr BitGrid kGrids[] = {BitGrid::kThreading, BitGrid::kThreading, BitGrid::kTieup,
                                   BitGrid::kTreadling, BitGrid::kLiftplan,  BitGrid::kDrawdown};
-    if (crossings) return painted_cells(design, all, on, given).why;
+    if (crossings) return problem_of(painted_cells(design, all, on, given));
     if (grid == GridId::kNone || grid > GridId::kDrawdown) return std::string();
-    return why_locked(design, kGrids[static_cast<int>(grid)]);
+    return problem_of(may_paint(design, kGrids[static_cast<int>(grid)]));
   };
   return edit;
 }

@@ -15,7 +15,7 @@
 namespace weftlight::session {
 
 using base::arg, base::fill, base::tr;
-using design::Leading, design::inverted, design::may_paint, design::why_locked, design::with_block;
+using design::Leading, design::inverted, design::may_paint, design::with_block;
 using draft::BitGrid, draft::Selection, draft::System, draft::Write, draft::cells_of, draft::clipped, draft::whole_grid,
     draft::without_spare;
 
@@ -162,7 +162,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.by_painting = *bits == BitGrid::kDrawdown;
   edit.anew = drawn_on;
-  edit.why = [bits](const Design& d) { return why_locked(d, *bits); };
+  edit.why = [bits](const Design& d) { return problem_of(may_paint(d, *bits)); };
   return edit;
 }
 

@@ -12,7 +12,7 @@
 namespace weftlight::session {
 
 using base::arg, base::fill, base::tr;
-using design::why_locked;
+using design::may_paint;
 using draft::BitGrid, draft::Selection, draft::columns_of, draft::drawdown, draft::kMaxThreads, draft::rows_of;
 
 namespace {
@@ -56,7 +56,7 @@ void go_on(DocumentView& v, const Draft& d) {
 }
 
 Edit with_why(Edit edit, GridId grid) {
-  edit.why = [grid](const Design& d) { return why_locked(d, *bit_grid_of(grid)); };
+  edit.why = [grid](const Design& d) { return problem_of(may_paint(d, *bit_grid_of(grid))); };
   return edit;
 }
 
@@ -85,8 +85,8 @@ Edit clear_edit(const TypeCursor& c, const Draft& d) {
 MaybeEdit take_number(DocumentView& v, const Design& design) {
   const int number = std::exchange(v.drawing.cursor.typed, 0);
   if (number == 0) return {};
-  if (std::string why = why_locked(design, *bit_grid_of(v.drawing.cursor.grid)); !why.empty()) {
-    v.select.refusal = std::move(why);
+  if (const auto open = may_paint(design, *bit_grid_of(v.drawing.cursor.grid)); !open) {
+    v.select.refusal = problem_of(open);
     return {};
   }
   if (holds_one(v.drawing.cursor.grid)) v.drawing.cursor.at = numbered(v.drawing.cursor, number);

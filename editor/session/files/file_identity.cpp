@@ -7,7 +7,7 @@
 
 namespace weftlight::session {
 
-using base::FileBytes, base::content_hash, base::read_file;
+using base::content_hash, base::read_file;
 
 namespace fs = std::filesystem;
 
@@ -31,8 +31,8 @@ FileIdentity identify(const std::string& path, std::string_view bytes) {
 
 FileIdentity identify(const std::string& path) {
   if (!facts_of(path).there) return {};
-  const FileBytes file = read_file(path);
-  return file.error.empty() ? identify(path, file.bytes) : FileIdentity{};
+  const base::Result<std::string> bytes = read_file(path);
+  return bytes ? identify(path, *bytes) : FileIdentity{};
 }
 
 FileChange changed_since(const std::string& path, FileIdentity& known) {

@@ -27,12 +27,16 @@ bool is_free(const std::string& path) {
   return fs::is_regular_file(path, error) ? fs::file_size(path, error) == 0 : !fs::is_directory(path, error);
 }
 
+base::Failure refused(const std::string& path, std::string why) {
+  return base::failure(base::ErrorKind::kUsage, std::move(why), path);
+}
+
 constexpr const char* kIsTheDraft = mark("it is the draft to open; give another file");
 
 /// The hashes in a record; empty if there is no record.
 std::vector<uint64_t> hashes_in(const std::string& record) {
   std::vector<uint64_t> hashes;
-  std::istringstream lines(read_file(record).bytes);
+  std::istringstream lines(read_file(record).value_or(""));
   for (uint64_t hash = 0; lines >> std::hex >> hash;) hashes.push_back(hash);
   return hashes;
 }
@@ -47,20 +51,20 @@ LiveExport::LiveExport(std::string path, const std::string& state_folder) : path
   record_ = (fs::path(state_folder) / "live_exports" / name.str()).string();
 }
 
-std::string LiveExport::rejected_edit(const std::string& draft) const {
-  if (same_file(path_, draft)) return tr(kIsTheDraft);
+base::Result<void> LiveExport::check(const std::string& draft) const {
+  if (same_file(path_, draft)) return refused(path_, tr(kIsTheDraft));
   if (is_free(path_)) return {};
   std::error_code error;
-  if (fs::is_directory(path_, error)) return tr("it is a folder; give a file");
+  if (fs::is_directory(path_, error)) return refused(path_, tr("it is a folder; give a file"));
   const std::vector<uint64_t> own = hashes_in(record_);
   const uint64_t there = identify(path_).hash;
   if (std::find(own.begin(), own.end(), there) != own.end()) return {};
   // A copy of the opened draft: writing it again changes nothing.
   if (!draft.empty() && there == identify(draft).hash) return {};
-  return tr("another program's file is there; remove it or give another name");
+  return refused(path_, tr("another program's file is there; remove it or give another name"));
 }
 
-std::string LiveExport::write(std::string_view bytes) {
+base::Result<void> LiveExport::write(std::string_view bytes) {
   const uint64_t now = content_hash(bytes);
   // Recorded before the write, together with the present hash: whenever the process ends, one of the two is right.
   std::error_code ignored;
@@ -68,17 +72,17 @@ std::string LiveExport::write(std::string_view bytes) {
   const std::string beside = record_ + ".new";
   std::ofstream(beside) << std::hex << now << "\n" << (last_ != 0 ? last_ : identify(path_).hash) << "\n";
   fs::rename(beside, record_, ignored);
-  std::string problem = write_file_atomically(path_, bytes);
-  if (problem.empty()) last_ = now;
-  return problem;
+  base::Result<void> written = write_file_atomically(path_, bytes);
+  if (written) last_ = now;
+  return written;
 }
 
-std::string ui_map_refusal(const std::string& path, const std::string& draft) {
-  if (same_file(path, draft)) return tr(kIsTheDraft);
+base::Result<void> check_ui_map(const std::string& path, const std::string& draft) {
+  if (same_file(path, draft)) return refused(path, tr(kIsTheDraft));
   if (is_free(path)) return {};
-  const nlohmann::json json = nlohmann::json::parse(read_file(path).bytes, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(read_file(path).value_or(""), nullptr, false);
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};
-  return tr("the file there is no map of the window; remove it or give another name");
+  return refused(path, tr("the file there is no map of the window; remove it or give another name"));
 }
 
 }  // namespace weftlight::session

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "base/result.h"
+
 namespace weftlight::session {
 
 /// The file of --live-export. It looks like any other draft, so the hashes of the last writes are recorded in the
@@ -13,10 +15,9 @@ class LiveExport {
  public:
   LiveExport(std::string path, const std::string& state_folder);
   const std::string& path() const { return path_; }
-  /// Why the file may not be written while `draft` is open, and what to do; empty if it may. `draft` may be empty.
-  std::string rejected_edit(const std::string& draft) const;
-  /// Writes the file. Returns the error, or empty.
-  std::string write(std::string_view bytes);
+  /// An error if the file may not be written while `draft` is open. `draft` may be empty.
+  base::Result<void> check(const std::string& draft) const;
+  base::Result<void> write(std::string_view bytes);
 
  private:
   std::string path_, record_;
@@ -24,6 +25,6 @@ class LiveExport {
 };
 
 /// The same for --ui-map, which is recognised by its content.
-std::string ui_map_refusal(const std::string& path, const std::string& draft);
+base::Result<void> check_ui_map(const std::string& path, const std::string& draft);
 
 }  // namespace weftlight::session

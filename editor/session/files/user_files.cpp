@@ -61,6 +61,20 @@ void take_prices(const nlohmann::json& json, std::map<std::string, float>& price
       prices[yarn] = price.get<float>();
 }
 
+/// Actions whose id was another word in earlier files.
+constexpr std::pair<std::string_view, const char*> kRenamedActions[] = {{"nearest", "closest_weave"}};
+
+/// A shortcut under an action's earlier id counts unless there is one under its present id.
+void take_keys(const nlohmann::json& json, std::map<std::string, std::string>& keys) {
+  const auto found = json.find("keys");
+  if (found == json.end() || !found->is_object()) return;
+  for (const auto& [action, key] : found->items())
+    if (key.is_string() && key.get_ref<const std::string&>().size() <= kLongestKey && keys.size() < kMaxKeys)
+      keys[action] = key.get<std::string>();
+  for (const auto& [earlier, present] : kRenamedActions)
+    if (auto key = keys.extract(std::string(earlier))) keys.try_emplace(present, std::move(key.mapped()));
+}
+
 /// Only names in UTF-8: JSON cannot hold others.
 std::map<std::string, float> writable(const std::map<std::string, float>& prices) {
   std::map<std::string, float> out;
@@ -71,7 +85,7 @@ std::map<std::string, float> writable(const std::map<std::string, float>& prices
 
 }  // namespace
 
-Settings load_settings() { return settings_from(read_file(settings_path().string(), kMaxBytes).bytes); }
+Settings load_settings() { return settings_from(read_file(settings_path().string(), kMaxBytes).value_or("")); }
 
 Settings settings_from(std::string_view text) {
   Settings s;
@@ -112,10 +126,7 @@ Settings settings_from(std::string_view text) {
       if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMaxRecent)
         s.recent.push_back(std::move(one));
   if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
-  if (const auto keys = json.find("keys"); keys != json.end() && keys->is_object())
-    for (const auto& [action, key] : keys->items())
-      if (key.is_string() && key.get_ref<const std::string&>().size() <= kLongestKey && s.keys.size() < kMaxKeys)
-        s.keys[action] = key.get<std::string>();
+  take_keys(json, s.keys);
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
   s.height = std::clamp(s.height, 240, 16384);

@@ -27,7 +27,7 @@ BackgroundWriter::~BackgroundWriter() {
   thread_.join();
 }
 
-void BackgroundWriter::keep(const std::string& path, std::function<std::string()> job) {
+void BackgroundWriter::keep(const std::string& path, Job job) {
   {
     const std::lock_guard lock(mutex_);
     waiting_[path] = std::move(job);
@@ -36,12 +36,12 @@ void BackgroundWriter::keep(const std::string& path, std::function<std::string()
 }
 
 void BackgroundWriter::drop(const std::string& path) {
-  keep(path, [] { return std::string(); });  // replaces a waiting job and stops its retries
+  keep(path, [] { return base::Result<void>(); });  // replaces a waiting job and stops its retries
 }
 
 std::string BackgroundWriter::problem() const {
   const std::lock_guard lock(mutex_);
-  return problems_.empty() ? std::string() : problems_.begin()->second;
+  return errors_.empty() ? std::string() : message(errors_.begin()->second);
 }
 
 bool BackgroundWriter::busy() const {
@@ -52,7 +52,7 @@ bool BackgroundWriter::busy() const {
 BackgroundWriter::Jobs::iterator BackgroundWriter::due() {
   const bool now = leaving_ || Clock::now() >= retry_;
   return std::find_if(waiting_.begin(), waiting_.end(),
-                      [&](const auto& job) { return now || !problems_.contains(job.first); });
+                      [&](const auto& job) { return now || !errors_.contains(job.first); });
 }
 
 void BackgroundWriter::work() {
@@ -66,16 +66,14 @@ void BackgroundWriter::work() {
     auto job = waiting_.extract(next);
     working_ = true;
     lock.unlock();
-    std::string problem;
-    const std::string thrown = caught([&] { problem = job.mapped()(); });
-    if (!thrown.empty()) problem = thrown;
+    base::Result<void> written = caught(job.mapped(), base::ErrorKind::kOutput);
     lock.lock();
     working_ = false;
-    problems_.erase(job.key());
-    if (problem.empty() || leaving_) continue;  // the last try at exit
+    errors_.erase(job.key());
+    if (written || leaving_) continue;  // the last try at exit
     retry_ = Clock::now() + kRetry;
     const auto placed = waiting_.insert(std::move(job));  // does nothing if a newer job waits
-    caught([&] { problems_[placed.position->first] = std::move(problem); });
+    caught([&] { errors_[placed.position->first] = std::move(written).error(); });
   }
 }
 

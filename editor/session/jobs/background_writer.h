@@ -10,6 +10,8 @@
 #include <string>
 #include <thread>
 
+#include "base/result.h"
+
 namespace weftlight::session {
 
 class BackgroundWriter {
@@ -20,16 +22,17 @@ class BackgroundWriter {
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// Writes `path` by `job`, again and again until it succeeds. The job returns its error, or empty.
-  void keep(const std::string& path, std::function<std::string()> job);
+  using Job = std::function<base::Result<void>()>;
+  /// Writes `path` by `job`, again and again until it succeeds.
+  void keep(const std::string& path, Job job);
   /// Cancels the writes of `path`.
   void drop(const std::string& path);
-  /// The error of a kept file until its write succeeds; empty if there is none.
+  /// The message of a kept file's error until its write succeeds; empty if there is none.
   std::string problem() const;
   bool busy() const;
 
  private:
-  using Jobs = std::map<std::string, std::function<std::string()>>;  // by path
+  using Jobs = std::map<std::string, Job>;  // by path
   void work();
   /// The next job that is due. While all waiting jobs have failed there is none until `retry_`.
   Jobs::iterator due();
@@ -37,7 +40,7 @@ class BackgroundWriter {
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   Jobs waiting_;
-  std::map<std::string, std::string> problems_;  // by path, of jobs that wait for a retry
+  std::map<std::string, base::Error> errors_;  // by path, of jobs that wait for a retry
   std::chrono::steady_clock::time_point retry_{};
   bool leaving_ = false, working_ = false;
   std::thread thread_;

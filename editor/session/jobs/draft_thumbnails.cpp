@@ -13,8 +13,8 @@
 
 namespace weftlight::session {
 
-using base::FileBytes, base::content_hash, base::keep_newest, base::read_file;
-using wif::WifRead, wif::read_draft;
+using base::content_hash, base::keep_newest, base::read_file;
+using wif::read_draft, wif::WifFile;
 
 namespace {
 
@@ -58,7 +58,7 @@ void keep_picture(const std::string& folder, const std::string& file, const Thum
 
 }  // namespace
 
-DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder) {
+DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder, const std::stop_token& stop) {
   DraftThumbnail look;
   const FileIdentity facts = facts_of(path);
   if (!facts.there) return look;
@@ -66,11 +66,10 @@ DraftThumbnail look_of_file(const std::string& path, const std::string& cache_fo
   const std::string kept = cache_folder.empty() ? "" : cache_folder + "/" + name_in_cache(path, facts);
   if (std::error_code error; !kept.empty() && fs::exists(kept, error)) look.picture = kept_picture(kept);
   if (look.picture.pixels.empty()) {
-    const FileBytes file = read_file(path, kMaxBytes);
-    const WifRead read = !file.error.empty()       ? WifRead{}
-                         : files::is_picture(path) ? files::read_picture_draft(path)
-                                                   : read_draft(file.bytes);
-    if (read.file) look.picture = thumbnail_of(read.file->design.draft, kThumbnailWidth, kThumbnailHeight);
+    const base::Result<WifFile> file = read_file(path, kMaxBytes, stop).and_then([&path](const std::string& bytes) {
+      return (files::is_picture(path) ? files::read_picture_draft(path) : read_draft(bytes)).file;
+    });
+    if (file) look.picture = thumbnail_of(file->design.draft, kThumbnailWidth, kThumbnailHeight);
     if (!kept.empty() && !look.picture.pixels.empty()) keep_picture(cache_folder, kept, look.picture);
   }
   look.state = look.picture.pixels.empty() ? DraftThumbnail::State::kUnreadable : DraftThumbnail::State::kThere;
@@ -81,19 +80,22 @@ DraftThumbnails::DraftThumbnails(std::string cache_folder, std::function<void()>
     : cache_folder_(std::move(cache_folder)), runner_(std::move(wake)) {}
 
 void DraftThumbnails::ask(const std::string& path) {
-  const auto made = [this, path](DraftThumbnail look) { news_.emplace_back(path, std::move(look)); };
   base::Task task = base::task_with_result(
-      [path, folder = cache_folder_](const base::RunningTask&) { return look_of_file(path, folder); }, made,
-      [made](const std::string&) {
-        made({DraftThumbnail::State::kUnreadable, 0, {}});
+      [path, folder = cache_folder_](const base::RunningTask& running) {
+        return look_of_file(path, folder, running.stop());
+      },
+      [this, path](base::Result<DraftThumbnail> look) {
+        DraftThumbnail unreadable{DraftThumbnail::State::kUnreadable, 0, {}};
+        made_.emplace_back(path, std::move(look).value_or(std::move(unreadable)));
       });
   task.kind = path;
+  task.may_be_left = true;
   runner_.start(std::move(task));
 }
 
 std::vector<std::pair<std::string, DraftThumbnail>> DraftThumbnails::take() {
   runner_.take();
-  return std::exchange(news_, {});
+  return std::exchange(made_, {});
 }
 
 }  // namespace weftlight::session

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ struct DraftThumbnail {
 };
 
 /// Reads the file, or its thumbnail in `cache_folder` (no cache if empty). Callable from any thread.
-DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder);
+DraftThumbnail look_of_file(const std::string& path, const std::string& cache_folder, const std::stop_token& stop = {});
 
 class DraftThumbnails {
  public:
@@ -38,7 +39,7 @@ class DraftThumbnails {
 
  private:
   std::string cache_folder_;
-  std::vector<std::pair<std::string, DraftThumbnail>> news_;
+  std::vector<std::pair<std::string, DraftThumbnail>> made_;
   base::TaskRunner runner_;
 };
 

@@ -40,7 +40,7 @@ void Draper::follow(const std::shared_ptr<const Design>& design) {
   task.work = [this, design, wanted = std::move(wanted)](const base::RunningTask& running) {
     run(*design, wanted, running.stop());
   };
-  task.failed = [this](const std::string& why, const base::RunningTask&) { fail(why); };
+  task.failed = [this](const base::Error& error, const base::RunningTask&) { fail(error); };
   runner_.start(std::move(task));
 }
 
@@ -78,20 +78,22 @@ void Draper::run(const Design& design, const std::string& wanted, const std::sto
     return !stop.stop_requested();
   });
   if (stop.stop_requested()) return;
-  if (!done) {
-    std::string problem = message(done.error());
-    std::string said = fill(tr("Not simulated: {problem}"), arg("problem", problem));
-    return tell(wanted, {DrapeStage::kFailed, 0, std::move(problem)}, std::move(said));
-  }
+  if (!done) return tell_failed(wanted, done.error());
   tell(wanted, {DrapeStage::kSimulated, 1, {}}, tr("Simulated: the drape is this fabric's own"));
 }
 
-void Draper::fail(const std::string& why) {
+void Draper::fail(const base::Error& error) {
   const std::string wanted = [this] {
     const std::lock_guard lock(mutex_);
     return wanted_;
   }();
-  tell(wanted, {DrapeStage::kFailed, 0, why}, fill(tr("Not simulated: {problem}"), arg("problem", why)));
+  tell_failed(wanted, error);
+}
+
+void Draper::tell_failed(const std::string& wanted, const base::Error& error) {
+  std::string problem = message(error);
+  std::string said = fill(tr("Not simulated: {problem}"), arg("problem", problem));
+  tell(wanted, {DrapeStage::kFailed, 0, std::move(problem)}, std::move(said));
 }
 
 void Draper::tell(const std::string& wanted, DrapeState state, std::string message) {

@@ -25,7 +25,7 @@ enum class DrapeStage {
 struct DrapeState {
   DrapeStage stage = DrapeStage::kGeneric;
   float share = 0;      // progress of kSimulating, 0..1
-  std::string problem;  // of kFailed
+  std::string problem;  // of kFailed, for the user
 };
 
 /// The edit that switches the simulated drape on or off.
@@ -52,7 +52,8 @@ class Draper {
 
  private:
   void run(const Design& design, const std::string& wanted, const std::stop_token& stop);
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
+  void tell_failed(const std::string& wanted, const base::Error& error);
   /// Reports from its thread, if the drape is still wanted.
   void tell(const std::string& wanted, DrapeState state, std::string message = {});
 

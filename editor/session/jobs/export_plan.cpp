@@ -11,7 +11,7 @@
 namespace weftlight::session {
 
 using base::tr;
-using texture_set::existing_files_problem, texture_set::file_name_of, texture_set::listed_files, texture_set::size_for;
+using texture_set::check_set_folder, texture_set::file_name_of, texture_set::listed_files, texture_set::size_for;
 
 namespace fs = std::filesystem;
 
@@ -56,7 +56,7 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
 std::vector<std::string> in_the_way(const std::vector<ExportJob>& jobs) {
   std::vector<std::string> out;
   for (const ExportJob& job : jobs) {
-    std::string there = existing_files_problem(job.folder, job.options);
+    std::string there = problem_of(check_set_folder(job.folder, job.options));
     if (!there.empty()) out.push_back(std::move(there));
   }
   return out;

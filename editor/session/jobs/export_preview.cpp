@@ -4,13 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "base/text.h"
 #include "cloth/srgb.h"
 #include "texture_set/set_preview.h"
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::tr;
 using files::Image;
 using texture_set::PreviewImage, texture_set::SetPreview, texture_set::key_of, texture_set::preview_set;
 
@@ -156,20 +154,13 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
       [design = design_, face, small, sizes](const base::RunningTask& running) {
         return export_preview(*design, face, small, sizes, running.stop());
       },
-      [this](ExportPreview made) { show(std::move(made)); },
-      [this](const std::string& why) {
-        ExportPreview none;
-        none.problem = fill(tr("No preview: {problem}"), arg("problem", why));
-        show(std::move(none));
+      [this](base::Result<ExportPreview> made) {
+        made_ = std::move(made);
+        busy_ = false;
       }));
 }
 
-void ExportPreviewer::show(ExportPreview made) {
-  made_ = std::move(made);
-  busy_ = false;
-}
-
-std::optional<ExportPreview> ExportPreviewer::take() {
+std::optional<base::Result<ExportPreview>> ExportPreviewer::take() {
   runner_.take();
   return std::exchange(made_, std::nullopt);
 }

@@ -42,7 +42,6 @@ struct ExportPreview {
   float coverage = 1;
   int64_t texels = 0;         // in each image
   float bytes_per_texel = 0;  // on disk, for one face
-  std::string problem;        // why there are no images
 };
 /// Estimate for a whole set with images of this size.
 int64_t bytes_on_disk(const ExportPreview& preview, const TextureSize& size);
@@ -64,16 +63,14 @@ class ExportPreviewer {
   ExportPreviewer(std::shared_ptr<const Design> design, std::function<void()> wake);
   /// Starts a preview unless the same one was requested last; drops the one in progress.
   void ask(Face face, const TextureSetOptions& options, const PreviewSizes& sizes);
-  /// The preview finished since the last call.
-  std::optional<ExportPreview> take();
+  /// The preview finished since the last call, or why it could not be made.
+  std::optional<base::Result<ExportPreview>> take();
   bool busy() const { return busy_; }
 
  private:
-  void show(ExportPreview made);
-
   std::shared_ptr<const Design> design_;
   std::string asked_;  // key of the last request
-  std::optional<ExportPreview> made_;
+  std::optional<base::Result<ExportPreview>> made_;
   bool busy_ = false;
   base::TaskRunner runner_;
 };

@@ -12,7 +12,7 @@ namespace weftlight::session {
 
 using base::arg, base::fill, base::message, base::tr;
 using files::drape_key, files::load_design_drape;
-using texture_set::ExportProgress, texture_set::kStopped, texture_set::write_texture_set;
+using texture_set::ExportProgress, texture_set::write_texture_set;
 
 namespace {
 
@@ -32,7 +32,7 @@ void Exporter::start(std::vector<ExportJob> jobs, std::shared_ptr<const Design> 
   task.work = [this, jobs = std::move(jobs), design = std::move(design)](const base::RunningTask& running) {
     run(jobs, *design, running.stop());
   };
-  task.failed = [this](const std::string& why, const base::RunningTask&) { fail(why); };
+  task.failed = [this](const base::Error& error, const base::RunningTask&) { fail(error); };
   runner_.start(std::move(task));
 }
 
@@ -56,9 +56,9 @@ bool Exporter::began() const {
   return state_.sets > 0;
 }
 
-bool Exporter::take_news() {
+bool Exporter::take_change() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(news_, false);
+  return std::exchange(changed_, false);
 }
 
 std::string Exporter::take_message() {
@@ -73,7 +73,7 @@ void Exporter::tell(size_t set, size_t sets, float share) {
     const bool same = state_.set == set && state_.sets == sets && std::abs(all - state_.share) < kStep;
     state_.set = set, state_.sets = sets;
     if (same) return;
-    state_.share = all, news_ = true;
+    state_.share = all, changed_ = true;
   }
   wake_();
 }
@@ -97,19 +97,20 @@ void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, con
   for (size_t i = 0; ready && i < jobs.size() && !stop.stop_requested(); ++i) {
     tell(i, jobs.size(), 0);
     const ExportProgress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
-    std::string problem = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
-    if (problem == kStopped) return;  // stop() has set the message, or a newer run will
+    const base::Result<void> done = write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress);
+    // If it was stopped, stop() has set the message, or a newer run will.
+    if (!done && done.error().kind == base::ErrorKind::kCancelled) return;
     const std::lock_guard lock(mutex_);
-    (problem.empty() ? state_.written : state_.problems).push_back(problem.empty() ? jobs[i].folder : problem);
+    (done ? state_.written : state_.problems).push_back(done ? jobs[i].folder : problem_of(done));
   }
   if (!stop.stop_requested()) end();
 }
 
 /// Handles exceptions outside of write_texture_set(), which reports its own.
-void Exporter::fail(const std::string& why) {
+void Exporter::fail(const base::Error& error) {
   {
     const std::lock_guard lock(mutex_);
-    state_.problems.push_back(why);
+    state_.problems.push_back(message(error));
   }
   end();
 }
@@ -117,7 +118,7 @@ void Exporter::fail(const std::string& why) {
 void Exporter::end() {
   {
     const std::lock_guard lock(mutex_);
-    state_.busy = false, state_.share = 1, news_ = true;
+    state_.busy = false, state_.share = 1, changed_ = true;
     const size_t count = state_.written.size();
     if (!state_.problems.empty())
       message_ = fill(tr("Not exported: {problem}"), arg("problem", state_.problems.front()));

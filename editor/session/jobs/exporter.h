@@ -37,7 +37,7 @@ class Exporter {
   /// True if a set was ever started.
   bool began() const;
   /// True if state() changed since the last call.
-  bool take_news();
+  bool take_change();
   /// The message of an export that ended since the last call; empty if none did.
   std::string take_message();
 
@@ -46,13 +46,13 @@ class Exporter {
   /// Loads the mesh if a target needs it. On failure adds a problem and returns false.
   bool use_mesh(const std::vector<ExportJob>& jobs, const Design& design);
   void tell(size_t set, size_t sets, float share);
-  void fail(const std::string& why);
+  void fail(const base::Error& error);
   void end();
 
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // guards state_, news_ and message_
+  mutable std::mutex mutex_;  // guards state_, changed_ and message_
   State state_;
-  bool news_ = false;
+  bool changed_ = false;
   std::string message_;
   std::string mesh_name_;  // used by its tasks only, as is mesh_
   Mesh mesh_;

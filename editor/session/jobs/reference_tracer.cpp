@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "base/loops.h"
-#include "base/text.h"
 
 namespace weftlight::session {
 
-using base::arg, base::core_count, base::fill, base::message, base::tr;
+using base::core_count;
 using cloth::Linear, cloth::linear_from_srgb;
 using reference::TubeOptions;
 using render_data::ReferenceView, render_data::lay_over;
@@ -45,7 +44,7 @@ int threads_to_use() {
 
 PictureComparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev) {
   lay_over(around, traced, exposure_ev, false);
-  PictureComparison c{around.width, around.height, 0, {}, {}, 0, false, {}};
+  PictureComparison c{around.width, around.height, 0, {}, {}, 0, false};
   const size_t pixels = static_cast<size_t>(around.width) * static_cast<size_t>(around.height);
   c.reference.reserve(pixels);
   c.difference.reserve(pixels);
@@ -69,7 +68,7 @@ PictureComparison compare(Image around, const Image& preview, const TracedImage&
 void ReferenceTracer::start(TraceJob job) {
   base::Task task;
   task.work = [this, job = std::move(job)](const base::RunningTask& running) { trace(job, running.stop()); };
-  task.failed = [this](const std::string& why, const base::RunningTask& running) { fail(why, running.stop()); };
+  task.failed = [this](const base::Error& error, const base::RunningTask& running) { fail(error, running.stop()); };
   const std::lock_guard lock(mutex_);
   runner_.start(std::move(task));
   made_.reset();
@@ -86,7 +85,7 @@ bool ReferenceTracer::busy() const {
   return made_.has_value() || runner_.busy();
 }
 
-std::optional<PictureComparison> ReferenceTracer::take() {
+std::optional<base::Result<PictureComparison>> ReferenceTracer::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(made_, std::nullopt);
 }
@@ -94,7 +93,7 @@ std::optional<PictureComparison> ReferenceTracer::take() {
 void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
   TubeOptions options;
   options.max_triangles = kTriangles;
-  if (const auto updated = scene_.update(*job.design, options); !updated) return fail(message(updated.error()), stop);
+  if (const auto updated = scene_.update(*job.design, options); !updated) return fail(updated.error(), stop);
   ReferenceView view;
   view.scene = job.scene;
   view.threads = threads_to_use();
@@ -121,14 +120,12 @@ void ReferenceTracer::trace(const TraceJob& job, const std::stop_token& stop) {
 }
 
 /// Resets the scene: after an exception it may be a mix of two designs.
-void ReferenceTracer::fail(const std::string& why, const std::stop_token& stop) {
+void ReferenceTracer::fail(const base::Error& error, const std::stop_token& stop) {
   scene_ = ReferenceScene();
-  PictureComparison failed;
-  failed.problem = fill(tr("No ray-traced picture: {problem}"), arg("problem", why));
-  publish(std::move(failed), stop);
+  publish(base::Failure(error), stop);
 }
 
-void ReferenceTracer::publish(PictureComparison made, const std::stop_token& stop) {
+void ReferenceTracer::publish(base::Result<PictureComparison> made, const std::stop_token& stop) {
   const std::lock_guard lock(mutex_);
   if (!stop.stop_requested()) made_ = std::move(made);
 }

@@ -38,7 +38,6 @@ struct PictureComparison {
   std::vector<uint32_t> reference, difference;  // RGBA8, row 0 on top; the difference is scaled by kDifferenceScale
   float relative_error = 0;  // RMSE of the preview / RMS of the reference; linear light, over the cloth
   bool finished = false;
-  std::string problem;
 };
 /// Compares a traced picture with the preview. `around` and `preview` as in TraceJob.
 PictureComparison compare(Image around, const Image& preview, const TracedImage& traced, float exposure_ev);
@@ -49,16 +48,16 @@ class ReferenceTracer {
   void start(TraceJob job);
   void stop();
   bool busy() const;
-  /// The newest result since the last call.
-  std::optional<PictureComparison> take();
+  /// The newest result since the last call, or why there is no ray-traced picture.
+  std::optional<base::Result<PictureComparison>> take();
 
  private:
   void trace(const TraceJob& job, const std::stop_token& stop);
-  void fail(const std::string& why, const std::stop_token& stop);
-  void publish(PictureComparison made, const std::stop_token& stop);
+  void fail(const base::Error& error, const std::stop_token& stop);
+  void publish(base::Result<PictureComparison> made, const std::stop_token& stop);
 
   mutable std::mutex mutex_;  // guards made_
-  std::optional<PictureComparison> made_;
+  std::optional<base::Result<PictureComparison>> made_;
   ReferenceScene scene_;     // used by its tasks only
   base::TaskRunner runner_;  // destroyed first: its tasks use all members above
 };

@@ -40,7 +40,7 @@ void LoomLink::connect(const std::string& address) {
     address_ = address;
     to_send_.clear();
     why_.clear();
-    news_ = {};
+    received_ = {};
     state_ = address.empty() ? State::kOff : State::kConnecting;
   }
   changed_.notify_all();
@@ -56,14 +56,14 @@ void LoomLink::send(const std::string& bytes) {
   changed_.notify_all();
 }
 
-LoomLink::News LoomLink::take() {
-  News news;
+LoomLink::Received LoomLink::take() {
+  Received received;
   {
     const std::lock_guard lock(mutex_);
-    std::swap(news, news_);
+    std::swap(received, received_);
   }
   changed_.notify_all();
-  return news;
+  return received;
 }
 
 LoomLink::State LoomLink::state() const {
@@ -84,11 +84,10 @@ void LoomLink::work() {
     const std::string address = address_;
     const std::stop_token stop = wanted_.get_token();
     lock.unlock();
-    std::string why;
-    const std::string thrown = caught([&] { why = connect_once(address, stop); });
+    const base::Result<void> ended = caught([&]() -> base::Result<void> { return connect_once(address, stop); });
     lock.lock();
     if (stop.stop_requested()) continue;
-    why_ = thrown.empty() ? why : thrown;
+    why_ = problem_of(ended);
     state_ = State::kConnecting;
     lock.unlock();
     wake_();
@@ -97,11 +96,11 @@ void LoomLink::work() {
   }
 }
 
-std::string LoomLink::connect_once(const std::string& address, const std::stop_token& stop) {
-  const loom::LineOpened opened = loom::open_line(connector_, address, kConnect, stop);
-  if (!opened.line) return opened.why;
-  talk(*opened.line, stop);
-  return tr("the connection was lost");
+base::Failure LoomLink::connect_once(const std::string& address, const std::stop_token& stop) {
+  const auto line = loom::open_line(connector_, address, kConnect, stop);
+  if (!line) return failed(line);
+  talk(**line, stop);
+  return base::failure(base::ErrorKind::kOutput, tr("the connection was lost"));
 }
 
 void LoomLink::talk(platform::Line& line, const std::stop_token& stop) {
@@ -111,7 +110,7 @@ void LoomLink::talk(platform::Line& line, const std::stop_token& stop) {
     state_ = State::kConnected;
     why_.clear();
     to_send_.clear();
-    news_.connected = true;
+    received_.connected = true;
   }
   wake_();
   loom::LoomReader reader;
@@ -124,7 +123,7 @@ bool LoomLink::exchange_once(platform::Line& line, loom::LoomReader& reader, con
   bool room = false;
   {
     std::unique_lock lock(mutex_);
-    const auto has_room = [this] { return news_.reports.size() < kMaxReports; };
+    const auto has_room = [this] { return received_.reports.size() < kMaxReports; };
     changed_.wait(lock, stop, [&] { return has_room() || !to_send_.empty(); });
     out = std::exchange(to_send_, {});
     room = has_room();
@@ -136,7 +135,7 @@ bool LoomLink::exchange_once(platform::Line& line, loom::LoomReader& reader, con
   {
     const std::lock_guard lock(mutex_);
     if (stop.stop_requested()) return false;
-    std::move(said.begin(), said.end(), std::back_inserter(news_.reports));
+    std::move(said.begin(), said.end(), std::back_inserter(received_.reports));
   }
   wake_();
   return true;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/result.h"
 #include "loom/line.h"
 #include "loom/protocol.h"
 #include "platform/line.h"
@@ -35,19 +36,19 @@ class LoomLink {
 
   /// While this many reports are not yet taken, nothing more is read from the loom.
   static constexpr size_t kMaxReports = 256;
-  struct News {
+  struct Received {
     bool connected = false;  // connected or reconnected since the last call
     std::vector<loom::LoomReport> reports;
   };
-  News take();
+  Received take();
   State state() const;
   /// Why the connection failed; empty while it stands or is being tried.
   std::string why() const;
 
  private:
   void work();
-  /// One attempt: why it failed or ended. `stop`: the connection is no longer wanted.
-  std::string connect_once(const std::string& address, const std::stop_token& stop);
+  /// One attempt, until the connection ends; never without an error. `stop`: the connection is no longer wanted.
+  base::Failure connect_once(const std::string& address, const std::stop_token& stop);
   /// Sends and receives until the connection breaks or is no longer wanted.
   void talk(platform::Line& line, const std::stop_token& stop);
   /// Sends what waits and hears what came. False if the line takes no more.
@@ -60,7 +61,7 @@ class LoomLink {
   std::string address_, to_send_, why_;  // an empty address means disconnected
   std::stop_source wanted_;              // stopped when the address changes
   State state_ = State::kOff;
-  News news_;
+  Received received_;
   bool leaving_ = false;
   std::thread thread_;
 };

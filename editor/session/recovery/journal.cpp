@@ -10,7 +10,7 @@
 
 namespace weftlight::session {
 
-using base::arg, base::caught, base::fill, base::mark, base::tr, base::write_file_atomically;
+using base::arg, base::caught, base::ErrorKind, base::fill, base::mark, base::tr, base::write_file_atomically;
 using platform::File;
 
 namespace {
@@ -23,31 +23,31 @@ constexpr auto kRetry = 1s;
 /// A journal that has grown to this size is started again, because reading goes through all of it.
 constexpr size_t kMaxEntries = 500, kMaxAppended = size_t{4} << 20;
 
-/// Appends to an existing file, or writes a new one. Returns the error, or empty.
-std::string append(const std::string& path, std::string_view bytes, File::Open how = File::Open::kAppend) {
+/// Appends to an existing file, or writes a new one.
+base::Result<void> append(const std::string& path, std::string_view bytes, File::Open how = File::Open::kAppend) {
   File file(path, how);
   std::error_code error = file.error() ? file.error() : file.write(bytes);
   if (const std::error_code closed = file.close(); !error) error = closed;
-  return error ? path + ": " + error.message() : std::string();
+  if (error) return base::failure(ErrorKind::kOutput, error.message(), path);
+  return {};
 }
 
-/// Waits until the file and its folder are on the disk. Returns the error, or empty; a removed file is no error.
-std::string flushed(const std::string& path) {
+/// Waits until the file and its folder are on the disk. A removed file is no error.
+base::Result<void> flush_to_disk(const std::string& path) {
   for (const std::string& what : {path, std::filesystem::path(path).parent_path().string()}) {
     const std::error_code error = platform::sync(what);
     const bool removed = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
     if (error && !removed)
-      return fill(tr("The recovery copy may not be on the disk ({file}): {problem}"), arg("file", path),
-                  arg("problem", error.message()));
+      return base::failure(ErrorKind::kOutput, fill(tr("The recovery copy may not be on the disk ({file}): {problem}"),
+                                                    arg("file", path), arg("problem", error.message())));
   }
   return {};
 }
 
-/// `text` with what was thrown as its {problem}. Short enough to need no allocation when memory is out.
-std::string failure_text(const char* text, const std::string& thrown) {
-  std::string whole;
-  caught([&] { whole = fill(tr(text), arg("problem", thrown)); });
-  return whole.empty() ? "no memory" : whole;
+/// `text` with the error as its {problem}; the error alone when there is no memory for more.
+base::Failure said(const char* text, base::Error error) {
+  caught([&] { error = {error.kind, fill(tr(text), arg("problem", message(error)))}; });
+  return base::Failure(std::move(error));
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void Journal::discard(const LeftWork& left) { replace(left, 0); }
 
 std::string Journal::problem() const {
   const std::lock_guard lock(mutex_);
-  return problems_.empty() ? flush_problem_ : problems_.begin()->second;
+  return errors_.empty() ? problem_of(flushed_) : message(errors_.begin()->second);
 }
 
 bool Journal::busy() const {
@@ -109,7 +109,7 @@ void Journal::settle() {
   std::unique_lock lock(mutex_);
   settled_.wait(lock, [this] {
     const bool flushed = !flushing_ && unflushed_.empty();
-    return !working_ && flushed && (waiting_.empty() || !problems_.empty());
+    return !working_ && flushed && (waiting_.empty() || !errors_.empty());
   });
 }
 
@@ -121,16 +121,16 @@ void Journal::flush() {
     const auto journals = std::exchange(unflushed_, {});
     flushing_ = true;
     lock.unlock();
-    std::string problem;
-    const std::string thrown = caught([&] {
+    base::Result<void> done;
+    base::Result<void> ran = caught([&] {
       for (const std::string& path : journals)
-        if (std::string one = flushed(path); !one.empty()) problem = std::move(one);
+        if (base::Result<void> one = flush_to_disk(path); !one) done = std::move(one);
     });
-    if (!thrown.empty()) problem = failure_text(mark("The recovery copy may not be on the disk: {problem}"), thrown);
+    if (!ran) done = said(mark("The recovery copy may not be on the disk: {problem}"), std::move(ran).error());
     lock.lock();
     flushing_ = false;
-    begin_anew_ |= !problem.empty();
-    flush_problem_ = std::move(problem);
+    begin_anew_ |= !done;
+    flushed_ = std::move(done);
     settled_.notify_all();
   }
 }
@@ -149,12 +149,12 @@ void Journal::work() {
     while (!tasks.empty()) {
       auto task = tasks.extract(tasks.begin());
       lock.unlock();
-      std::string problem;
-      const std::string thrown = caught([&] { problem = perform(task.key(), task.mapped()); });
-      if (!thrown.empty()) problem = failure_text(mark("No recovery copy: {problem}"), thrown);
+      base::Result<void> done;
+      base::Result<void> ran = caught([&] { done = perform(task.key(), task.mapped()); });
+      if (!ran) done = said(mark("No recovery copy: {problem}"), std::move(ran).error());
       lock.lock();
-      if (problem.empty()) problems_.erase(task.key());
-      else try_again(std::move(task), std::move(problem));
+      if (done) errors_.erase(task.key());
+      else try_again(std::move(task), std::move(done).error());
     }
     working_ = false;
     settled_.notify_all();
@@ -163,7 +163,7 @@ void Journal::work() {
 }
 
 /// Allocates nothing before the task is queued again, since the error may be a lack of memory.
-void Journal::try_again(std::map<uint64_t, Task>::node_type task, std::string problem) {
+void Journal::try_again(std::map<uint64_t, Task>::node_type task, base::Error error) {
   next_ = Clock::now() + kRetry;
   const uint64_t document = task.key();
   if (auto placed = waiting_.insert(std::move(task)); !placed.inserted) {
@@ -174,26 +174,26 @@ void Journal::try_again(std::map<uint64_t, Task>::node_type task, std::string pr
       newer.forget = older.forget;
     }
   }
-  caught([&] { problems_[document] = std::move(problem); });
+  caught([&] { errors_[document] = std::move(error); });
 }
 
-std::string Journal::perform(uint64_t document, const Task& task) {
-  std::string problem;
-  if (task.keep) problem = write(document, *task.keep);
+base::Result<void> Journal::perform(uint64_t document, const Task& task) {
+  base::Result<void> done;
+  if (task.keep) done = write(document, *task.keep);
   if (task.forget) {
     written_.erase(document);
     std::error_code error;
     std::filesystem::remove(recovery_.journal_path(document), error);
     if (error && error != std::errc::not_a_directory)
-      problem = recovery_.journal_path(document) + ": " + error.message();
+      done = base::failure(ErrorKind::kOutput, error.message(), recovery_.journal_path(document));
   }
-  if (problem.empty() && !task.then.empty()) problem = flushed(recovery_.journal_path(document));
-  if (problem.empty())
+  if (done && !task.then.empty()) done = flush_to_disk(recovery_.journal_path(document));
+  if (done)
     for (const LeftWork& left : task.then) recovery_.discard(left);
-  return problem;
+  return done;
 }
 
-std::string Journal::write(uint64_t document, const State& state) {
+base::Result<void> Journal::write(uint64_t document, const State& state) {
   Written& written = written_[document];
   const std::string path = recovery_.journal_path(document);
   std::string text = state.make_text();
@@ -204,21 +204,22 @@ std::string Journal::write(uint64_t document, const State& state) {
   bool done = false;
   if (written.whole && written.note == state.note && written.entries < kMaxEntries && written.appended < kMaxAppended) {
     const std::string entry = journal_entry(written.text, text);
-    done = append(path, entry).empty();
+    done = append(path, entry).has_value();
     ++written.entries;
     written.appended += entry.size();
   }
   if (!done) {
     // The first entry, or the journal is torn or too long.
     written.whole = false;
-    std::string problem = recovery_.open();
-    if (!problem.empty())
-      return fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name), arg("problem", problem));
+    const auto no_copy = [&](const base::Error& error) {
+      return base::failure(error.kind, fill(tr("No recovery copy of {draft}: {problem}"), arg("draft", state.note.name),
+                                            arg("problem", message(error))));
+    };
+    if (const base::Result<void> opened = recovery_.open(); !opened) return no_copy(opened.error());
     const std::string start = journal_start({state.note, text});
-    if (!append(path, start, File::Open::kCreate).empty()) problem = write_file_atomically(path, start);
-    if (!problem.empty())
-      return fill(tr("No recovery copy of {draft} ({file}): {problem}"), arg("draft", state.note.name),
-                  arg("file", path), arg("problem", problem));
+    base::Result<void> begun = append(path, start, File::Open::kCreate);
+    if (!begun) begun = write_file_atomically(path, start);
+    if (!begun) return no_copy(begun.error());
     written = {state.note, {}, 0, 0, true};
   }
   written.text = std::move(text);

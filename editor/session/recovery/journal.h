@@ -37,7 +37,7 @@ class Journal {
   void replace(const LeftWork& left, uint64_t document);
   void discard(const LeftWork& left);
 
-  /// The current error with file and cause, until a retry succeeds (one per second); else empty.
+  /// The message of the current error with file and cause, until a retry succeeds (one per second); else empty.
   std::string problem() const;
   /// True while something is not on disk yet.
   bool busy() const;
@@ -63,9 +63,9 @@ class Journal {
   void post(uint64_t document, Task task);
   void work();
   void flush();
-  void try_again(std::map<uint64_t, Task>::node_type task, std::string problem);
-  std::string perform(uint64_t document, const Task& task);
-  std::string write(uint64_t document, const State& state);
+  void try_again(std::map<uint64_t, Task>::node_type task, base::Error error);
+  base::Result<void> perform(uint64_t document, const Task& task);
+  base::Result<void> write(uint64_t document, const State& state);
 
   Recovery& recovery_;
   uint64_t documents_ = 0;
@@ -73,10 +73,10 @@ class Journal {
   mutable std::mutex mutex_;
   std::condition_variable wake_, flush_, settled_;
   std::map<uint64_t, Task> waiting_;  // by document; 0 for tasks without a document
-  std::map<uint64_t, std::string> problems_;
+  std::map<uint64_t, base::Error> errors_;
   std::chrono::steady_clock::time_point next_{};  // earliest time of the next write
   std::set<std::string> unflushed_;               // journals
-  std::string flush_problem_;
+  base::Result<void> flushed_;                    // the last flush
   bool leaving_ = false, working_ = false, written_all_ = false, flushing_ = false;
   bool begin_anew_ = false;  // start all journals again: unflushed entries may be lost
   std::thread thread_, flusher_;

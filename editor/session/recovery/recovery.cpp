@@ -11,7 +11,7 @@
 
 namespace weftlight::session {
 
-using base::FileBytes, base::content_hash, base::read_file, base::tr;
+using base::content_hash, base::read_file, base::tr;
 using platform::FileLock;
 
 namespace {
@@ -37,18 +37,16 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
   return found;
 }
 
-struct ReadEntry {
-  std::optional<JournalEntry> last;
-  std::string problem;  // if there is no entry
-};
-
-ReadEntry read_entry(const std::string& journal) {
-  if (facts_of(journal).size > 2 * kMaxJournalText) return {{}, tr("it is larger than any journal")};
-  const FileBytes file = read_file(journal);
-  if (!file.error.empty()) return {{}, file.error};
-  ReadEntry read{read_journal(file.bytes), {}};
-  if (!read.last) read.problem = tr("it is damaged before the end of its first entry");
-  return read;
+base::Result<JournalEntry> last_entry(const std::string& journal) {
+  const auto unreadable = [&](std::string why) {
+    return base::failure(base::ErrorKind::kInput, std::move(why), journal);
+  };
+  if (facts_of(journal).size > 2 * kMaxJournalText) return unreadable(tr("it is larger than any journal"));
+  const base::Result<std::string> bytes = read_file(journal);
+  if (!bytes) return failed(bytes);
+  std::optional<JournalEntry> last = read_journal(*bytes);
+  if (!last) return unreadable(tr("it is damaged before the end of its first entry"));
+  return std::move(*last);
 }
 
 /// An empty journal: its session ended before it wrote to it.
@@ -108,15 +106,16 @@ Recovery::~Recovery() {
   if (lock_.held()) remove_session(folder_);
 }
 
-std::string Recovery::open() {
+base::Result<void> Recovery::open() {
   const std::lock_guard lock(own_);
   const std::string path = (fs::path(folder_) / kLock).string();
   if (lock_.stands_at(path)) return {};
   std::error_code error;
   fs::create_directories(root_, error);
   if (!error) lock_ = make_session(folder_, error);
-  if (error) return folder_ + ": " + error.message();
-  return lock_.held() ? std::string() : path + ": " + lock_.cause().message();
+  if (error) return base::failure(base::ErrorKind::kOutput, error.message(), folder_);
+  if (!lock_.held()) return base::failure(base::ErrorKind::kOutput, lock_.cause().message(), path);
+  return {};
 }
 
 std::string Recovery::journal_path(uint64_t document) const {
@@ -136,19 +135,19 @@ std::vector<LeftWork> Recovery::left_behind() {
     if (!lock.held()) continue;  // the session is running
     for (const fs::path& journal : journals_in(folder)) {
       if (!fs::is_regular_file(journal, error)) continue;  // not a journal of ours
-      ReadEntry read = read_entry(journal.string());
-      if (holds_nothing(journal) || (read.last && stands_saved(*read.last))) {
+      const base::Result<JournalEntry> last = last_entry(journal.string());
+      if (holds_nothing(journal) || (last && stands_saved(*last))) {
         fs::remove(journal, error);
         continue;
       }
-      found.push_back(LeftWork{journal.string(), read.last ? read.last->note : DocumentNote{},
-                               facts_of(journal.string()).modified_ns, std::move(read.problem)});
+      const auto note_of = [](const JournalEntry& entry) { return entry.note; };
+      found.push_back(LeftWork{journal.string(), last.map(note_of), facts_of(journal.string()).modified_ns});
     }
     remove_session(folder);
   }
   std::erase_if(crashed_, [](const auto& session) { return !session.second.held(); });
   std::sort(found.begin(), found.end(), [](const LeftWork& a, const LeftWork& b) {
-    return a.problem.empty() != b.problem.empty() ? a.problem.empty() : a.written_ns > b.written_ns;
+    return a.note.has_value() != b.note.has_value() ? a.note.has_value() : a.written_ns > b.written_ns;
   });
   return found;
 }
@@ -162,6 +161,6 @@ void Recovery::discard(const LeftWork& left) {
   if (!fs::exists(folder, ignored)) crashed_.erase(folder.string());
 }
 
-std::optional<JournalEntry> read_left(const LeftWork& left) { return read_entry(left.journal).last; }
+base::Result<JournalEntry> read_left(const LeftWork& left) { return last_entry(left.journal); }
 
 }  // namespace weftlight::session

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "platform/file_lock.h"
 #include "session/recovery/journal_format.h"
 
@@ -16,10 +17,9 @@ namespace weftlight::session {
 
 /// Unsaved work of a crashed session.
 struct LeftWork {
-  std::string journal;  // path of the journal
-  DocumentNote note;
-  int64_t written_ns = 0;  // time of its last entry, since 1970
-  std::string problem{};   // why it cannot be read; `note` is then empty
+  std::string journal;              // path of the journal
+  base::Result<DocumentNote> note;  // or why the journal cannot be read
+  int64_t written_ns = 0;           // time of its last entry, since 1970
 };
 
 /// Thread-safe.
@@ -32,8 +32,8 @@ class Recovery {
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
-  /// Creates the folder of the session and its lock, again if they were removed. Returns the error, or empty.
-  std::string open();
+  /// Creates the folder of the session and its lock, again if they were removed.
+  base::Result<void> open();
   std::string journal_path(uint64_t document) const;
 
   /// Work of crashed sessions, newest first, unreadable work last. Their locks are held from now on, so that no other
@@ -50,7 +50,7 @@ class Recovery {
   std::map<std::string, platform::FileLock> crashed_;  // by folder; guarded by others_
 };
 
-/// The last complete entry of the journal; none if it cannot be read.
-std::optional<JournalEntry> read_left(const LeftWork& left);
+/// The last complete entry of the journal.
+base::Result<JournalEntry> read_left(const LeftWork& left);
 
 }  // namespace weftlight::session

@@ -31,7 +31,7 @@ void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
   begin_list("places", {c.style.px(kWidth), static_cast<float>(std::min(places, kShownPlaces)) * line + c.style.px(4)});
   for (int i = 0; i < places; ++i) {
     const CellRect& at = n.places[static_cast<size_t>(i)];
-    const std::string id = "nearest.place:" + std::to_string(i + 1);
+    const std::string id = "closest.place:" + std::to_string(i + 1);
     if (list_row(c, id.c_str(), analysis::region_text(at).c_str(), i == p.place)) {
       p.place = i;
       c.wanted.change_view([i, at](DocumentView& v) { show_place(v, i, at); });
@@ -51,7 +51,7 @@ DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   const char* text = tr_n("{count} of {all} crossings differs from your edit; it is marked.",
                           "{count} of {all} crossings differ from your edit; they are marked.", n.wrong);
   ImGui::TextUnformatted(fill(text, arg("count", n.wrong), arg("all", all)).c_str());
-  c.map.add_item("nearest.wrong:" + std::to_string(n.wrong));
+  c.map.add_item("closest.wrong:" + std::to_string(n.wrong));
   ImGui::PopTextWrapPos();
   draw_places(c, p);
   return dialog_result(draw_buttons(c, {mark("Use closest weave"), mark("Cancel")}, true));

@@ -26,9 +26,10 @@ using ui::begin_combo, ui::begin_list, ui::end_combo, ui::fitted, ui::hit_area, 
     ui::row_label, ui::segmented, ui::slider, ui::text_button, ui::tooltip;
 
 bool ExportStage::poll() {
-  std::optional<ExportPreview> finished = preview.take();
+  std::optional<base::Result<ExportPreview>> finished = preview.take();
   if (!finished) return false;
-  shown = std::move(*finished);
+  problem = *finished ? "" : fill(tr("No preview: {problem}"), arg("problem", message(finished->error())));
+  shown = std::move(*finished).value_or(ExportPreview{});
   if (!shown.pixels.empty()) texture.set(shown.width, shown.height, std::exchange(shown.pixels, {}));
   return true;
 }
@@ -295,9 +296,9 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const DialogSizes& room) {
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + size.x, from.y + size.y}, c.style.color.window,
                                               c.style.px(3));
     ImGui::Dummy(size);
-    muted_text(c, p.stage->preview.busy()       ? tr("Rendering the images\xE2\x80\xA6")
-                  : stage.shown.problem.empty() ? tr("There is no cloth to show.")
-                                                : stage.shown.problem.c_str());
+    muted_text(c, p.stage->preview.busy() ? tr("Rendering the images\xE2\x80\xA6")
+                  : stage.problem.empty() ? tr("There is no cloth to show.")
+                                          : stage.problem.c_str());
   }
   ImGui::EndChild();
   PreviewSizes sizes;

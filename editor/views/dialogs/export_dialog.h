@@ -26,6 +26,7 @@ struct ExportStage {
   ExportStage(std::shared_ptr<const Design> design, std::function<void()> wake)
       : preview(std::move(design), std::move(wake)) {}
   ExportPreview shown;  // the last one rendered; its pixels are in `texture`
+  std::string problem;  // why the last one could not be rendered, for the user
   PixelTexture texture;
   ExportPreviewer preview;
   /// True if there is a new picture. Call it on the window's thread.

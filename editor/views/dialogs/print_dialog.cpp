@@ -34,15 +34,12 @@ void SheetPreview::ask(const PrintOptions& options, int sheet, double pixels_per
       [design = design_, now](const base::RunningTask&) {
         return picture_of_sheet(*design, now.options, now.sheet, now.pixels_per_mm);
       },
-      [this](base::Result<SheetPicture> made) { show(std::move(made)); },
-      [this](const std::string& why) {
-        show(base::failure(base::ErrorKind::kMemory, fill(tr("No preview: {problem}"), arg("problem", why))));
-      }));
+      [this](base::Result<SheetPicture> made) { show(std::move(made)); }));
 }
 
 void SheetPreview::show(base::Result<SheetPicture> made) {
   busy_ = false;
-  problem_ = problem_of(made);
+  problem_ = made ? "" : fill(tr("No preview: {problem}"), arg("problem", message(made.error())));
   last_ = std::move(made).value_or(SheetPicture{});
   if (!last_.pixels.empty()) texture_.set(last_.width, last_.height, std::exchange(last_.pixels, {}));
 }

@@ -23,9 +23,9 @@ using draft::Rgb, draft::System, draft::kMaxThreads;
 using session::Edit, session::MaybeEdit;
 using ui::begin_list, ui::fitted, ui::icon_button, ui::muted_text, ui::row_label, ui::segmented, ui::text_button,
     ui::with_alpha;
-using weaves::Assembled, weaves::Order, weaves::OrderItem, weaves::OrderRow, weaves::assembled,
-    weaves::assembled_threads, weaves::free_section_name, weaves::item_at, weaves::list_of, weaves::order_rows,
-    weaves::order_text, weaves::read_order, weaves::section_name, weaves::section_of, weaves::with_section;
+using weaves::OrderItem, weaves::OrderRow, weaves::assembled, weaves::assembled_threads, weaves::free_section_name,
+    weaves::item_at, weaves::list_of, weaves::order_rows, weaves::order_text, weaves::read_order, weaves::section_name,
+    weaves::section_of, weaves::with_section;
 
 namespace {
 
@@ -47,12 +47,14 @@ std::string counted(const Page& page, int n) {
 
 /// Every change in the dialog starts again from the draft as it was, and all of them are one undo step.
 MaybeEdit preview_edit(SectionsPrompt& p) {
-  Assembled warp = assembled(*p.base, System::kWarp, p.warp);
-  Assembled both = assembled(std::move(warp.design), System::kWeft, p.weft);
-  p.why = warp.why.empty() ? std::move(both.why) : std::move(warp.why);
+  // What can be assembled is shown, and the first problem.
+  const base::Result<Design> warp = assembled(*p.base, System::kWarp, p.warp);
+  Design made = warp.value_or(*p.base);
+  const base::Result<Design> both = assembled(made, System::kWeft, p.weft);
+  if (both) made = *both;
+  p.why = warp ? problem_of(both) : problem_of(warp);
   return Edit{tr("Threads from sections"),
-              [next = std::make_shared<const Design>(std::move(both.design))](const Design&) { return *next; },
-              p.stroke};
+              [next = std::make_shared<const Design>(std::move(made))](const Design&) { return *next; }, p.stroke};
 }
 
 void draw_range(PanelContext& c, Page& page) {
@@ -193,10 +195,10 @@ void draw_order(PanelContext& c, Page& page) {
   ImGui::SetNextItemWidth(c.style.px(kWidth - 112));
   page.changed |= ImGui::InputTextWithHint("##order", "A 4x, (B C) 3x, A", &page.assembly.order);
   c.map.add_item("sections.order");
-  Order order = read_order(page.assembly.order);
+  base::Result<std::vector<OrderItem>> order = read_order(page.assembly.order);
   begin_list("order", {c.style.px(kWidth), c.style.px(kRows)});
-  if (order.why.empty()) {
-    const std::vector<OrderRow> rows = order_rows(order.items);
+  if (order) {
+    const std::vector<OrderRow> rows = order_rows(*order);
     RowRequest requested = RowRequest::kNone;
     size_t requested_row = 0;
     bool changed = false;
@@ -205,18 +207,18 @@ void draw_order(PanelContext& c, Page& page) {
       const RowRequest own = draw_row(c, rows[i], static_cast<int>(i), times);
       if (own != RowRequest::kNone) requested = own, requested_row = i;
       if (times == rows[i].times) continue;
-      item_at(order.items, rows[i].path).times = times;
+      item_at(*order, rows[i].path).times = times;
       changed = true;
     }
-    if (requested != RowRequest::kNone) apply_request(order.items, rows[requested_row], requested);
-    if (changed || requested != RowRequest::kNone) page.assembly.order = order_text(order.items), page.changed = true;
+    if (requested != RowRequest::kNone) apply_request(*order, rows[requested_row], requested);
+    if (changed || requested != RowRequest::kNone) page.assembly.order = order_text(*order), page.changed = true;
   }
   ImGui::EndChild();
 }
 
 void draw_result(PanelContext& c, const Page& page) {
-  const Order order = read_order(page.assembly.order);
-  const int made = assembled_threads(page.assembly, order.items);
+  const base::Result<std::vector<OrderItem>> order = read_order(page.assembly.order);
+  const int made = order ? assembled_threads(page.assembly, *order) : 0;
   if (!page.p.why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
   else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   ImGui::TextUnformatted(fitted(!page.p.why.empty() ? page.p.why

@@ -27,7 +27,7 @@ const WeaveKind& kind_of(const WeavePrompt& p) { return weave_kinds()[static_cas
 
 /// After a change of the weave: rounds the size to whole repeats, unless it was typed.
 void update_size(WeavePrompt& p) {
-  if (!why_refused(kind_of(p), p.values).empty()) return;
+  if (!check_values(kind_of(p), p.values)) return;
   p.repeat = repeat_of(kind_of(p), p.values);
   if (p.own_size) return;
   const ClothSize whole = whole_repeats(p.repeat, {p.ends, p.picks});
@@ -79,9 +79,9 @@ DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   if (!p.preview) p.preview = std::make_shared<WeavePreview>();
   p.preview->draw(c, kind, p.values, p.repeat, c.style.px(kColumn), c.style.px(kPicture));
   c.map.add_item("weave.drawdown");
-  const std::string refused = why_refused(kind, p.values);
+  const std::string refused = problem_of(check_values(kind, p.values));
   ImGui::Dummy({0, c.style.px(2)});
-  draw_description(c, kind, refused, p.preview->why());
+  draw_description(c, kind, refused, p.preview->note());
   if (draw_weave_numbers(c, kind, p.values)) update_size(p);
   const int ends = p.ends, picks = p.picks;
   number(c, "weave.ends", tr("Ends"), p.ends, 1, kMaxThreads);

@@ -27,11 +27,12 @@ const WeaveKind& kind_of(const WeaveOverPrompt& p) { return weave_kinds()[static
 /// Every change in the dialog starts again from the draft as it was, and all of them are one undo step.
 MaybeEdit preview_edit(WeaveOverPrompt& p) {
   p.use.weave = kind_of(p).id;
-  GeneratedWeave made = with_weave(*p.base, p.use);
-  p.why = std::move(made.why);
-  return Edit{fill(tr("Weave: {weave}"), arg("weave", tr(kind_of(p).name))),
-              [next = std::make_shared<const Design>(std::move(made.design))](const Design&) { return *next; },
-              p.stroke};
+  base::Result<GeneratedWeave> made = with_weave(*p.base, p.use);
+  p.why = made ? std::move(made->note) : problem_of(made);
+  return Edit{
+      fill(tr("Weave: {weave}"), arg("weave", tr(kind_of(p).name))),
+      [next = made ? std::make_shared<const Design>(std::move(made->design)) : p.base](const Design&) { return *next; },
+      p.stroke};
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   if (changed) result.edit = preview_edit(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  if (!why_refused(kind_of(p), p.use.values).empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
+  if (!check_values(kind_of(p), p.use.values)) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
   else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   ImGui::TextUnformatted(p.why.c_str());
   ImGui::PopStyleColor();

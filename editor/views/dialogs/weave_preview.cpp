@@ -71,7 +71,7 @@ void WeavePreview::make(const Key& key, ClothSize repeat, float largest, ImU32 l
   key_ = key;
   const ShownWeave shown = shown_weave(repeat, key.width, key.height, largest);
   GeneratedWeave made = new_draft(*key.kind, key.values, {shown.ends, shown.picks});
-  why_ = std::move(made.why);
+  note_ = std::move(made.note);
   const int width = static_cast<int>(key.width), height = static_cast<int>(key.height);
   CellImage image = shown.cell >= 1 ? cells_as_pixels(made.design, shown, width, height, line)
                                     : reduced(made.design, shown, width, height);
@@ -84,7 +84,7 @@ void WeavePreview::draw(PanelContext& c, const WeaveKind& kind, const WeaveValue
   const Settings& s = c.settings;
   const Key now{&kind, values, std::floor(width), std::floor(height), s.end1_right, s.pick1_bottom, c.style.dark};
   // What is refused keeps the picture before it.
-  if (!(now == key_) && (texture_.empty() || why_refused(kind, values).empty()))
+  if (!(now == key_) && (texture_.empty() || check_values(kind, values)))
     make(now, repeat, c.style.px(kLargestCell), c.style.color.line_strong);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + now.width, at.y + now.height};
   ImGui::GetWindowDrawList()->AddImage(texture_.id(), at, end);

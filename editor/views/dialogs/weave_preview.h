@@ -27,7 +27,7 @@ class WeavePreview {
   void draw(PanelContext& c, const WeaveKind& kind, const WeaveValues& values, ClothSize repeat, float width,
             float height);
   /// What could not be used as written.
-  const std::string& why() const { return why_; }
+  const std::string& note() const { return note_; }
 
  private:
   struct Key {
@@ -40,7 +40,7 @@ class WeavePreview {
   void make(const Key& key, ClothSize repeat, float largest, ImU32 line);
 
   Key key_;
-  std::string why_;
+  std::string note_;
   PixelTexture texture_;
 };
 

@@ -45,18 +45,18 @@ void draw_card(PanelContext& c, const RejectedEdit& rejected) {
   muted_text(c, offer(n));
   ImGui::Dummy({0, c.style.px(2)});
   if (!n.is_there) {
-    if (text_button(c, "nearest.see", tr("Show closest weave"),
+    if (text_button(c, "closest.see", tr("Show closest weave"),
                     tr("It is shown in the draft first; then use it or cancel")))
-      c.wanted.add_action("nearest");
+      c.wanted.add_action("closest_weave");
     ImGui::SameLine();
   }
   if (const std::string words = larger(c.design.draft, rejected.requested->draft); !words.empty()) {
-    if (text_button(c, "nearest.larger", words.c_str(), tr("Your edit, on a larger loom")))
+    if (text_button(c, "closest.larger", words.c_str(), tr("Your edit, on a larger loom")))
       c.wanted.add_action("larger_loom");
     ImGui::SameLine();
   }
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  if (text_button(c, "nearest.leave", tr("Dismiss"), tr("Leave the draft as it is")))
+  if (text_button(c, "closest.leave", tr("Dismiss"), tr("Leave the draft as it is")))
     c.wanted.change_view([](DocumentView& v) { v.rejected_edit.reset(); });
   ImGui::PopStyleColor();
 }

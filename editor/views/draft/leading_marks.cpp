@@ -65,7 +65,7 @@ void draw_lock(ImDrawList* dl, DraftContext& c, const DraftLayout& l, const Grid
 
 bool is_locked(const DraftContext& c, GridId id) {
   const std::optional<BitGrid> grid = bit_grid_of(id);
-  return grid && !may_paint(c.design, *grid);
+  return grid && !may_paint(c.design, *grid).has_value();
 }
 
 void draw_leading(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {

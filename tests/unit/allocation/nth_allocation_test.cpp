@@ -16,6 +16,7 @@
 #include "design/edits.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
+#include "platform/files_below.h"
 #include "texture_set/targets.h"
 #include "texture_set/texture_set.h"
 #include "weaves/weaves.h"
@@ -36,13 +37,13 @@ int at_each_allocation(const std::function<void()>& job, const std::function<voi
   int failures = 0;
   for (int n = 1; n <= kMost; ++n) {
     bool reached = false;
-    const std::string thrown = base::caught([&] {
+    const base::Result<void> done = base::caught([&] {
       const NthFails fails(n);
-      const std::string inner = base::caught(job);
+      const base::Result<void> inner = base::caught(job);
       reached = NthFails::failed();
-      if (!inner.empty()) throw std::bad_alloc();
+      if (!inner) throw std::bad_alloc();
     });
-    failures += !thrown.empty();
+    failures += !done;
     after(n);
     if (!reached) break;
   }
@@ -52,6 +53,20 @@ int at_each_allocation(const std::function<void()>& job, const std::function<voi
 design::Design sample() { return weaves::twill({2, 2}, weaves::Lean::kRight, {8, 8}); }
 
 class NthAllocation : public ScratchTest {};
+
+TEST_F(NthAllocation, AllFilesBelowAFolderAreFoundOrNone) {
+  fs::create_directories(path("drafts/deep/deeper"));
+  written("drafts/a.wif", "a"), written("drafts/deep/b.wif", "b"), written("drafts/deep/deeper/c.wif", "c");
+  std::optional<platform::FilesBelow> found;
+  EXPECT_GT(at_each_allocation([&] { found.reset(), found = platform::files_below(path("drafts")); },
+                               [&](int n) {
+                                 if (found) {
+                                   EXPECT_EQ(found->files.size(), 3u) << n;
+                                   EXPECT_TRUE(found->unread.empty()) << n;
+                                 }
+                               }),
+            5);
+}
 
 TEST_F(NthAllocation, OpeningFailsOrReadsTheDraft) {
   const std::string text = wif::write_new_wif(sample());
@@ -70,11 +85,10 @@ TEST_F(NthAllocation, SavingFailsOrWritesTheWholeFile) {
   const std::string old = written("x.wif", "the old file"), text = wif::write_new_wif(sample());
   const int failures = at_each_allocation(
       [&] {
-        const std::string error = base::write_file_atomically(old, wif::write_new_wif(sample()));
-        if (!error.empty()) throw std::bad_alloc();
+        if (!base::write_file_atomically(old, wif::write_new_wif(sample()))) throw std::bad_alloc();
       },
       [&](int n) {
-        const std::string now = base::read_file(old).bytes;
+        const std::string now = base::read_file(old).value_or("");
         EXPECT_TRUE(now == "the old file" || now == text) << n << ": " << now.size() << " bytes";
         size_t files = 0;
         for ([[maybe_unused]] const auto& entry : fs::directory_iterator(dir_)) ++files;
@@ -100,15 +114,15 @@ TEST_F(NthAllocation, EditsAndFactorsFailOrAreRight) {
                 }),
             2);
   const draft::BitMatrix cells = drawdown(edited.draft);
-  const draft::Factored whole = draft::with_drawdown(design.draft, cells, {8, 8});
-  std::optional<draft::Factored> factored;
+  const draft::Draft whole = draft::with_drawdown(design.draft, cells, {8, 8}).value();
+  std::optional<draft::Draft> factored;
   EXPECT_GT(at_each_allocation(
                 [&] {
-                  factored.reset(), factored = draft::with_drawdown(design.draft, cells, {8, 8});
+                  factored.reset(), factored = draft::with_drawdown(design.draft, cells, {8, 8}).value();
                 },
                 [&](int n) {
                   if (factored) {
-                    EXPECT_EQ(drawdown(factored->draft), drawdown(whole.draft)) << n;
+                    EXPECT_EQ(drawdown(*factored), drawdown(whole)) << n;
                   }
                 }),
             2);
@@ -134,7 +148,7 @@ TEST_F(NthAllocation, MapsFailOrAreWhole) {
 std::map<std::string, std::string> bytes_in(const fs::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::directory_iterator(folder))
-    all[entry.path().filename().string()] = base::read_file(entry.path().string()).bytes;
+    all[entry.path().filename().string()] = base::read_file(entry.path().string()).value_or("");
   return all;
 }
 
@@ -143,14 +157,14 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
   options.target = &texture_set::targets::kGodot;
   options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
   const design::Design before = sample(), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
-  ASSERT_EQ(texture_set::write_texture_set(path("old"), before, {}, options), "");
-  ASSERT_EQ(texture_set::write_texture_set(path("new"), after, {}, options), "");
+  ASSERT_EQ(problem_of(texture_set::write_texture_set(path("old"), before, {}, options)), "");
+  ASSERT_EQ(problem_of(texture_set::write_texture_set(path("new"), after, {}, options)), "");
   const auto old_set = bytes_in(path("old")), new_set = bytes_in(path("new"));
   ASSERT_NE(old_set, new_set);
-  ASSERT_EQ(texture_set::write_texture_set(path("set"), before, {}, options), "");
+  ASSERT_EQ(problem_of(texture_set::write_texture_set(path("set"), before, {}, options)), "");
   const int failures = at_each_allocation(
       [&] {
-        if (!texture_set::write_texture_set(path("set"), after, {}, options).empty()) throw std::bad_alloc();
+        if (!texture_set::write_texture_set(path("set"), after, {}, options)) throw std::bad_alloc();
       },
       [&](int n) {
         const auto now = bytes_in(path("set"));

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "../straight_draft.h"
+#include "../variable.h"
 
 namespace weftlight::app {
 
@@ -25,8 +26,39 @@ bool comes_true(const Holds& holds) {
   return false;
 }
 
-TEST(PreviewPaneTest, AnExceptionIsShownAndTheThreadContinues) {
+bool asks_for_window() {
+  bool asked = false;
+  gl::HeadlessContext::create([&asked] {
+    asked = true;
+    return base::failure(base::ErrorKind::kGraphics, "not now");
+  });
+  return asked;
+}
+
+TEST(PreviewPaneTest, AHiddenWindowIsOpenedByTheWindowsThread) {
+  const Variable way("WEFTLIGHT_OFFSCREEN", "window"), x11("DISPLAY", ""), wayland("WAYLAND_DISPLAY", "");
   std::atomic<int> wakes{0};
+  PreviewPane pane([&] { ++wakes; });
+  pane.submit(std::make_shared<const Design>(straight_draft(8)));
+  ASSERT_TRUE(comes_true([&] { return wakes == 1; })) << "this thread is not asked";
+  ASSERT_TRUE(comes_true([&] { return pane.poll(); }));
+  const std::string problem = pane.picture().problem;
+  if (problem.find("cannot be shown") == std::string::npos) GTEST_SKIP() << "windows need no variable here";
+  EXPECT_NE(problem.find("draw where there is a display"), std::string::npos) << problem;
+}
+
+TEST(PreviewPaneTest, DoesNotWaitForAHiddenWindowWhenItIsLeft) {
+  const Variable way("WEFTLIGHT_OFFSCREEN", "window");
+  std::atomic<int> wakes{0};
+  PreviewPane pane([&] { ++wakes; });
+  pane.submit(std::make_shared<const Design>(straight_draft(8)));
+  ASSERT_TRUE(comes_true([&] { return wakes == 1; }));
+}
+
+TEST(PreviewPaneTest, AnExceptionIsShownAndTheThreadContinues) {
+  // Without EGL the first wake asks this thread for a hidden window.
+  const int asking = asks_for_window() ? 1 : 0;
+  std::atomic<int> wakes{-asking};
   PreviewPane pane([&] {
     const int now = wakes++;
     if (now == 0) throw std::bad_alloc();

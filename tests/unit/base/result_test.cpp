@@ -5,6 +5,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/caught.h"
+
 namespace weftlight::base {
 namespace {
 
@@ -24,18 +26,28 @@ TEST(Result, AnErrorIsPassedOnWhole) {
 }
 
 TEST(Result, WhatALibraryThrowsBecomesAnError) {
-  const auto caught = [](const auto& exception) -> Result<void> {
+  const auto error_of = [](const auto& exception) -> Result<void> {
     try {
       throw exception;
     } catch (...) {
       return thrown(ErrorKind::kInput, "a.glb");
     }
   };
-  const Result<void> broken = caught(std::runtime_error("a chunk is missing")), memory = caught(std::bad_alloc());
+  const Result<void> broken = error_of(std::runtime_error("a chunk is missing")), memory = error_of(std::bad_alloc());
   EXPECT_EQ(problem_of(broken), "a.glb: a chunk is missing");
   EXPECT_EQ(broken.error().kind, ErrorKind::kInput);
   EXPECT_EQ(problem_of(memory), "a.glb: there is not enough memory");
   EXPECT_EQ(memory.error().kind, ErrorKind::kMemory);
+}
+
+TEST(Result, AJobIsCaughtWithItsOwnResult) {
+  EXPECT_TRUE(caught([] {}));
+  EXPECT_EQ(problem_of(caught([]() -> Result<void> { return failure(ErrorKind::kInput, "no ends", "a.wif"); })),
+            "a.wif: no ends");
+  const Result<void> broken = caught([] { throw std::runtime_error("the line broke"); }, ErrorKind::kOutput);
+  EXPECT_EQ(problem_of(broken), "the line broke");
+  EXPECT_EQ(broken.error().kind, ErrorKind::kOutput);
+  EXPECT_EQ(caught([] { throw std::bad_alloc(); }).error().kind, ErrorKind::kMemory);
 }
 
 }  // namespace

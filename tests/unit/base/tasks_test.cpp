@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <new>
 #include <optional>
 #include <semaphore>
@@ -134,7 +135,7 @@ TEST(Tasks, what_one_throws_is_told_and_the_next_is_done) {
   TaskRunner runner;
   const auto thrown = [&](const auto& what) {
     Task throws = task([&](const RunningTask&) { throw what; });
-    throws.failed = [&](const std::string& why, const RunningTask&) { told.push_back(why); };
+    throws.failed = [&](const Error& error, const RunningTask&) { told.push_back(message(error)); };
     runner.start(throws);
     runner.wait();
     EXPECT_FALSE(runner.busy());
@@ -181,18 +182,20 @@ TEST(Tasks, results_are_taken_in_order_by_the_thread_that_takes) {
   std::thread::id on;
   TaskRunner runner;
   runner.start(task_with_result([](const RunningTask&) { return std::string("one"); },
-                                [&](const std::string& result) {
+                                [&](const Result<std::string>& result) {
                                   on = std::this_thread::get_id();
-                                  taken.push_back(result);
+                                  taken.push_back(*result);
                                 }));
   runner.wait();
   runner.start(task_with_result([](const RunningTask&) -> std::string { throw std::runtime_error("two"); },
-                                [&](const std::string&) { FAIL() << "there is no result"; },
-                                [&](const std::string& why) { taken.push_back(why); }));
+                                [&](const Result<std::string>& result) { taken.push_back(problem_of(result)); }));
+  runner.wait();
+  runner.start(task_with_result([](const RunningTask&) -> Result<void> { return failure(ErrorKind::kInput, "three"); },
+                                [&](const Result<void>& result) { taken.push_back(problem_of(result)); }));
   runner.wait();
   EXPECT_TRUE(taken.empty()) << "nothing is taken before it is asked for";
   EXPECT_TRUE(runner.take());
-  EXPECT_EQ(taken, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(taken, (std::vector<std::string>{"one", "two", "three"}));
   EXPECT_EQ(on, std::this_thread::get_id());
   EXPECT_FALSE(runner.take());
 }
@@ -229,6 +232,63 @@ TEST(Tasks, results_of_a_stopped_one_are_not_taken) {
   runner.stop();
   runner.take();
   EXPECT_EQ(taken, 2) << "one that finishes is not stopped";
+}
+
+/// Work that hangs until it is let go. What it uses is its own, as that of each task that may be left.
+struct Hanging {
+  std::binary_semaphore started{0}, let_go{0}, ended{0};
+  std::atomic<bool> taken{false};
+  std::atomic<int> woken{0};
+};
+
+Task hanging_task(const std::shared_ptr<Hanging>& it) {
+  Task made = task_with_result(
+      [it](const RunningTask& running) {
+        it->started.release();
+        it->let_go.acquire();
+        running.report(0.5f, "it goes on");
+        return std::shared_ptr<Hanging>(it.get(), [it](Hanging* hanging) { hanging->ended.release(); });
+      },
+      [it](const std::shared_ptr<Hanging>&) { it->taken = true; });
+  made.kind = "hangs";
+  made.may_be_left = true;
+  return made;
+}
+
+TEST(Tasks, one_that_hangs_is_left_and_the_others_are_done) {
+  const auto it = std::make_shared<Hanging>();
+  TaskRunner runner([it] { ++it->woken; });
+  runner.start(hanging_task(it));
+  it->started.acquire();
+  bool done = false;
+  runner.start(task([&done](const RunningTask&) { done = true; }, "another"));
+  runner.stop("hangs");
+  runner.wait();
+  EXPECT_TRUE(done);
+  EXPECT_FALSE(runner.busy());
+  it->let_go.release();
+  it->ended.acquire();
+  runner.take();
+  EXPECT_FALSE(it->taken);
+  EXPECT_EQ(it->woken, 0);
+}
+
+TEST(Tasks, at_the_end_one_that_hangs_is_left_and_those_that_finish_are_done) {
+  const auto it = std::make_shared<Hanging>();
+  bool done = false;
+  {
+    TaskRunner runner([it] { ++it->woken; });
+    runner.start(hanging_task(it));
+    it->started.acquire();
+    Task save = task([&done](const RunningTask&) { done = true; }, "save");
+    save.finishes = true;
+    runner.start(std::move(save));
+  }
+  EXPECT_TRUE(done);
+  it->let_go.release();
+  it->ended.acquire();
+  EXPECT_FALSE(it->taken);
+  EXPECT_EQ(it->woken, 0);
 }
 
 TEST(Tasks, progress_is_shown_and_wakes_without_a_lock) {

@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* kEnglish = "Print the counts, floats, repeat and warnings of a draft";
 constexpr const char* kGerman = "Fadenzahlen, Flottungen, Rapport und Warnungen einer Patrone";
+constexpr const char* kRequired = "{option} is required ({what})";
+constexpr const char* kRequiredInGerman = "{option} fehlt ({what})";
 
 /// A catalogue of gettext (.mo) with the texts, sorted by the key; the first key is empty, for the header.
 std::string catalogue_of(const std::vector<std::pair<std::string, std::string>>& texts) {
@@ -38,15 +40,17 @@ class Language : public ScratchFolder {
  protected:
   void SetUp() override {
     std::filesystem::create_directories(path("languages/de/LC_MESSAGES"));
-    written("languages/de/LC_MESSAGES/weftlight.mo",
-            catalogue_of({{"", "Content-Type: text/plain; charset=UTF-8\n"}, {kEnglish, kGerman}}));
+    written("languages/de/LC_MESSAGES/weftlight.mo", catalogue_of({{"", "Content-Type: text/plain; charset=UTF-8\n"},
+                                                                   {kEnglish, kGerman},
+                                                                   {kRequired, kRequiredInGerman}}));
   }
-  /// What `weftlight ARGS` writes on stdout.
-  std::string printed(const std::string& args) {
+  /// What `weftlight ARGS` writes, where it ends with this code.
+  std::string printed(const std::string& args, int code = kDone) {
     const std::string line = "WEFTLIGHT_LANGUAGES='" + path("languages") + "' LC_ALL=C.UTF-8 LANGUAGE= '" +
                              WEFTLIGHT_BINARY "' " + args + " >'" + path("out") + "' 2>&1";
-    EXPECT_EQ(std::system(line.c_str()), 0) << line;
-    return read_file(path("out")).bytes;
+    const int status = std::system(line.c_str());
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, code) << line;
+    return read_file(path("out")).value_or("");
   }
 };
 
@@ -54,6 +58,11 @@ TEST_F(Language, comes_from_the_option_before_or_after_the_verb) {
   for (const char* args :
        {"--language de info --help", "info --language de --help", "info --help --language=de", "--language=de --help"})
     EXPECT_NE(printed(args).find(kGerman), std::string::npos) << args << "\n" << printed(args);
+}
+
+TEST_F(Language, is_that_of_what_is_wrong_with_the_arguments) {
+  EXPECT_NE(printed("--language de info", kUsage).find("weftlight info: FILE fehlt ("), std::string::npos);
+  EXPECT_NE(printed("info", kUsage).find("weftlight info: FILE is required ("), std::string::npos);
 }
 
 TEST_F(Language, is_english_without_the_option_or_without_a_catalogue) {

@@ -60,7 +60,7 @@ TEST_F(WeaverVerbs, analyse_counts_the_cost) {
   d.yarns = {Yarn{}, Yarn{}};
   d.yarns[0].name = "Cotton", d.yarns[1].name = "Silk = fine";
   d.draft.weft.yarn.assign(10, 1);
-  ASSERT_TRUE(write_file_atomically(two, write_new_wif(d)).empty());
+  ASSERT_TRUE(write_file_atomically(two, write_new_wif(d)).has_value());
   const auto yarn_of = [&](std::vector<std::string> args) {
     args.insert(args.begin(), {"analyse", two, "--json", "--length", "2000", "--width", "500"});
     const Ran ran = run(args);
@@ -101,9 +101,9 @@ TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
 
 TEST_F(WeaverVerbs, the_extension_of_print_selects_the_format) {
   EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.pdf"), {}}), kDone);
-  EXPECT_TRUE(read_file(path("a.pdf")).bytes.starts_with("%PDF"));
+  EXPECT_TRUE(read_file(path("a.pdf")).value_or("").starts_with("%PDF"));
   EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.svg"), {print::kLetter, 5}}), kDone);
-  EXPECT_NE(read_file(path("a-1.svg")).bytes.find("<svg"), std::string::npos);
+  EXPECT_NE(read_file(path("a-1.svg")).value_or("").find("<svg"), std::string::npos);
   EXPECT_EQ(print_command({fixture_path("twill.wif"), path("a.docx"), {}}), kUsage);
   EXPECT_EQ(print_command({path("none.wif"), path("b.pdf"), {}}), kBadInput);
   EXPECT_EQ(print_command({fixture_path("twill.wif"), path("no/folder/b.pdf"), {}}), kNotWritten);
@@ -118,7 +118,7 @@ TEST_F(WeaverVerbs, print_takes_parts_and_papers) {
   ASSERT_EQ(run({"print", twill, "-o", path("all.pdf")}).code, kDone);
   ASSERT_EQ(run({"print", twill, "-o", path("draft.pdf"), "--parts", "draft", "--paper", "a3", "--across"}).code,
             kDone);
-  EXPECT_NE(media_box(read_file(path("draft.pdf")).bytes).find("1190.5"), std::string::npos) << "420 mm wide";
+  EXPECT_NE(media_box(read_file(path("draft.pdf")).value_or("")).find("1190.5"), std::string::npos) << "420 mm wide";
   ASSERT_EQ(run({"print", twill, "-o", path("draft.svg"), "--parts", "draft", "--end1", "right"}).code, kDone);
   EXPECT_TRUE(std::filesystem::exists(path("draft.svg"))) << "the draft alone is one sheet";
   ASSERT_EQ(run({"print", twill, "-o", path("some.svg"), "--parts", "draft,heddles,swatch", "--heavy", "0"}).code,
@@ -150,10 +150,10 @@ TEST_F(WeaverVerbs, weave_keeps_its_parameters_in_the_file) {
 TEST_F(WeaverVerbs, another_programs_draft_becomes_a_wif) {
   const std::string dtx =
       "@@StartDTX\n@@Info\n%%shafts 2\n@@Threading\n1 2 1 2\n@@Tieup\n01\n10\n@@Treadling\n1 2\n@@EndDTX\n";
-  ASSERT_EQ(write_file_atomically(path("plain.dtx"), dtx), "");
+  ASSERT_EQ(problem_of(write_file_atomically(path("plain.dtx"), dtx)), "");
   EXPECT_EQ(drawdown_of(path("plain.dtx")), "1010\n0101\n");
   EXPECT_EQ(convert_command({path("plain.dtx"), path("plain.wif"), false, ConvertShedControl::kAsIs}), kDone);
-  EXPECT_TRUE(read_file(path("plain.wif")).bytes.starts_with("[WIF]"));
+  EXPECT_TRUE(read_file(path("plain.wif")).value_or("").starts_with("[WIF]"));
   EXPECT_EQ(drawdown_of(path("plain.wif")), "1010\n0101\n");
 }
 
@@ -163,7 +163,7 @@ TEST_F(WeaverVerbs, a_picture_of_points_gives_the_same_drawdown) {
     EXPECT_EQ(drawdown_command({fixture_path("twill.wif"), path(name), Face::kFront, true}), kDone);
     EXPECT_EQ(drawdown_of(path(name)), cloth) << name;
   }
-  ASSERT_EQ(write_file_atomically(path("bad.png"), "no picture"), "");
+  ASSERT_EQ(problem_of(write_file_atomically(path("bad.png"), "no picture")), "");
   EXPECT_FALSE(open_design(path("bad.png")).ok);
 }
 

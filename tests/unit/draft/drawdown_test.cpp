@@ -8,7 +8,8 @@
 namespace weftlight::design {
 
 using draft::BitMatrix, draft::CellRect, draft::Draft, draft::ShedControl, draft::System, draft::blank_draft,
-    draft::complement, draft::drawdown, draft::transposed, draft::update_drawdown;
+    draft::complement, draft::differences, draft::drawdown, draft::drawdown_columns, draft::transposed,
+    draft::update_drawdown;
 
 namespace {
 
@@ -117,7 +118,7 @@ Design edited(const Design& design, std::mt19937& random) {
   const Draft& d = design.draft;
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const bool on = random() % 2 == 0;
-  switch (random() % 7) {
+  switch (random() % 8) {
     case 0:
       return with_threading(design, below(d.ends()), below(d.shafts), on, random() % 2 == 0);
     case 1:
@@ -130,6 +131,8 @@ Design edited(const Design& design, std::mt19937& random) {
       return random() % 20 == 0 ? to_treadling(design) : design;
     case 5:
       return random() % 20 == 0 ? with_rising(design, on) : design;
+    case 6:  // another number of shafts alone
+      return random() % 4 == 0 ? with_size(design, d.ends(), d.picks(), 1 + below(90), 7) : design;
     default:
       return random() % 20 == 0 ? with_size(design, 1 + below(90), 1 + below(90), 9, 7) : design;
   }
@@ -164,6 +167,17 @@ TEST(UpdateDrawdown, EqualsAFullDrawdownAfterRandomEdits) {
       ASSERT_EQ(rect, (CellRect{0, cells.cols(), 0, cells.rows()}));
     }
     design = next;
+  }
+}
+
+TEST(Drawdown, ColumnsOfSomeEnds) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 50; ++round) {
+    const Draft d = random_draft(random, 40, 70, 6, 7);
+    const std::vector<int> ends = {0, 7, 8, 39};
+    const BitMatrix all = transposed(drawdown(d)), some = drawdown_columns(d, ends);
+    ASSERT_EQ(some.rows(), 4);
+    for (int i = 0; i < 4; ++i) ASSERT_EQ(differences(some.row(i), all.row(ends[static_cast<size_t>(i)])), 0) << round;
   }
 }
 

@@ -12,10 +12,10 @@
 
 namespace weftlight::design {
 
-using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Face, draft::Factored, draft::LoomSize, draft::Selection,
-    draft::ShedControl, draft::Skeleton, draft::Write, draft::blank_draft, draft::closest_drawdown, draft::drawdown,
-    draft::fewest_for, draft::is_consistent, draft::lifts, draft::skeleton_tieup, draft::treadles_needed,
-    draft::whole_grid, draft::with_drawdown, draft::within_loom, draft::without_spare;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Face, draft::ClosestDraft, draft::LoomSize,
+    draft::Selection, draft::ShedControl, draft::Skeleton, draft::Write, draft::blank_draft, draft::closest_drawdown,
+    draft::drawdown, draft::fewest_for, draft::is_consistent, draft::lifts, draft::skeleton_tieup,
+    draft::treadles_needed, draft::whole_grid, draft::with_drawdown, draft::within_loom, draft::without_spare;
 
 using namespace weaves;
 namespace {
@@ -40,13 +40,13 @@ int most_treadles_per_pick(const BitMatrix& treadling) {
 
 TEST(Factor, APlainWeaveTakesTwoShaftsAndTwoTreadles) {
   const BitMatrix cells = matrix_of({"1010", "0101", "1010", "0101"});
-  const Factored f = with_drawdown(bare_loom(cells), cells, {2, 2});
-  ASSERT_TRUE(f.done()) << f.why;
-  EXPECT_EQ(f.draft.shafts, 2);
-  EXPECT_EQ(f.draft.treadles, 2);
-  EXPECT_EQ(text_of(f.draft.threading), (Rows{"10", "01", "10", "01"}));
-  EXPECT_EQ(text_of(f.draft.treadling), (Rows{"10", "01", "10", "01"}));
-  EXPECT_EQ(drawdown(f.draft), cells);
+  const base::Result<Draft> f = with_drawdown(bare_loom(cells), cells, {2, 2});
+  ASSERT_TRUE(f) << problem_of(f);
+  EXPECT_EQ(f->shafts, 2);
+  EXPECT_EQ(f->treadles, 2);
+  EXPECT_EQ(text_of(f->threading), (Rows{"10", "01", "10", "01"}));
+  EXPECT_EQ(text_of(f->treadling), (Rows{"10", "01", "10", "01"}));
+  EXPECT_EQ(drawdown(*f), cells);
 }
 
 TEST(Factor, FewestShaftsAndTreadlesOfAnyDrawdown) {
@@ -56,12 +56,12 @@ TEST(Factor, FewestShaftsAndTreadlesOfAnyDrawdown) {
     const BitMatrix cells = drawdown(d);
     const LoomSize fewest = fewest_for(cells);
     for (const bool rising : {true, false}) {
-      const Factored f = with_drawdown(bare_loom(cells, rising), cells, {});
-      ASSERT_TRUE(f.done());
-      ASSERT_EQ(drawdown(f.draft), cells);
-      ASSERT_LE(f.draft.shafts, fewest.shafts) << "ends that are never up need none";
+      const base::Result<Draft> f = with_drawdown(bare_loom(cells, rising), cells, {});
+      ASSERT_TRUE(f);
+      ASSERT_EQ(drawdown(*f), cells);
+      ASSERT_LE(f->shafts, fewest.shafts) << "ends that are never up need none";
       if (rising) {
-        ASSERT_LE(f.draft.treadles, std::max(fewest.treadles, 1));
+        ASSERT_LE(f->treadles, std::max(fewest.treadles, 1));
       }
     }
   }
@@ -71,11 +71,11 @@ TEST(Factor, ItsOwnDrawdownLeavesADraftUnchanged) {
   std::mt19937 random(5);
   for (int round = 0; round < 300; ++round) {
     const Draft d = random_draft(random, 18, 16, 6, 5);
-    const Factored f = with_drawdown(d, drawdown(d), {6, 5});
-    ASSERT_TRUE(f.done()) << f.why;
-    ASSERT_EQ(f.draft.threading, d.threading);
-    ASSERT_EQ(f.draft.treadling, d.treadling);
-    ASSERT_EQ(drawdown(f.draft), drawdown(d));
+    const base::Result<Draft> f = with_drawdown(d, drawdown(d), {6, 5});
+    ASSERT_TRUE(f) << problem_of(f);
+    ASSERT_EQ(f->threading, d.threading);
+    ASSERT_EQ(f->treadling, d.treadling);
+    ASSERT_EQ(drawdown(*f), drawdown(d));
   }
 }
 
@@ -86,15 +86,15 @@ TEST(Factor, AnyDrawdownIsWovenAndMostNumberingStays) {
     BitMatrix cells = drawdown(d);
     const int end = static_cast<int>(random() % 18), pick = static_cast<int>(random() % 16);
     cells.set(pick, end, !cells.get(pick, end));
-    const Factored f = with_drawdown(d, cells, {});
-    ASSERT_TRUE(f.done());
+    const base::Result<Draft> f = with_drawdown(d, cells, {});
+    ASSERT_TRUE(f);
     Design made;
-    made.draft = f.draft;
+    made.draft = *f;
     ASSERT_TRUE(is_consistent(made));
-    ASSERT_EQ(drawdown(f.draft), cells);
+    ASSERT_EQ(drawdown(*f), cells);
     for (int e = 0; e < 18; ++e) {
       if (e == end) continue;
-      for (int s = 0; s < d.shafts; ++s) ASSERT_EQ(f.draft.threading.get(e, s), d.threading.get(e, s));
+      for (int s = 0; s < d.shafts; ++s) ASSERT_EQ(f->threading.get(e, s), d.threading.get(e, s));
     }
   }
 }
@@ -103,10 +103,9 @@ TEST(Factor, SaysWhatIsMissingAndOffersTheClosestWeave) {
   // Eight ends of an 8-shaft satin and a loom with four.
   const Draft satin8 = satin(8, 3, Face::kBack, {16, 16}).draft;
   const BitMatrix cells = drawdown(satin8);
-  const Factored f = with_drawdown(bare_loom(cells), cells, {4, 8});
-  EXPECT_FALSE(f.done());
-  EXPECT_EQ(f.why, "this takes 8 shafts, and the loom has 4");
-  const Factored near = closest_drawdown(bare_loom(cells), cells, {4, 8});
+  const base::Result<Draft> f = with_drawdown(bare_loom(cells), cells, {4, 8});
+  EXPECT_EQ(problem_of(f), "this takes 8 shafts, and the loom has 4");
+  const ClosestDraft near = closest_drawdown(bare_loom(cells), cells, {4, 8});
   EXPECT_LE(near.draft.shafts, 4);
   EXPECT_LE(near.draft.treadles, 8);
   int64_t wrong = 0;
@@ -127,16 +126,15 @@ TEST(Factor, ADraftMovesToASmallerLoomIfItsClothAllows) {
   }
   for (int t = 0; t < 8; ++t)
     for (int s = 0; s < 8; ++s) d.tieup.set(t, s, (t + s) % 4 < 2);
-  EXPECT_EQ(within_loom(d, {8, 8}).draft, d) << "it fits unchanged";
-  const Factored small = within_loom(d, {4, 4});
-  EXPECT_TRUE(small.done());
-  EXPECT_LE(small.draft.shafts, 4);
-  EXPECT_LE(small.draft.treadles, 4);
-  EXPECT_EQ(drawdown(small.draft), drawdown(d));
-  for (int e = 0; e < 16; ++e) EXPECT_EQ(small.draft.threading.count(e), 1) << "every end keeps a heddle";
-  const Factored smaller = within_loom(d, {3, 4});
-  EXPECT_EQ(smaller.why, "this takes 4 shafts, and the loom has 3");
-  EXPECT_EQ(smaller.draft, d);
+  EXPECT_EQ(within_loom(d, {8, 8}).value(), d) << "it fits unchanged";
+  const base::Result<Draft> small = within_loom(d, {4, 4});
+  ASSERT_TRUE(small) << problem_of(small);
+  EXPECT_LE(small->shafts, 4);
+  EXPECT_LE(small->treadles, 4);
+  EXPECT_EQ(drawdown(*small), drawdown(d));
+  for (int e = 0; e < 16; ++e) EXPECT_EQ(small->threading.count(e), 1) << "every end keeps a heddle";
+  const base::Result<Draft> smaller = within_loom(d, {3, 4});
+  EXPECT_EQ(problem_of(smaller), "this takes 4 shafts, and the loom has 3");
 }
 
 TEST(Factor, TheClosestWeaveFitsTheLoom) {
@@ -145,7 +143,7 @@ TEST(Factor, TheClosestWeaveFitsTheLoom) {
     Draft d = random_draft(random, 30, 24, 9, 9);
     BitMatrix cells(24, 30);
     fill_randomly(cells, random, 0.5);
-    const Factored near = closest_drawdown(d, cells, {9, 9});
+    const ClosestDraft near = closest_drawdown(d, cells, {9, 9});
     ASSERT_LE(near.draft.shafts, 9);
     ASSERT_TRUE(near.draft.shed_control == ShedControl::kLiftplan || near.draft.treadles <= 9);
     Design made;
@@ -166,11 +164,11 @@ TEST(PaintedDrawdown, WholeRowsEqualTheirCellsOneByOne) {
     fill_randomly(cells, random, 0.2);
     const Write write = round % 2 == 0 ? Write::kAdd : Write::kErase;
     const Selection all = whole_grid(d.draft, BitGrid::kDrawdown);
-    const Design at_once = painted_crossings(d, all, 0, 0, cells, write).design;
+    const Design at_once = painted_crossings(d, all, 0, 0, cells, write).value_or(d);
     // A wider block does not take the path for whole rows.
     BitMatrix wide = cells;
     wide.resize(12, 71);
-    EXPECT_EQ(at_once, painted_crossings(d, all, 0, 0, wide, write).design);
+    EXPECT_EQ(at_once, painted_crossings(d, all, 0, 0, wide, write).value_or(d));
   }
 }
 
@@ -198,9 +196,9 @@ TEST(PaintedDrawdown, ATreadleOfASinglePickIsTiedAnew) {
 TEST(PaintedDrawdown, SaysWhyTheLoomCannot) {
   Design d = two_two_twill(16, 16);
   d.loom.shafts = d.loom.treadles = 4;
-  const Painted painted = painted_cell(d, 2, 5, !drawdown(d.draft).get(5, 2));
-  EXPECT_EQ(painted.design, d);
-  EXPECT_EQ(painted.why, "this takes 5 treadles, and the loom has 4");
+  const bool up = !drawdown(d.draft).get(5, 2);
+  EXPECT_EQ(with_drawdown_cell(d, 2, 5, up), d);
+  EXPECT_EQ(problem_of(painted_cell(d, 2, 5, up)), "this takes 5 treadles, and the loom has 4");
 }
 
 TEST(PaintedDrawdown, LeadingDrawdownChangesOneCrossingAlone) {
@@ -217,7 +215,7 @@ TEST(PaintedDrawdown, LeadingDrawdownChangesOneCrossingAlone) {
 TEST(PaintedDrawdown, ALockProtectsGridsThatFollow) {
   const Design d = with_lock(two_two_twill(8, 8), true);
   EXPECT_EQ(with_drawdown_cell(d, 0, 0, false), d);
-  EXPECT_FALSE(painted_cell(d, 0, 0, false).why.empty());
+  EXPECT_EQ(problem_of(painted_cell(d, 0, 0, false)), "the drawdown follows and is locked");
   EXPECT_NE(with_tieup(d, 0, 3, true), d);
   const Design free = with_lock(with_leading(two_two_twill(8, 8), Leading::kDrawdown), true);
   EXPECT_EQ(with_threading(free, 0, 3, true), free);
@@ -236,15 +234,15 @@ TEST(PaintedDrawdown, OfAnyDraftShowsThePaintedCell) {
     d.loom.leading = random() % 2 ? Leading::kDrawdown : Leading::kThreading;
     const int end = static_cast<int>(random() % 12), pick = static_cast<int>(random() % 9);
     const bool up = random() % 2 == 0;
-    const Painted painted = painted_cell(d, end, pick, up);
-    ASSERT_TRUE(is_consistent(painted.design));
-    ASSERT_EQ(painted.design.draft.shed_control, d.draft.shed_control);
+    const Design painted = painted_cell(d, end, pick, up).value_or(d);
+    ASSERT_TRUE(is_consistent(painted));
+    ASSERT_EQ(painted.draft.shed_control, d.draft.shed_control);
     if (d.loom.leading == Leading::kDrawdown) {
       BitMatrix cells = drawdown(d.draft);
       cells.set(pick, end, up);
-      ASSERT_EQ(drawdown(painted.design.draft), cells);
+      ASSERT_EQ(drawdown(painted.draft), cells);
     } else if (d.draft.threading.first(end) >= 0) {
-      ASSERT_EQ(drawdown(painted.design.draft).get(pick, end), up);
+      ASSERT_EQ(drawdown(painted.draft).get(pick, end), up);
     }
   }
 }
@@ -374,9 +372,9 @@ TEST(Factor, TheClosestWeaveEndsSoonAfterItIsAskedToStop) {
   EXPECT_LE(closest_drawdown(bare_loom(cells), cells, {8, 8}, counted).draft.shafts, 8);
   ASSERT_GT(reports, 100) << "the search should be long";
   StopsAtOnce stops;
-  const Factored stopped = closest_drawdown(bare_loom(cells), cells, {8, 8}, stops.progress);
+  const ClosestDraft stopped = closest_drawdown(bare_loom(cells), cells, {8, 8}, stops.progress);
   EXPECT_EQ(stops.reports, 1);
-  EXPECT_FALSE(stopped.done());
+  EXPECT_FALSE(stopped.exact);
   EXPECT_EQ(stopped.draft, bare_loom(cells));
 }
 

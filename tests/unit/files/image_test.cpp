@@ -76,7 +76,9 @@ TEST(Image, EncodesPngInMemory) {
   const Scratch scratch("memory");
   const Image image = ramp(8, 8, 4);
   const std::vector<unsigned char> png = encode_png(image);
-  ASSERT_EQ(write_file_atomically(scratch / "memory.png", {reinterpret_cast<const char*>(png.data()), png.size()}), "");
+  ASSERT_EQ(problem_of(
+                write_file_atomically(scratch / "memory.png", {reinterpret_cast<const char*>(png.data()), png.size()})),
+            "");
   const base::Result<Image> back = read_image(scratch / "memory.png");
   ASSERT_TRUE(back) << problem_of(back);
   for (size_t i = 0; i < image.texels.size(); ++i) ASSERT_NEAR(back->texels[i], image.texels[i], 1e-6f);

@@ -179,7 +179,7 @@ Mesh fold(float radius_mm, float height_mm, uint32_t sides) {
 // silhouettes.
 TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
   const wif::WifRead satin =
-      wif::read_wif(base::read_file(presets_dir() + "/cloths/polyester_satin_charmeuse.wif").bytes);
+      wif::read_wif(base::read_file(presets_dir() + "/cloths/polyester_satin_charmeuse.wif").value_or(""));
   ASSERT_TRUE(satin.file);
   upload(satin.file->design, fold(4, 100, 64));
   renderer->set_lights(load_light_rig("overcast").value());
@@ -288,13 +288,13 @@ TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
   look.method = Method::kFlat;
   {
     const SpoiltShader spoilt("method_flat.glsl");
-    const std::string problem = fresh->draw(scene, look, frame).problem;
+    const std::string problem = problem_of(fresh->draw(scene, look, frame).cloth);
     EXPECT_NE(problem.find("flat: cloth.frag does not compile"), std::string::npos) << problem;
     EXPECT_NE(problem.find("no_such_thing"), std::string::npos) << problem;
   }
-  EXPECT_NE(fresh->draw(scene, look, frame).problem, "") << "nor is it forgotten";
+  EXPECT_FALSE(fresh->draw(scene, look, frame).cloth) << "nor is it forgotten";
   look.method = Method::kCell;
-  EXPECT_EQ(fresh->draw(scene, look, frame).problem, "");
+  EXPECT_EQ(problem_of(fresh->draw(scene, look, frame).cloth), "");
   EXPECT_GT(middle(fresh->read_back(true)).r, 0.01);
 }
 

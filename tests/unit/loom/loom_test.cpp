@@ -160,12 +160,13 @@ TEST(LoomLine, ABrokenConnectionLosesNoPick) {
   std::vector<uint32_t> raised;
   platform::LineConnector connector;
   for (int connection = 0; connection < 3; ++connection) {
-    LineOpened opened = open_line(connector, address);
-    ASSERT_TRUE(opened.line) << opened.why;
+    const auto opened = open_line(connector, address);
+    ASSERT_TRUE(opened) << problem_of(opened);
+    platform::Line& line = **opened;
     const int loom = port.accepted();
     MockLoom mock;
     LoomReader reader;
-    ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
+    ASSERT_TRUE(line.send(on_connected(w, state).send));
     mock.hear(read_some(loom));
     if (connection > 0) {
       // Only the pick that was not confirmed is raised again.
@@ -174,16 +175,16 @@ TEST(LoomLine, ABrokenConnectionLosesNoPick) {
     for (int pick = 0; pick < 3; ++pick) {
       write_all(loom, "p\n");
       std::string send;
-      hear(w, reader, state, opened.line->receive(kPatience), send);
-      ASSERT_TRUE(opened.line->send(send));
+      hear(w, reader, state, line.receive(kPatience), send);
+      ASSERT_TRUE(line.send(send));
       mock.raised.clear();
       mock.hear(read_some(loom));
       ASSERT_EQ(mock.raised.size(), 1u);
       raised.push_back(mock.raised[0]);
     }
     ::close(loom);
-    opened.line->receive(kShort);
-    EXPECT_TRUE(opened.line->broken());
+    line.receive(kShort);
+    EXPECT_TRUE(line.broken());
   }
   EXPECT_EQ(raised, (std::vector<uint32_t>{3, 6, 12, 9, 3, 6, 12, 9, 3})) << "each pick once";
 }
@@ -201,10 +202,11 @@ TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
   platform::LineConnector connector;
   for (int connection = 0; connection < 3; ++connection) {
     if (connection > 0) loom.plug_in();
-    LineOpened opened = open_line(connector, loom.address() + ":19200");
-    ASSERT_TRUE(opened.line) << opened.why;
+    const auto opened = open_line(connector, loom.address() + ":19200");
+    ASSERT_TRUE(opened) << problem_of(opened);
+    platform::Line& line = **opened;
     LoomReader reader;
-    ASSERT_TRUE(opened.line->send(on_connected(w, state).send));
+    ASSERT_TRUE(line.send(on_connected(w, state).send));
     EXPECT_EQ(loom.heard(), "U0") << "no echo, nothing that a terminal adds";
     if (connection > 0) {
       EXPECT_EQ(loom.heard(), last) << "the pick that was not confirmed, again";
@@ -212,17 +214,17 @@ TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
     for (int pick = 0; pick < 3; ++pick) {
       loom.say("p\n");
       std::string send;
-      hear(w, reader, state, opened.line->receive(kPatience), send);
-      ASSERT_TRUE(opened.line->send(send));
+      hear(w, reader, state, line.receive(kPatience), send);
+      ASSERT_TRUE(line.send(send));
       last = loom.heard();
       raised.push_back(last);
       loom.say(std::string("c").append(last, 1).append("\n"));
-      hear(w, reader, state, opened.line->receive(kPatience), send);
+      hear(w, reader, state, line.receive(kPatience), send);
     }
     loom.pull_out();
-    opened.line->receive(kShort);
-    EXPECT_TRUE(opened.line->broken());
-    EXPECT_FALSE(opened.line->send("C00000001\n"));
+    line.receive(kShort);
+    EXPECT_TRUE(line.broken());
+    EXPECT_FALSE(line.send("C00000001\n"));
   }
   EXPECT_EQ(raised, (std::vector<std::string>{"C00000003", "C00000006", "C0000000c", "C00000009", "C00000003",
                                               "C00000006", "C0000000c", "C00000009", "C00000003"}))
@@ -231,7 +233,7 @@ TEST(LoomLine, AnUnpluggedSerialLineLosesNoPick) {
 
 std::string why_not(const std::string& address) {
   platform::LineConnector connector;
-  return open_line(connector, address).why;
+  return problem_of(open_line(connector, address));
 }
 
 TEST(LoomLine, AFileIsNotASerialPort) {
@@ -257,7 +259,7 @@ TEST(LoomLine, SaysWhyItCannotBeOpened) {
 
 TEST(LoomLine, SaysThatThereIsNoSuchHost) {
   platform::LineConnector connector([](const std::string&, const std::string&) { return platform::HostFound{}; });
-  EXPECT_EQ(open_line(connector, "tcp:loom.invalid:7388").why, "loom.invalid: there is no such host");
+  EXPECT_EQ(problem_of(open_line(connector, "tcp:loom.invalid:7388")), "loom.invalid: there is no such host");
 }
 
 }  // namespace

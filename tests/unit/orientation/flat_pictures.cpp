@@ -89,14 +89,14 @@ std::vector<Seen> drawdowns(const Workplace& at, std::string&) {
       run(args);
       return at.scratch / file;
     };
-    const std::string text = base::read_file(drawn("d.txt", {})).bytes;
+    const std::string text = base::read_file(drawn("d.txt", {})).value_or("");
     out.push_back(Seen::whole("text " + side, text_picture(text), face, Shows::kPoints).from(true, false));
     for (const char* file : {"points.png", "points.tif"})
       out.push_back(Seen::whole(file + (" " + side), picture(drawn(file, {"--points"})), face, Shows::kPoints));
     for (const Corner& c : kCorners)
       for (const std::string file : {"d.png", "d.tif", "d.svg"}) {
         const std::string path = drawn(file, {"--end1", c.end1, "--pick1", c.pick1});
-        Image image = file == "d.svg" ? drawing(base::read_file(path).bytes) : picture(path);
+        Image image = file == "d.svg" ? drawing(base::read_file(path).value_or("")) : picture(path);
         const std::string name = file + " " + side + " " + c.end1 + " " + c.pick1;
         out.push_back(Seen::whole(name, std::move(image), face).from(c.left, c.bottom));
       }

@@ -13,7 +13,7 @@ class Orientation : public testing::TestWithParam<Maker> {
  protected:
   static void SetUpTestSuite() {
     at = std::make_unique<Workplace>();
-    ASSERT_EQ(base::write_file_atomically(at->draft(), wif::write_new_wif(marked_design())), "");
+    ASSERT_EQ(problem_of(base::write_file_atomically(at->draft(), wif::write_new_wif(marked_design()))), "");
   }
   static void TearDownTestSuite() { at.reset(); }
   static inline std::unique_ptr<Workplace> at;

@@ -59,7 +59,7 @@ const char* word(Face face) { return face == Face::kFront ? " front" : " back"; 
 
 /// The finest level of an uncompressed .ktx2 of four bytes a texel.
 Image finest_of_ktx2(const std::string& path) {
-  const std::string bytes = base::read_file(path).bytes;
+  const std::string bytes = base::read_file(path).value_or("");
   const auto number = [&](size_t at, size_t size) {
     uint64_t v = 0;
     if (at + size <= bytes.size()) std::memcpy(&v, bytes.data() + at, size);
@@ -147,7 +147,7 @@ json glb_document(const std::string& bytes) {
 
 /// The primitive of a face, by the .glb alone; its image by `image` where it has none.
 Textured read_glb(const std::string& path, size_t material, Image image) {
-  const std::string bytes = base::read_file(path).bytes;
+  const std::string bytes = base::read_file(path).value_or("");
   const json doc = glb_document(bytes);
   uint32_t head = 0;
   std::memcpy(&head, bytes.data() + 12, 4);
@@ -174,9 +174,9 @@ Textured read_glb(const std::string& path, size_t material, Image image) {
     const json& source = doc["images"][doc["textures"][base["index"].get<size_t>()]["source"].get<size_t>()];
     const json& view = doc["bufferViews"][source["bufferView"].get<size_t>()];
     const std::string png = path + ".png";
-    EXPECT_EQ(
-        base::write_file_atomically(png, {binary + view["byteOffset"].get<size_t>(), view["byteLength"].get<size_t>()}),
-        "");
+    EXPECT_EQ(problem_of(base::write_file_atomically(
+                  png, {binary + view["byteOffset"].get<size_t>(), view["byteLength"].get<size_t>()})),
+              "");
     image = picture(png);
   }
   for (Vec2& t : out.uv) t *= scale;
@@ -205,7 +205,7 @@ Textured quad(const std::vector<float>& points, const std::vector<float>& st, fl
 }
 
 Textured read_obj(const std::string& path, Image image) {
-  const std::string text = base::read_file(path).bytes;
+  const std::string text = base::read_file(path).value_or("");
   std::vector<float> points, st;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -217,7 +217,7 @@ Textured read_obj(const std::string& path, Image image) {
 }
 
 Textured read_usd(const std::string& path, Image image) {
-  const std::string text = base::read_file(path).bytes;
+  const std::string text = base::read_file(path).value_or("");
   const auto list = [&](const std::string& after) {
     const size_t from = text.find('[', text.find(after) + after.size());
     return numbers_in(text.substr(from, text.find(']', from) - from));

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "../scratch.h"
+#include "platform/files_below.h"
 
 namespace weftlight::platform {
 namespace {
@@ -43,6 +44,18 @@ TEST_F(FolderContents, ThatCannotBeReadHaveAReason) {
   EXPECT_EQ(error, std::errc::no_such_file_or_directory);
   EXPECT_TRUE(names_in(written("file", "bytes"), error).empty());
   EXPECT_EQ(error, std::errc::not_a_directory);
+}
+
+TEST_F(FolderContents, AreFoundBelowOtherFoldersOnceEach) {
+  fs::create_directories(path("a/b"));
+  written("z", "bytes"), written("a/y", "bytes"), written("a/b/x", "bytes");
+  fs::create_directory_symlink(path("a"), path("a/b/round"));
+  fs::create_symlink(path("z"), path("a/link"));
+  fs::create_symlink(path("none"), path("a/nowhere"));
+  const FilesBelow below = files_below(path("a"));
+  EXPECT_EQ(below.files, (std::vector<std::string>{path("a/b/x"), path("a/link"), path("a/y")}));
+  EXPECT_TRUE(below.unread.empty());
+  EXPECT_EQ(files_below(path("none")).unread, (std::vector<std::string>{path("none")}));
 }
 
 TEST_F(FolderContents, GoWithTheFolderButNotWhatLinksLeadTo) {

@@ -27,7 +27,7 @@ TEST(Line, AHangingLookupIsStopped) {
   std::stop_source stop;
   auto connected = std::async(std::launch::async, [&] {
     LineConnector connector(names.look_up());
-    return connector.connect(kNamed, kForever, stop.get_token()).problem;
+    return connector.connect(kNamed, kForever, stop.get_token()).error().problem;
   });
   ASSERT_TRUE(names.is_asked());
   stop.request_stop();
@@ -40,11 +40,11 @@ TEST(Line, ALateAnswerServesTheNextAttempt) {
   const HangingLookup names;
   const LoomPort port;
   LineConnector connector(names.look_up());
-  EXPECT_EQ(connector.connect(kNamed, 1ms).problem, LineProblem::kNoNameServer);
-  EXPECT_EQ(connector.connect(kNamed, 1ms).problem, LineProblem::kNoNameServer);
+  EXPECT_EQ(connector.connect(kNamed, 1ms).error().problem, LineProblem::kNoNameServer);
+  EXPECT_EQ(connector.connect(kNamed, 1ms).error().problem, LineProblem::kNoNameServer);
   ASSERT_TRUE(names.is_asked());
-  names.answer({{{"127.0.0.1", static_cast<uint16_t>(port.number())}}});
-  EXPECT_TRUE(connector.connect(kNamed, kForever).line);
+  names.answer(HostEndpoints{{"127.0.0.1", static_cast<uint16_t>(port.number())}});
+  EXPECT_TRUE(connector.connect(kNamed, kForever));
   EXPECT_EQ(names.asked(), 1) << "one question, however often it is tried";
 }
 
@@ -52,27 +52,28 @@ TEST(Line, NamesThatHangDoNotPileUpThreads) {
   const HangingLookup names;
   LineConnector connector(names.look_up());
   for (int i = 0; i < 40; ++i)
-    EXPECT_EQ(connector.connect(TcpAddress{"loom" + std::to_string(i), "1"}, 0ms).problem, LineProblem::kNoNameServer);
+    EXPECT_EQ(connector.connect(TcpAddress{"loom" + std::to_string(i), "1"}, 0ms).error().problem,
+              LineProblem::kNoNameServer);
   names.answer({});
   EXPECT_LE(names.asked(), 8);
 }
 
 TEST(Line, AnUnknownHostIsNamed) {
   LineConnector connector([](const std::string&, const std::string&) { return HostFound{}; });
-  EXPECT_EQ(connector.connect(kNamed, kForever).problem, LineProblem::kUnknownHost);
+  EXPECT_EQ(connector.connect(kNamed, kForever).error().problem, LineProblem::kUnknownHost);
 }
 
 TEST(Line, AnAddressInNumbersNeedsNoNameServer) {
   const HangingLookup names;
   const LoomPort port;
   LineConnector connector(names.look_up());
-  EXPECT_TRUE(connector.connect(address_of(port), kForever).line);
+  EXPECT_TRUE(connector.connect(address_of(port), kForever));
   EXPECT_EQ(names.asked(), 0);
 }
 
 TEST(Line, TheSystemKnowsThisMachine) {
   const LoomPort port;
-  EXPECT_TRUE(LineConnector().connect(TcpAddress{"localhost", std::to_string(port.number())}, kForever).line);
+  EXPECT_TRUE(LineConnector().connect(TcpAddress{"localhost", std::to_string(port.number())}, kForever));
 }
 
 /// A port of this machine that answers no one: its queue is full.
@@ -104,16 +105,17 @@ class DeafPort {
 TEST(Line, AHostThatNeverAnswersIsGivenUp) {
   const DeafPort port;
   const LineConnected none = LineConnector().connect(port.address(), 20ms);
-  EXPECT_FALSE(none.line);
-  EXPECT_EQ(none.problem, LineProblem::kOther);
-  EXPECT_FALSE(none.said.empty());
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().problem, LineProblem::kOther);
+  EXPECT_FALSE(none.error().said.empty());
 }
 
 TEST(Line, AConnectionThatHangsIsStopped) {
   const DeafPort port;
   std::stop_source stop;
-  auto connected = std::async(
-      std::launch::async, [&] { return LineConnector().connect(port.address(), kForever, stop.get_token()).problem; });
+  auto connected = std::async(std::launch::async, [&] {
+    return LineConnector().connect(port.address(), kForever, stop.get_token()).error().problem;
+  });
   stop.request_stop();
   EXPECT_EQ(connected.get(), LineProblem::kStopped);
 }
@@ -121,24 +123,24 @@ TEST(Line, AConnectionThatHangsIsStopped) {
 TEST(Line, ListeningIsStoppedAndTheLineStaysWhole) {
   const LoomPort port;
   std::stop_source stop;
-  LineConnected opened = LineConnector().connect(address_of(port), kForever, stop.get_token());
-  ASSERT_TRUE(opened.line);
+  const LineConnected opened = LineConnector().connect(address_of(port), kForever, stop.get_token());
+  ASSERT_TRUE(opened);
   const int loom = port.accepted();
-  EXPECT_EQ(opened.line->receive(0ms), "");
-  auto heard = std::async(std::launch::async, [&] { return opened.line->receive(kForever); });
+  EXPECT_EQ((*opened)->receive(0ms), "");
+  auto heard = std::async(std::launch::async, [&] { return (*opened)->receive(kForever); });
   stop.request_stop();
   EXPECT_EQ(heard.get(), "");
-  EXPECT_FALSE(opened.line->broken());
+  EXPECT_FALSE((*opened)->broken());
   ::close(loom);
 }
 
 TEST(Line, WhatIsNotTakenBreaksTheLine) {
   const LoomPort port;
-  LineConnected opened = LineConnector().connect(address_of(port), kForever);
-  ASSERT_TRUE(opened.line);
+  const LineConnected opened = LineConnector().connect(address_of(port), kForever);
+  ASSERT_TRUE(opened);
   const int loom = port.accepted();  // which never reads
-  EXPECT_FALSE(opened.line->send(std::string(size_t{64} << 20, 'C')));
-  EXPECT_TRUE(opened.line->broken());
+  EXPECT_FALSE((*opened)->send(std::string(size_t{64} << 20, 'C')));
+  EXPECT_TRUE((*opened)->broken());
   ::close(loom);
 }
 
@@ -146,8 +148,8 @@ TEST(Line, AStartedProgramDoesNotHoldTheLine) {
   const LoomPort port;
   const int next = ::dup(0);  // the number that the socket gets, or one below it
   ::close(next);
-  LineConnected opened = LineConnector().connect(address_of(port), kForever);
-  ASSERT_TRUE(opened.line);
+  const LineConnected opened = LineConnector().connect(address_of(port), kForever);
+  ASSERT_TRUE(opened);
   int inherited = 0;
   for (int fd = next; fd < next + 8; ++fd) {
     int type = 0;
@@ -159,9 +161,9 @@ TEST(Line, AStartedProgramDoesNotHoldTheLine) {
 
 TEST(Line, ALineOfAFileIsNoSerialPort) {
   LineConnector connector;
-  EXPECT_EQ(connector.connect(SerialAddress{"/dev/null"}, 1ms).problem, LineProblem::kNoSuchPort);
-  EXPECT_EQ(connector.connect(SerialAddress{"/dev"}, 1ms).problem, LineProblem::kNoSuchPort);
-  EXPECT_EQ(connector.connect(SerialAddress{"/dev/there-is-none"}, 1ms).problem, LineProblem::kNoSuchPort);
+  EXPECT_EQ(connector.connect(SerialAddress{"/dev/null"}, 1ms).error().problem, LineProblem::kNoSuchPort);
+  EXPECT_EQ(connector.connect(SerialAddress{"/dev"}, 1ms).error().problem, LineProblem::kNoSuchPort);
+  EXPECT_EQ(connector.connect(SerialAddress{"/dev/there-is-none"}, 1ms).error().problem, LineProblem::kNoSuchPort);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@
 
 namespace weftlight::wif {
 
-using base::FileBytes, base::read_file, base::write_file_atomically;
+using base::read_file, base::write_file_atomically;
 using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::fibre_of, design::is_consistent,
     design::packing_fraction, design::yarn_presets;
 using draft::BitMatrix, draft::System, draft::drawdown;
@@ -42,16 +42,16 @@ TEST(Presets, FilesEqualTheRecipes) {
     const std::string path = presets_path(recipe.path), bytes = write_preset_wif(recipe.design);
     if (updating()) {
       std::filesystem::create_directories(std::filesystem::path(path).parent_path());
-      ASSERT_EQ(write_file_atomically(path, bytes), "");
+      ASSERT_EQ(problem_of(write_file_atomically(path, bytes)), "");
     }
-    const FileBytes file = read_file(path);
-    ASSERT_EQ(file.error, "") << path;
-    EXPECT_EQ(file.bytes, bytes) << path << ": run presets_test with WEFTLIGHT_UPDATE_PRESETS=1";
+    const base::Result<std::string> file = read_file(path);
+    ASSERT_TRUE(file) << problem_of(file);
+    EXPECT_EQ(*file, bytes) << path << ": run presets_test with WEFTLIGHT_UPDATE_PRESETS=1";
   }
 }
 
 analysis::ClothHandle hand_of(const std::string& cloth) {
-  const WifRead read = read_wif(read_file(presets_path("cloths/" + cloth + ".wif")).bytes);
+  const WifRead read = read_wif(read_file(presets_path("cloths/" + cloth + ".wif")).value_or(""));
   return analysis::cloth_handle(read.file.value().design);
 }
 
@@ -126,7 +126,7 @@ TEST(Presets, ClothsHaveUsualWeightAndBendingLength) {
 
 TEST(Presets, FilesReadWithoutDiagnostics) {
   for (const PresetRecipe& recipe : preset_recipes()) {
-    const WifRead read = read_wif(read_file(presets_path(recipe.path)).bytes);
+    const WifRead read = read_wif(read_file(presets_path(recipe.path)).value_or(""));
     ASSERT_TRUE(read.file) << recipe.path;
     EXPECT_TRUE(is_consistent(read.file->design)) << recipe.path;
     for (const Diagnostic& d : read.diagnostics) {

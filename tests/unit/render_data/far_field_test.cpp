@@ -15,7 +15,7 @@
 
 namespace weftlight::render_data {
 
-using base::FileBytes, base::presets_dir, base::problem_of, base::read_file;
+using base::presets_dir, base::problem_of, base::read_file;
 using cloth::Cloth, cloth::Period, cloth::lay_out;
 using design::Design;
 using draft::Face, draft::System, draft::drawdown;
@@ -46,8 +46,7 @@ class FarFields : public ::testing::Test {
   static std::vector<Shipped> cloths;
   static void SetUpTestSuite() {
     for (const char* name : kDrafts) {
-      const FileBytes file = read_file(presets_dir() + "/drafts/" + name + ".wif");
-      const wif::WifRead read = wif::read_wif(file.bytes);
+      const wif::WifRead read = wif::read_wif(read_file(presets_dir() + "/drafts/" + name + ".wif").value_or(""));
       ASSERT_TRUE(read.file) << name;
       const Design& design = read.file->design;
       Shipped made;

@@ -234,13 +234,13 @@ TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
   Design bad = good;
   bad.draft = Draft{};
   const auto update = [&](const Design& d) { return stages.update(std::make_shared<const Design>(d)); };
-  const std::string problem = update(bad).problem;
+  const std::string problem = problem_of(update(bad).made);
   EXPECT_FALSE(problem.empty());
   bad.scene.lights = "window";
   const StageResult again = update(bad);
-  EXPECT_EQ(again.problem, problem) << "told as long as it is so";
+  EXPECT_EQ(problem_of(again.made), problem) << "told as long as it is so";
   EXPECT_TRUE(again.lights) << "the scene does not depend on it";
-  EXPECT_EQ(update(good).problem, "");
+  EXPECT_EQ(problem_of(update(good).made), "");
   Stages fresh;
   fresh.update(std::make_shared<const Design>(good));
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
@@ -253,19 +253,21 @@ TEST(Stages, APictureOfLightThatCannotBeReadIsToldAndTheOldLightStays) {
   Design d = satin();
   const auto update = [&] { return stages.update(std::make_shared<const Design>(d)); };
   const StageResult first = update();
-  EXPECT_TRUE(first.lights && first.problem.empty()) << first.problem;
+  EXPECT_TRUE(first.lights && first.made) << problem_of(first.made);
   for (const char* size : {"-Y 64 +X 64", "-Y 30000 +X 60000", "-Y 64 +X 128"}) {  // square, huge, empty
     const std::string path = scratch / "light.hdr";
-    ASSERT_EQ(base::write_file_atomically(path, std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + size + "\n"),
+    ASSERT_EQ(problem_of(base::write_file_atomically(
+                  path, std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n") + size + "\n")),
               "");
     d.scene.lights = path;
     const StageResult broken = update();
     EXPECT_FALSE(broken.lights) << size;
-    EXPECT_NE(broken.problem.find(path), std::string::npos) << broken.problem;
-    EXPECT_EQ(update().problem, broken.problem) << "told as long as the design asks for it";
+    ASSERT_FALSE(broken.made) << size;
+    EXPECT_EQ(broken.made.error().file, path) << problem_of(broken.made);
+    EXPECT_EQ(problem_of(update().made), problem_of(broken.made)) << "told as long as the design asks for it";
     d.scene.lights = "window";
     const StageResult mended = update();
-    EXPECT_TRUE(mended.lights && mended.problem.empty()) << mended.problem;
+    EXPECT_TRUE(mended.lights && mended.made) << problem_of(mended.made);
   }
 }
 

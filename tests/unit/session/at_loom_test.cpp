@@ -103,14 +103,14 @@ struct Weaver {
   int greeted = 0;
 
   void poll() {
-    const LoomLink::News news = link.take();
+    const LoomLink::Received received = link.take();
     const auto carry_out = [this](const LoomStep& step) {
       link.send(step.send);
       take(design, step);
     };
-    greeted += news.connected;
-    if (news.connected) carry_out(greet(at, design));
-    for (const loom::LoomReport& report : news.reports) carry_out(hear(at, design, report));
+    greeted += received.connected;
+    if (received.connected) carry_out(greet(at, design));
+    for (const loom::LoomReport& report : received.reports) carry_out(hear(at, design, report));
   }
 };
 

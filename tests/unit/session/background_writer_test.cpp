@@ -34,17 +34,17 @@ TEST_F(BackgroundWriterTest, RetriesUntilTheFolderExists) {
   EXPECT_TRUE(writer.busy());
   std::filesystem::create_directory(path("folder"));
   EXPECT_TRUE(comes_true([&] { return writer.problem().empty() && !writer.busy(); }));
-  EXPECT_EQ(read_file(file).bytes, "draft");
+  EXPECT_EQ(read_file(file).value_or(""), "draft");
 }
 
 TEST_F(BackgroundWriterTest, AFailingPathDoesNotDelayOthers) {
   BackgroundWriter writer;
-  writer.keep("a", [] { return "no"; });
+  writer.keep("a", []() -> base::Result<void> { return base::failure(base::ErrorKind::kOutput, "no"); });
   ASSERT_TRUE(comes_true([&] { return writer.problem() == "no"; }));
   std::atomic<bool> done{false};
   writer.keep("b", [&done] {
     done = true;
-    return "";
+    return base::Result<void>();
   });
   EXPECT_TRUE(comes_true([&] { return done.load(); }));
   EXPECT_EQ(writer.problem(), "no");
@@ -60,13 +60,13 @@ TEST_F(BackgroundWriterTest, OfSeveralWaitingWritesOnlyTheNewestIsDone) {
     // The first holds the writer up until all others wait.
     writer.keep("a", [&queued] {
       queued.wait();
-      return "";
+      return base::Result<void>();
     });
     for (int i = 1; i <= 1000; ++i)
       writer.keep("a", [&last, &runs, i] {
         last = i;
         ++runs;
-        return "";
+        return base::Result<void>();
       });
     queued.count_down();
   }
@@ -78,7 +78,7 @@ TEST_F(BackgroundWriterTest, AFailingWriteDoesNotDelayTheEnd) {
   std::atomic<int> tries{0};
   {
     BackgroundWriter writer;
-    writer.keep("a", [&tries]() -> std::string {
+    writer.keep("a", [&tries]() -> base::Result<void> {
       ++tries;
       throw std::bad_alloc();
     });

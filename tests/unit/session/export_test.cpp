@@ -117,7 +117,7 @@ TEST(ExporterTest, WritesEverySetWithProgress) {
   EXPECT_EQ(state.written, (std::vector{jobs[0].folder, jobs[1].folder}));
   EXPECT_FLOAT_EQ(state.share, 1);
   EXPECT_GT(woken, 4);
-  EXPECT_TRUE(exporter.take_news());
+  EXPECT_TRUE(exporter.take_change());
   EXPECT_EQ(exporter.take_message(), "Exported 2 sets to " + (scratch / "out/x"));
   EXPECT_EQ(exporter.take_message(), "");
   EXPECT_TRUE(fs::exists(jobs[1].folder + "/texture_set.json"));

@@ -39,7 +39,7 @@ TEST(Gallery, TheLibraryHasEveryShippedDraftAndCloth) {
 }
 
 TEST(Gallery, EveryNameOfTheLibraryIsInTheCatalogueOfTexts) {
-  const std::string catalogue = base::read_file(WEFTLIGHT_SOURCE_DIR "/editor/languages/weftlight.pot").bytes;
+  const std::string catalogue = base::read_file(WEFTLIGHT_SOURCE_DIR "/editor/languages/weftlight.pot").value_or("");
   ASSERT_FALSE(catalogue.empty());
   for (const GalleryCard& card : library_cards())
     EXPECT_NE(catalogue.find("msgid \"" + card.name + "\""), std::string::npos) << card.name;
@@ -172,7 +172,7 @@ TEST_F(DraftThumbnailsTest, WorksWithADamagedOrMissingCache) {
   const std::string cache = path("cache");
   look_of_file(file, cache);
   for (const auto& entry : std::filesystem::directory_iterator(cache))
-    EXPECT_EQ(base::write_file_atomically(entry.path().string(), "no picture"), "");
+    EXPECT_EQ(problem_of(base::write_file_atomically(entry.path().string(), "no picture")), "");
   EXPECT_EQ(look_of_file(file, cache).picture, there.picture);
 }
 
@@ -181,15 +181,15 @@ TEST_F(DraftThumbnailsTest, AreMadeInTheBackground) {
   DraftThumbnails looks("", [] {});
   looks.ask(file);
   looks.ask(path("gone.wif"));
-  std::vector<std::pair<std::string, DraftThumbnail>> news;
-  for (int i = 0; i < 2000 && news.size() < 2; ++i) {
-    for (auto& one : looks.take()) news.push_back(std::move(one));
+  std::vector<std::pair<std::string, DraftThumbnail>> made;
+  for (int i = 0; i < 2000 && made.size() < 2; ++i) {
+    for (auto& one : looks.take()) made.push_back(std::move(one));
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  ASSERT_EQ(news.size(), 2u);
-  EXPECT_EQ(news[0].first, file);
-  EXPECT_EQ(news[0].second.state, DraftThumbnail::State::kThere);
-  EXPECT_EQ(news[1].second.state, DraftThumbnail::State::kMissing);
+  ASSERT_EQ(made.size(), 2u);
+  EXPECT_EQ(made[0].first, file);
+  EXPECT_EQ(made[0].second.state, DraftThumbnail::State::kThere);
+  EXPECT_EQ(made[1].second.state, DraftThumbnail::State::kMissing);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_F(NoMemory, TheJournalRetriesAndHasEveryStroke) {
 TEST_F(NoMemory, TheWriterRetries) {
   std::atomic<int> tries{0};
   BackgroundWriter writer;
-  writer.keep(path("a"), [&]() -> std::string {
+  writer.keep(path("a"), [&]() -> base::Result<void> {
     if (++tries == 1) throw 7;
     return {};
   });
@@ -113,7 +113,7 @@ TEST_F(NoMemory, AFailedAnalysisIsReportedAndTheNextSucceeds) {
     EXPECT_EQ(reporter.on(large, cells, 1, 5), nullptr);
     ASSERT_TRUE(comes_true([&] { return reporter.poll(); }));
   }
-  const std::string said = reporter.take_problem();
+  const std::string said = reporter.take_message();
   EXPECT_TRUE(tells_of_memory(said)) << said;
   EXPECT_EQ(reporter.on(large, cells, 1, 5), nullptr);
   EXPECT_FALSE(reporter.busy()) << "what failed is not tried in every frame";
@@ -124,36 +124,36 @@ TEST_F(NoMemory, AFailedExportPreviewIsReportedAndTheNextSucceeds) {
   ExportPreviewer previewer(design_, [] {});
   TextureSetOptions options;
   options.name = "x", options.size = 32;
-  std::optional<ExportPreview> made;
+  std::optional<base::Result<ExportPreview>> made;
   const auto comes = [&] { return comes_true([&] { return (made = previewer.take()).has_value(); }); };
   {
     const Scarce scarce(kLittle);
     previewer.ask(Face::kFront, options, {});
     ASSERT_TRUE(comes());
   }
-  EXPECT_TRUE(tells_of_memory(made->problem)) << made->problem;
+  EXPECT_TRUE(tells_of_memory(problem_of(*made))) << problem_of(*made);
   EXPECT_FALSE(previewer.busy());
   previewer.ask(Face::kBack, options, {});
   ASSERT_TRUE(comes());
-  EXPECT_EQ(made->problem, "");
-  EXPECT_FALSE(made->images.empty());
+  ASSERT_TRUE(*made) << problem_of(*made);
+  EXPECT_FALSE((*made)->images.empty());
 }
 
 TEST_F(NoMemory, AFailedRayTracingIsReportedAndTheNextSucceeds) {
   TraceJob job{design_, design_->scene, 0, {}, {}};
   job.around = job.preview = Image{32, 32, 3, std::vector<float>(size_t{32} * 32 * 3)};
   ReferenceTracer tracer;
-  std::optional<PictureComparison> made;
+  std::optional<base::Result<PictureComparison>> made;
   const auto comes = [&] { return comes_true([&] { return (made = tracer.take()).has_value(); }); };
   {
     const Scarce scarce(kLittle);
     tracer.start(job);
     ASSERT_TRUE(comes());
   }
-  EXPECT_TRUE(tells_of_memory(made->problem)) << made->problem;
+  EXPECT_TRUE(tells_of_memory(problem_of(*made))) << problem_of(*made);
   tracer.start(job);
   ASSERT_TRUE(comes());
-  EXPECT_EQ(made->problem, "");
+  EXPECT_EQ(problem_of(*made), "");
 }
 
 TEST_F(NoMemory, AFailedThumbnailDoesNotStopTheOthers) {

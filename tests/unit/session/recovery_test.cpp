@@ -43,7 +43,7 @@ class RecoveryTest : public ScratchTest {
 
   static std::vector<std::string> names(const std::vector<LeftWork>& left) {
     std::vector<std::string> found;
-    for (const LeftWork& one : left) found.push_back(one.note.name);
+    for (const LeftWork& one : left) found.push_back(one.note->name);
     return found;
   }
 };
@@ -57,9 +57,9 @@ TEST_F(RecoveryTest, OffersEveryCrashedSessionNewestFirst) {
   Recovery now(root());
   const std::vector<LeftWork> left = now.left_behind();
   ASSERT_EQ(left.size(), 4u);
-  EXPECT_EQ(left.front().note.name, "third.wif");
-  EXPECT_EQ(left.back().note.name, "first.wif");
-  for (const LeftWork& one : left) EXPECT_EQ(read_left(one)->text, "text of " + one.note.name);
+  EXPECT_EQ(left.front().note->name, "third.wif");
+  EXPECT_EQ(left.back().note->name, "first.wif");
+  for (const LeftWork& one : left) EXPECT_EQ(read_left(one)->text, "text of " + one.note->name);
 }
 
 TEST_F(RecoveryTest, AnotherWindowDoesNotOfferTheSameWork) {
@@ -92,7 +92,7 @@ TEST_F(RecoveryTest, WaitsForNobodysLock) {
   const auto held = platform::FileLock::take(path("recovery/lock"));
   ASSERT_TRUE(held.held());
   Recovery now(root());
-  EXPECT_EQ(now.open(), "");
+  EXPECT_TRUE(now.open());
   EXPECT_EQ(names(now.left_behind()), Names{"a.wif"});
   EXPECT_TRUE(Recovery(root()).left_behind().empty());
 }
@@ -132,9 +132,9 @@ TEST_F(RecoveryTest, UnreadableWorkIsListedLastAndKept) {
   Recovery now(root());
   const std::vector<LeftWork> left = now.left_behind();
   ASSERT_EQ(names(left), (Names{"a.wif", ""}));
-  EXPECT_EQ(left[0].problem, "");
+  EXPECT_TRUE(left[0].note) << problem_of(left[0].note);
   EXPECT_EQ(left[1].journal, path("recovery/00000000000000ff/1.journal"));
-  EXPECT_NE(left[1].problem, "");
+  EXPECT_FALSE(left[1].note);
   EXPECT_FALSE(read_left(left[1]));
   const OpenResult back = bring_back(left[1]);
   ASSERT_EQ(back.remarks.size(), 1u);
@@ -152,8 +152,8 @@ TEST_F(RecoveryTest, SessionsStartedAtOnceDoNotSeemCrashed) {
     starts.emplace_back([&] {
       for (int i = 0; i < 20; ++i) {
         Recovery session(root());
-        EXPECT_EQ(session.open(), "");
-        EXPECT_EQ(write_file_atomically(session.journal_path(1), journal_start({{}, "text"})), "");
+        EXPECT_TRUE(session.open());
+        EXPECT_TRUE(write_file_atomically(session.journal_path(1), journal_start({{}, "text"})));
         taken += static_cast<int>(session.left_behind().size());
         EXPECT_TRUE(fs::exists(session.journal_path(1)));
         fs::remove(session.journal_path(1));

@@ -89,7 +89,7 @@ TEST_F(SaverTest, EditsMadeMeanwhileAreKeptAndNotSaved) {
   EXPECT_TRUE(saver_->saving(id_));
   EXPECT_FALSE(document().is_saved());
   proceed();
-  ASSERT_TRUE(result && result->written());
+  ASSERT_TRUE(result && is_written(*result));
   EXPECT_EQ(saved_shaft(file_), 1) << "the draft as it was when the save was asked for";
   EXPECT_FALSE(document().is_saved()) << "there is an edit since";
   EXPECT_EQ(document().now().draft.threading.first(0), 2);
@@ -126,7 +126,7 @@ TEST_F(SaverTest, OfThoseThatWaitTheNewestIsWritten) {
   session_->commit(paint(1), 0);
   hold_up();
   int followed = 0;
-  const auto follow = [&](const SaveResult& r) { followed += r.written(); };
+  const auto follow = [&](const SaveResult& r) { followed += is_written(r); };
   for (int shaft = 1; shaft <= 3; ++shaft) {
     session_->commit(paint(shaft), 0);
     saver_->save(id_, file_, false, follow);
@@ -151,7 +151,7 @@ TEST_F(SaverTest, AFailedOneLeavesTheDraftUnsaved) {
   EXPECT_TRUE(saver_->awaited(0));
   proceed();
   ASSERT_TRUE(result);
-  EXPECT_NE(result->problem.find("gone/a.wif"), std::string::npos) << result->problem;
+  EXPECT_NE(problem_of(*result).find("gone/a.wif"), std::string::npos) << problem_of(*result);
   EXPECT_FALSE(document().is_saved());
   EXPECT_EQ(document().path(), file_);
   EXPECT_FALSE(closed) << "the user decides anew";
@@ -183,21 +183,22 @@ TEST_F(SaverTest, AnotherProgramsChangeIsNoticedAndOurOwnIsNot) {
   saver_->save(id_, path("a copy.wif"), false, nullptr);
   saver_->save(id_, file_, false, note(two));
   proceed();
-  EXPECT_TRUE(one->written());
-  EXPECT_TRUE(two->written()) << "the change was our own";
+  EXPECT_TRUE(is_written(*one));
+  EXPECT_TRUE(is_written(*two)) << "the change was our own";
   written("a.wif", "theirs");
   session_->commit(paint(2), 0);
   std::optional<SaveResult> three;
   hold_up();
   saver_->save(id_, file_, false, note(three));
   proceed();
-  EXPECT_TRUE(three->changed);
-  EXPECT_EQ(read_file(file_).bytes, "theirs");
+  ASSERT_TRUE(*three) << problem_of(*three);
+  EXPECT_TRUE((*three)->changed);
+  EXPECT_EQ(read_file(file_).value_or(""), "theirs");
   EXPECT_FALSE(document().is_saved());
   hold_up();
   saver_->save(id_, file_, true, note(three));
   proceed();
-  EXPECT_TRUE(three->written());
+  EXPECT_TRUE(is_written(*three));
   EXPECT_EQ(saved_shaft(file_), 2);
   EXPECT_EQ(session_->find(id_)->document.look_at_file(), FileChange::kNone);
 }

@@ -48,7 +48,7 @@ class SessionTest : public ScratchTest {
     const SaveJob job = s.save_job(id, file);
     const SaveResult result = write(job);
     s.take_saved(job, result);
-    return result.problem;
+    return problem_of(result);
   }
   std::string draft_file(const std::string& name, int shafts = 4) const {
     return written(name, write_new_wif(plain(shafts)));

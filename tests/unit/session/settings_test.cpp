@@ -79,6 +79,13 @@ TEST(Settings, ShortcutsAreSaved) {
   EXPECT_EQ(settings_from("{\"keys\": {\"save\": 3, \"open\": \"F3\"}}").keys.size(), 1u);
 }
 
+TEST(Settings, AShortcutKeepsItsActionUnderTheEarlierId) {
+  using Keys = std::map<std::string, std::string>;
+  EXPECT_EQ(settings_from(R"({"keys": {"nearest": "F7"}})").keys, (Keys{{"closest_weave", "F7"}}));
+  EXPECT_EQ(settings_from(R"({"keys": {"closest_weave": "F8", "nearest": "F7"}})").keys,
+            (Keys{{"closest_weave", "F8"}}));
+}
+
 TEST(Settings, InvalidValuesAreAsIfMissing) {
   for (const char* text : {"", "[]", "{", "{\"width\": \"wide\", \"recent\": 3, \"dark\": 1}", "\xFF\xFE"}) {
     const Settings s = settings_from(text);

@@ -57,11 +57,11 @@ class SlowEditsTest : public ScratchTest {
     task.kind = "gate";
     runner_.start(std::move(task));
   }
-  SlowEdits::News proceed() {
+  SlowEdits::Outcome proceed() {
     gate_.release();
     runner_.wait();
     runner_.take();
-    return edits_.take_news();
+    return edits_.take_outcome();
   }
   const Document& document() { return session_.active().document; }
   std::optional<RejectedEdit>& rejected() { return session_.active().view.rejected_edit; }
@@ -99,9 +99,9 @@ TEST_F(SlowEditsTest, WhatWasPaintedMeanwhileWins) {
   edits_.start(slow("Anni"));
   session_.commit(titled("painted"), 7);
   const Design painted = document().now();
-  const SlowEdits::News news = proceed();
-  EXPECT_FALSE(news.edited);
-  EXPECT_NE(news.said.find("changed meanwhile"), std::string::npos) << news.said;
+  const SlowEdits::Outcome outcome = proceed();
+  EXPECT_FALSE(outcome.edited);
+  EXPECT_NE(outcome.said.find("changed meanwhile"), std::string::npos) << outcome.said;
   EXPECT_EQ(document().now(), painted);
 }
 
@@ -135,8 +135,8 @@ TEST_F(SlowEditsTest, CancelledItChangesNothing) {
   hold_up();
   edits_.start(slow("Anni"));
   edits_.cancel(runner_.shown()[0].kind);
-  const SlowEdits::News news = proceed();
-  EXPECT_FALSE(news.edited);
+  const SlowEdits::Outcome outcome = proceed();
+  EXPECT_FALSE(outcome.edited);
   EXPECT_EQ(document().now().author, "");
 }
 

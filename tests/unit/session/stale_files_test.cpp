@@ -23,7 +23,7 @@ class StaleFiles : public ScratchTest {
         std::ofstream(beside) << "half";
         inherit(beside);
         std::ofstream(beside) << "whole";
-        return std::string();
+        return base::Result<void>();
       });
     };
   }
@@ -47,22 +47,21 @@ TEST_F(StaleFiles, FilesOfAnOwnerWithUnknownProcessIdGoAfterItsEnd) {
   Heir heir(writer());
   remove_stale_files(path("a.wif"));
   heir.finish();
-  EXPECT_EQ(base::read_file(path("a.wif")).bytes, "whole");
+  EXPECT_EQ(base::read_file(path("a.wif")).value_or(""), "whole");
   EXPECT_EQ(std::distance(fs::directory_iterator(dir_), {}), 1);
 }
 
 TEST_F(StaleFiles, FilesStayWhenAForkOfTheirOwnerEnds) {
-  EXPECT_EQ(base::write_through(path("a.wif"),
-                                [&](const std::string& beside) {
-                                  std::ofstream(beside) << "half";
-                                  const pid_t child = fork();
-                                  if (child == 0) _exit(0);
-                                  EXPECT_EQ(waitpid(child, nullptr, 0), child);
-                                  remove_stale_files(path("a.wif"));
-                                  EXPECT_TRUE(fs::exists(beside));
-                                  return std::string();
-                                }),
-            "");
+  const base::Result<void> done = base::write_through(path("a.wif"), [&](const std::string& beside) {
+    std::ofstream(beside) << "half";
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    EXPECT_EQ(waitpid(child, nullptr, 0), child);
+    remove_stale_files(path("a.wif"));
+    EXPECT_TRUE(fs::exists(beside));
+    return base::Result<void>();
+  });
+  EXPECT_EQ(problem_of(done), "");
 }
 
 TEST_F(StaleFiles, OtherFilesStay) {
@@ -93,7 +92,7 @@ TEST_F(StaleFiles, WithoutFileLocksNothingIsRemoved) {
   const std::string left = written("a.part-0123456789abcdef.wif", "half");
   const int answer = without_locks([&] {
     remove_stale_files(path("a.wif"));
-    return fs::exists(left) && base::write_file_atomically(path("a.wif"), "whole").empty() && fs::exists(path("a.wif"));
+    return fs::exists(left) && base::write_file_atomically(path("a.wif"), "whole") && fs::exists(path("a.wif"));
   });
   if (answer < 0) GTEST_SKIP() << "the system filters no calls";
   EXPECT_EQ(answer, 1);

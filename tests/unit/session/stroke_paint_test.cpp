@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <random>
+#include <thread>
 
 #include "../hand_drafts.h"
+#include "../scarce_memory.h"
 #include "../scratch.h"
 #include "design/crossings.h"
 #include "design/edits.h"
@@ -15,17 +18,17 @@
 
 namespace weftlight::session {
 
-using design::Design, design::Leading, design::Painted, design::is_consistent, design::painted_crossings,
-    design::random_draft, design::text_of, design::with_leading, design::with_moved, design::with_size;
+using design::Design, design::Leading, design::is_consistent, design::painted_crossings, design::random_draft,
+    design::text_of, design::with_leading, design::with_moved, design::with_size;
 using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::LoomSize, draft::Selection, draft::ShedControl,
     draft::Write, draft::blank_draft, draft::drawdown, draft::lifts, draft::transposed, draft::whole_grid;
 
 namespace {
 
-Design twill(Leading leading) {
+Design twill(Leading leading, int size = 48) {
   Design d;
-  d.draft = blank_draft(48, 48, 4, 4);
-  for (int i = 0; i < 48; ++i) {
+  d.draft = blank_draft(size, size, 4, 4);
+  for (int i = 0; i < size; ++i) {
     d.draft.threading.set(i, i % 4, true);
     d.draft.treadling.set(i, i % 4, true);
   }
@@ -152,9 +155,9 @@ TEST_F(StrokeTest, AStrokeInAnyDraftGivesTheRequestedCells) {
         for (const Cell& at : line_of_cells(along[i == 0 ? 0 : i - 1], along[i]))
           for (const Cell& image : images_of(mirror, GridId::kDrawdown, at)) asked.set(image.b, image.a, true);
       paint(along);
-      const Painted wanted = painted_crossings(before, whole_grid(before.draft, BitGrid::kDrawdown), 0, 0, asked,
-                                               on ? Write::kAdd : Write::kErase);
-      ASSERT_EQ(text_of(cells()), text_of(drawdown(wanted.design.draft))) << round;
+      const auto wanted = painted_crossings(before, whole_grid(before.draft, BitGrid::kDrawdown), 0, 0, asked,
+                                            on ? Write::kAdd : Write::kErase);
+      ASSERT_EQ(text_of(cells()), text_of(drawdown(wanted.value_or(before).draft))) << round;
       ASSERT_EQ(fault_of(now().draft, given), "") << round;
       ASSERT_TRUE(is_consistent(now())) << round;
       const Design after = now();
@@ -163,6 +166,37 @@ TEST_F(StrokeTest, AStrokeInAnyDraftGivesTheRequestedCells) {
       ASSERT_EQ(now(), before) << "one step of undo";
       session_.redo();
     }
+  }
+}
+
+TEST_F(StrokeTest, PaintingNeverNeedsAWholeDrawdown) {
+  constexpr int kSize = 4000;
+  constexpr size_t kDrawdown = size_t{kSize} * kSize / 8;  // bytes
+  for (const Leading leading : {Leading::kDrawdown, Leading::kThreading}) {
+    open(twill(leading, kSize));
+    BitMatrix wanted = cells();
+    bool enough = true;
+    {
+      const Scarce scarce(kDrawdown / 8);
+      std::thread window([&] {
+        try {
+          ++stroke_;
+          commit(begin_stroke(view(), now(), GridId::kDrawdown, {100, 3000}, true, true));
+          for (int i = 1; i < 20; ++i) commit(go_on_with_stroke(view(), now(), {100 + i, 3000 + i}, true));
+        } catch (const std::bad_alloc&) {
+          enough = false;
+        }
+      });
+      window.join();
+    }
+    ASSERT_TRUE(enough) << "work on every crossing";
+    for (int i = 0; i < 20; ++i) wanted.set(3000 + i, 100 + i, true);
+    if (leading == Leading::kDrawdown) {
+      EXPECT_EQ(cells(), wanted);
+    }
+    EXPECT_EQ(session_.active().document.cells(), cells());
+    EXPECT_TRUE(now().draft != twill(leading, kSize).draft);
+    view().drawing.stroke = {};
   }
 }
 

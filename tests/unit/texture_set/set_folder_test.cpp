@@ -33,18 +33,16 @@ std::string text_in(const fs::path& path) {
 }
 
 std::string write_set(const fs::path& folder, const std::string& text) {
-  std::string problem;
-  Staging made = make_staging(folder, problem);
-  if (!problem.empty()) return problem;
-  fill(made.folder, text);
-  return put_in_place(std::move(made), folder, kSet, false);
+  base::Result<Staging> made = make_staging(folder);
+  if (!made) return problem_of(made);
+  fill(made->folder, text);
+  return problem_of(put_in_place(std::move(*made), folder, kSet, false));
 }
 
 /// Somebody who writes a set and does not come to its end.
 Heir::Own writer_into(const fs::path& folder) {
   return [folder](const auto& inherit) {
-    std::string problem;
-    Staging made = make_staging(folder, problem);
+    Staging made = make_staging(folder).value();
     std::ofstream(made.folder / "a.png") << "half";
     inherit(made.folder.string());
     fill(made.folder, "late");
@@ -83,8 +81,7 @@ TEST(SetFolder, WhatTheDeadLeftGoesAndNothingElse) {
 
 TEST(SetFolder, AForkThatEndsTakesNothingWithIt) {
   const Scratch scratch("forks");
-  std::string problem;
-  Staging made = make_staging(scratch / "set", problem);
+  Staging made = make_staging(scratch / "set").value();
   const pid_t child = fork();
   if (child == 0) {
     { const Staging ended = std::move(made); }
@@ -100,19 +97,18 @@ TEST(SetFolder, TwoExportsIntoOneFolderAtOnceGiveOneWholeSet) {
   constexpr int kRounds = 200;
   for (int round = 0; round < kRounds; ++round) {
     const fs::path folder = scratch.folder / "set";
-    std::string problem, theirs;
-    Staging a = make_staging(folder, problem), b = make_staging(folder, problem);
-    ASSERT_EQ(problem, "");
+    Staging a = make_staging(folder).value(), b = make_staging(folder).value();
     fill(a.folder, "a"), fill(b.folder, "b");
+    base::Result<void> theirs;
     std::barrier both(2);
     std::thread other([&] {
       both.arrive_and_wait();
       theirs = put_in_place(std::move(b), folder, kSet, false);
     });
     both.arrive_and_wait();
-    problem = put_in_place(std::move(a), folder, kSet, false);
+    const base::Result<void> mine = put_in_place(std::move(a), folder, kSet, false);
     other.join();
-    ASSERT_EQ(problem + theirs, "") << round;
+    ASSERT_EQ(problem_of(mine) + problem_of(theirs), "") << round;
     const std::string one = text_in(folder / "a.png");
     ASSERT_FALSE(one.empty()) << round;
     for (const char* name : {"b.png", "c.png"}) ASSERT_EQ(text_in(folder / name), one) << round;
@@ -128,10 +124,9 @@ TEST(SetFolder, WithoutLocksNothingGoesAndNoneIsTakenForADeadOnes) {
   std::ofstream(left + "/.weftlight_texture_set") << "";
   const int answer = without_locks([&] {
     const bool wrote = write_set(scratch / "set", "mine").empty() && fs::exists(left);
-    std::string problem;
-    const Staging cut_short = make_staging(scratch / "set", problem);
-    std::ofstream(scratch / "name") << cut_short.folder.string();
-    return wrote && problem.empty();
+    const base::Result<Staging> cut_short = make_staging(scratch / "set");
+    if (cut_short) std::ofstream(scratch / "name") << cut_short->folder.string();
+    return wrote && cut_short;
   });
   if (answer < 0) GTEST_SKIP() << "the system filters no calls";
   EXPECT_EQ(answer, 1);
@@ -142,11 +137,10 @@ TEST(SetFolder, WithoutLocksNothingGoesAndNoneIsTakenForADeadOnes) {
 
 TEST(SetFolder, AnothersSetThatCameMeanwhileIsNotReplaced) {
   const Scratch scratch("meanwhile");
-  std::string problem;
-  Staging late = make_staging(scratch / "set", problem);
+  Staging late = make_staging(scratch / "set").value();
   fill(late.folder, "late");
   ASSERT_EQ(write_set(scratch / "set", "mine"), "");
-  EXPECT_NE(put_in_place(std::move(late), scratch / "set", {"y.wif", "y.wif", "gltf"}, false), "");
+  EXPECT_FALSE(put_in_place(std::move(late), scratch / "set", {"y.wif", "y.wif", "gltf"}, false));
   EXPECT_EQ(text_in(scratch / "set/a.png"), "mine");
 }
 

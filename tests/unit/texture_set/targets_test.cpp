@@ -33,7 +33,7 @@ constexpr ImageRow kImages[] = {
     {"mu-", "_bump", ".png", PixelType::kU16, false, {kNormalX, kNormalYDown, kNormalZ, kNone}},
 };
 
-std::string write_material(const SetFacts& set) {
+base::Result<void> write_material(const SetFacts& set) {
   return base::write_file_atomically(set.folder + "/" + set.name + ".mu",
                                      "use " + image_named(set, "_color", Face::kBack) + "\n");
 }
@@ -65,7 +65,7 @@ TEST(ExportTargets, ANewOneIsAFileAndARow) {
 
   const Scratch scratch("made-up");
   const std::string folder = scratch / "set";
-  ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(*target, 32)), "");
+  ASSERT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), options_for(*target, 32))), "");
   std::set<std::string> found;
   for (const auto& entry : fs::directory_iterator(folder)) found.insert(entry.path().filename());
   EXPECT_EQ(found, (std::set<std::string>{"README.md", "contact_sheet.png", "mu-sample_back_bump.png",

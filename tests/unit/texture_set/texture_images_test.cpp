@@ -27,8 +27,10 @@ using nlohmann::json;
 
 TEST(TextureSet, GreenOfNormalsFollowsTheEngine) {
   const Scratch scratch("green");
-  ASSERT_EQ(write_texture_set(scratch / "up", sample_design(), sheet(), options_for(targets::kGltf, 64)), "");
-  ASSERT_EQ(write_texture_set(scratch / "down", sample_design(), sheet(), options_for(targets::kUnreal, 64)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "up", sample_design(), sheet(), options_for(targets::kGltf, 64))),
+            "");
+  ASSERT_EQ(
+      problem_of(write_texture_set(scratch / "down", sample_design(), sheet(), options_for(targets::kUnreal, 64))), "");
   const Image up = *read_image(scratch / "up/sample_normal.png"), down = *read_image(scratch / "down/T_sample_N.png");
   for (size_t i = 0; i < up.texels.size(); i += 3) {
     EXPECT_NEAR(up.texels[i], down.texels[i], 1e-6f);
@@ -106,7 +108,7 @@ TEST(TextureSet, YarnsAreRougherAcrossTheFibre) {
 
 TEST(TextureSet, CoarserMipsAreRougher) {
   const Scratch scratch("mips");
-  ASSERT_EQ(write_texture_set(scratch / "raw", sample_design(), {}, options_for(targets::kRaw, 64)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "raw", sample_design(), {}, options_for(targets::kRaw, 64))), "");
   const std::string file = scratch / "raw/sample_front_mips.exr";
   const std::array<size_t, 3> levels{0, 2, 4};  // the first has half the size of the set
   double before = 0;
@@ -141,7 +143,7 @@ TEST(TextureSet, TwistIsTheSameOnBothFaces) {
   const Scratch scratch("twist");
   Design design = sample_design();
   for (Yarn& yarn : design.yarns) yarn.twist = Twist::kZ;
-  ASSERT_EQ(write_texture_set(scratch / "raw", design, {}, options_for(targets::kRaw, 64)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "raw", design, {}, options_for(targets::kRaw, 64))), "");
   const double front = warp_slant(scratch / "raw/sample_front_tangent.png");
   const double back = warp_slant(scratch / "raw/sample_back_tangent.png");
   EXPECT_GT(std::abs(front), 0.01);
@@ -150,7 +152,8 @@ TEST(TextureSet, TwistIsTheSameOnBothFaces) {
 
 TEST(TextureSet, OcclusionIsDarkBetweenThreads) {
   const Scratch scratch("occlusion");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), {}, options_for(targets::kUnityUrp, 128)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), {}, options_for(targets::kUnityUrp, 128))),
+            "");
   const Image occlusion = *read_image(scratch / "set/sample_Occlusion.png");
   const auto [least, most] = std::minmax_element(occlusion.texels.begin(), occlusion.texels.end());
   EXPECT_LT(*least, 0.8f);
@@ -170,7 +173,9 @@ Design asymmetric_design() {
 
 TEST(TextureSet, EndOneIsAtTheRightAndPickOneAtTheTop) {
   const Scratch scratch("way_up");
-  ASSERT_EQ(write_texture_set(scratch / "set", asymmetric_design(), {}, options_for(targets::kUnityUrp, 128)), "");
+  ASSERT_EQ(
+      problem_of(write_texture_set(scratch / "set", asymmetric_design(), {}, options_for(targets::kUnityUrp, 128))),
+      "");
   const Image image = *read_image(scratch / "set/sample_BaseMap.png");
   std::vector<double> white(8), red(8);
   for (int y = 0; y < 128; ++y) {
@@ -248,7 +253,7 @@ TEST(TextureSet, PrefilteredMipsGrowRougherAndKeepTheMask) {
   for (Yarn& yarn : design.yarns) yarn.lobes.along_width = yarn.lobes.across_width = 0.1f;
   TextureSetOptions options = options_for(targets::kGltf, 256);
   options.mips = MipContainer::kDds, options.alpha = Alpha::kMask, options.distance_m = 0;
-  ASSERT_EQ(write_texture_set(scratch / "set", design, sheet(), options), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", design, sheet(), options)), "");
   const json list = list_of(scratch / "set");
   EXPECT_EQ(list["maps"].size(), 20u) << "each image and its mips, both faces";
   const MipFigures f = mips_of(scratch / "set", 9);
@@ -269,7 +274,7 @@ std::vector<std::string> channel_names(const std::string& image) {
 
 TEST(TextureSet, ChannelsOfExrHaveNames) {
   const Scratch scratch("names_of_channels");
-  ASSERT_EQ(write_texture_set(scratch / "raw", sample_design(), {}, options_for(targets::kRaw, 32)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "raw", sample_design(), {}, options_for(targets::kRaw, 32))), "");
   const json list = list_of(scratch / "raw");
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
@@ -288,7 +293,7 @@ TEST(TextureSet, BothFacesHaveTheirOwnImages) {
   design.draft.palette = {{0.1f, 0.1f, 0.4f}, {0.9f, 0.9f, 0.9f}};
   design.draft.warp.color.assign(design.draft.warp.color.size(), 0);
   design.draft.weft.color.assign(design.draft.weft.color.size(), 1);
-  ASSERT_EQ(write_texture_set(scratch / "set", design, sheet(), options_for(targets::kGltf, 64)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", design, sheet(), options_for(targets::kGltf, 64))), "");
   const Image front = *read_image(scratch / "set/sample_basecolor.png"),
               back = *read_image(scratch / "set/sample_back_basecolor.png");
   EXPECT_GT(mean_of(back, 0), mean_of(front, 0) + 0.1);

@@ -70,7 +70,7 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   const ExportTarget& target = *GetParam();
   const Scratch scratch(std::string("set-") + target.id);
   const std::string folder = scratch / "sample";
-  ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(target)), "");
+  ASSERT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), options_for(target))), "");
   const json list = list_of(folder);
   EXPECT_EQ(list["target"], target.id);
   EXPECT_EQ(list["source"], "sample.wif");
@@ -104,7 +104,8 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
 
 TEST(TextureSet, NamesAreThoseOfTheEngines) {
   const Scratch scratch("names");
-  ASSERT_EQ(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(targets::kUnreal, 32)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "u", sample_design(), sheet(), options_for(targets::kUnreal, 32))),
+            "");
   for (const char* file : {"T_sample_BC.png", "T_sample_N.png", "T_sample_ORM.png"})
     EXPECT_TRUE(fs::exists(scratch / ("u/" + std::string(file)))) << file;
 }
@@ -126,25 +127,25 @@ TEST(TextureSet, ForeignFilesAreNotTouched) {
   const Scratch scratch("others");
   fs::create_directories(scratch / "mine");
   std::ofstream(scratch / "mine/letter.txt") << "dear";
-  EXPECT_NE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(targets::kGltf, 32)), "");
+  EXPECT_FALSE(write_texture_set(scratch / "mine", sample_design(), sheet(), options_for(targets::kGltf, 32)));
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "mine"), {}), 1);
   TextureSetOptions force = options_for(targets::kGltf, 32);
   force.force = true;
-  EXPECT_EQ(write_texture_set(scratch / "mine", sample_design(), sheet(), force), "");
+  EXPECT_EQ(problem_of(write_texture_set(scratch / "mine", sample_design(), sheet(), force)), "");
   EXPECT_TRUE(fs::exists(scratch / "mine/letter.txt"));
 }
 
 TEST(TextureSet, OnlyFilesListedByTheSameSetAreReplaced) {
   const Scratch scratch("same");
   const TextureSetOptions options = options_for(targets::kGltf, 32);
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
   // A foreign file is beside the set; an older version of the set had one more image.
   std::ofstream(scratch / "set/scene.blend") << "work";
   json list = list_of(scratch / "set");
   std::ofstream(scratch / "set/sample_old.png") << "old";
   list["files"].push_back("sample_old.png");
   std::ofstream(scratch / "set/texture_set.json") << list;
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
   EXPECT_TRUE(fs::exists(scratch / "set/scene.blend"));
   EXPECT_FALSE(fs::exists(scratch / "set/sample_old.png"));
   // A file that is not listed is foreign, whatever its name.
@@ -152,30 +153,32 @@ TEST(TextureSet, OnlyFilesListedByTheSameSetAreReplaced) {
   list["files"].erase(std::find(list["files"].begin(), list["files"].end(), "sample_orm.png"));
   std::ofstream(scratch / "set/texture_set.json") << list;
   std::ofstream(scratch / "set/sample_orm.png") << "painted over";
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+  EXPECT_FALSE(write_texture_set(scratch / "set", sample_design(), sheet(), options));
   EXPECT_EQ(fs::file_size(scratch / "set/sample_orm.png"), 12u);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << "a temporary file remains";
 }
 
 TEST(TextureSet, OtherSetsAreNotReplaced) {
   const Scratch scratch("sets");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kUnreal, 32)), "");
-  EXPECT_NE(existing_files_problem(scratch / "set", options_for(targets::kGltf, 32)), "");
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kUnreal, 32))),
+            "");
+  EXPECT_FALSE(check_set_folder(scratch / "set", options_for(targets::kGltf, 32)));
+  EXPECT_FALSE(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32)));
   TextureSetOptions namesake = options_for(targets::kUnreal, 32);
   namesake.draft_path = "other/sample.wif";
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
+  EXPECT_FALSE(write_texture_set(scratch / "set", sample_design(), sheet(), namesake));
   namesake.force = true;
-  EXPECT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), namesake), "");
+  EXPECT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), namesake)), "");
 }
 
 TEST(TextureSet, AFailedExportKeepsTheOldSet) {
   const Scratch scratch("failure");
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32))),
+            "");
   Mesh broken = sheet();
   broken.index[0] = 1000;
   TextureSetOptions larger = options_for(targets::kGltf, 64);
-  EXPECT_NE(write_texture_set(scratch / "set", sample_design(), broken, larger), "");
+  EXPECT_FALSE(write_texture_set(scratch / "set", sample_design(), broken, larger));
   EXPECT_EQ(list_of(scratch / "set")["size_texels"][0], 32);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1);
 }
@@ -223,7 +226,7 @@ TEST(TextureSet, EveryTargetHasTheSameScale) {
                     width = number(static_cast<double>(cloth.width_mm));
   const auto holds = [&](const ExportTarget& target, const std::string& file, const std::string& text) {
     const std::string folder = scratch / target.id;
-    ASSERT_EQ(write_texture_set(folder, sample_design(), sheet(), options_for(target, 32)), "");
+    ASSERT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), options_for(target, 32))), "");
     std::ifstream in(folder + "/" + file);
     const std::string all{std::istreambuf_iterator<char>(in), {}};
     EXPECT_NE(all.find(text), std::string::npos) << file << " lacks " << text;
@@ -245,7 +248,7 @@ TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
   const Scratch scratch("unity-maps");
   for (const ExportTarget* target : {&targets::kUnityUrp, &targets::kUnityHdrp}) {
     const std::string folder = scratch / target->id;
-    ASSERT_EQ(write_texture_set(folder, sample_design(), {}, options_for(*target, 32)), "");
+    ASSERT_EQ(problem_of(write_texture_set(folder, sample_design(), {}, options_for(*target, 32))), "");
     for (const json& map : list_of(folder)["maps"]) {
       const std::string file = map["file"], meta = text_of(folder + "/" + file + ".meta");
       EXPECT_NE(meta.find(map["color_space"] == "sRGB" ? "sRGBTexture: 1\n" : "sRGBTexture: 0\n"), std::string::npos)
@@ -259,7 +262,8 @@ TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
 /// HDRP maps smoothness and normal from 0..1 to -1..1 and adds them to those of the base material.
 TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
-  ASSERT_EQ(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128))),
+            "");
   const Image map = *read_image(scratch / "h/sample_ThreadMap.png");
   ASSERT_EQ(map.channels, 4);
   std::array<double, 4> mean{};
@@ -280,7 +284,7 @@ TEST(TextureSet, UnityMaterialsSetBlending) {
   const auto material = [&](const ExportTarget* target, Alpha alpha) {
     options.target = target, options.alpha = alpha;
     const std::string folder = scratch / (std::string(target->id) + alpha_name(alpha));
-    EXPECT_EQ(write_texture_set(folder, sample_design(), {}, options), "");
+    EXPECT_EQ(problem_of(write_texture_set(folder, sample_design(), {}, options)), "");
     return text_of(folder + "/sample.mat");
   };
   for (const ExportTarget* target : {&targets::kUnityUrp, &targets::kUnityHdrp}) {
@@ -325,8 +329,8 @@ TEST(TextureSet, TheSameBytesEveryTime) {
   const Scratch scratch("again");
   for (const ExportTarget* target : {&targets::kU3m, &targets::kMaterialX, &targets::kGltf}) {
     const std::string a = scratch / (std::string("a/") + target->id), b = scratch / (std::string("b/") + target->id);
-    ASSERT_EQ(write_texture_set(a, sample_design(), sheet(), options_for(*target, 32)), "");
-    ASSERT_EQ(write_texture_set(b, sample_design(), sheet(), options_for(*target, 32)), "");
+    ASSERT_EQ(problem_of(write_texture_set(a, sample_design(), sheet(), options_for(*target, 32))), "");
+    ASSERT_EQ(problem_of(write_texture_set(b, sample_design(), sheet(), options_for(*target, 32))), "");
     for (const auto& entry : fs::directory_iterator(a)) {
       std::ifstream one(entry.path(), std::ios::binary), two(b / entry.path().filename(), std::ios::binary);
       EXPECT_EQ(std::string(std::istreambuf_iterator<char>(one), {}),
@@ -338,7 +342,7 @@ TEST(TextureSet, TheSameBytesEveryTime) {
 
 TEST(TextureSet, EmptyDraftIsAnError) {
   const Scratch scratch("empty");
-  EXPECT_NE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(targets::kGltf, 32)), "");
+  EXPECT_FALSE(write_texture_set(scratch / "set", Design{}, sheet(), options_for(targets::kGltf, 32)));
   EXPECT_TRUE(fs::is_empty(scratch.folder));
 }
 

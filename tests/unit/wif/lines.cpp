@@ -9,7 +9,7 @@
 
 namespace weftlight::wif {
 
-using base::FileBytes, base::read_file;
+using base::read_file;
 
 namespace {
 
@@ -30,9 +30,9 @@ const std::string kFixtures = std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures/";
 }  // namespace
 
 std::string fixture(const std::string& name) {
-  FileBytes file = read_file(kFixtures + name);
-  EXPECT_EQ(file.error, "") << name;
-  return std::move(file.bytes);
+  const auto bytes = read_file(kFixtures + name);
+  EXPECT_TRUE(bytes) << problem_of(bytes);
+  return bytes.value_or("");
 }
 
 std::vector<std::string> fixture_names() {

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Makes the packages, and installs, runs and removes them in folders of their own.
+# Usage: package_test.sh CPACK BUILD SOURCE
+set -euo pipefail
+cpack=$1 build=$2 source=$3
+unset WEFTLIGHT_PRESETS WEFTLIGHT_SHADERS WEFTLIGHT_LANGUAGES
+for tool in dpkg dpkg-deb dpkg-shlibdeps; do
+  command -v "$tool" >/dev/null || { echo "skipped: $tool is missing (package dpkg-dev)"; exit 77; }
+done
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+fail() { echo "failed: $*" >&2; exit 1; }
+
+"$cpack" --config "$build/CPackConfig.cmake" -G "DEB;TGZ" -B "$root/packages" >"$root/log" 2>&1 || { cat "$root/log"; fail cpack; }
+deb=$(ls "$root"/packages/weftlight_*.deb) archive=$(ls "$root"/packages/weftlight-*.tar.gz)
+
+# What it depends on is computed from the program, and what it opens while it runs is named.
+depends=$(dpkg-deb -f "$deb" Depends)
+for package in libc6 libegl1 fonts-inter libopenimageio; do
+  [[ $depends == *$package* ]] || fail "it does not depend on $package: $depends"
+done
+[[ $(dpkg-deb -f "$deb" Version) == "$("$build/weftlight" --version | cut -d' ' -f2)" ]] || fail "the version"
+
+# Installed into an empty system, and removed without a trace.
+system=$root/system
+mkdir -p "$system/var/lib/dpkg/updates" "$system/var/lib/dpkg/info"
+touch "$system/var/lib/dpkg/status" "$system/var/lib/dpkg/available"
+dpkg_there() { dpkg --root="$system" --log=/dev/null --force-depends --force-not-root --force-bad-path "$@" >"$root/log" 2>&1 || { cat "$root/log"; fail "dpkg $*"; }; }
+dpkg_there -i "$deb"
+for file in bin/weftlight share/applications/weftlight.desktop share/mime/packages/weftlight.xml \
+  share/metainfo/org.weftlight.Weftlight.metainfo.xml share/man/man1/weftlight.1 share/doc/weftlight/copyright \
+  share/bash-completion/completions/weftlight share/zsh/vendor-completions/_weftlight \
+  share/fish/vendor_completions.d/weftlight.fish share/weftlight/presets/drafts/starter.wif; do
+  [[ -s $system/usr/$file || -s $system/usr/$file.gz ]] || fail "$file is not installed"
+done
+grep -qaF "$source" "$system/usr/bin/weftlight" && fail "the program names the folder of its source"
+share=$system/usr/share
+(cd / && "$system/usr/bin/weftlight" info "$share/weftlight/presets/drafts/starter.wif" >/dev/null) || fail "info"
+
+# The shells understand their completions.
+completed() { bash -c 'source "$1"; COMP_WORDS=("${@:2}"); COMP_CWORD=$(($# - 2)); _weftlight; echo "${COMPREPLY[*]}"' - \
+  "$share/bash-completion/completions/weftlight" "$@"; }
+(cd "$root" && [[ $(completed weftlight rend) == render ]]) || fail "bash completes the verb"
+[[ $(completed weftlight render --method ya) == yarn ]] || fail "bash completes a value"
+[[ $(completed weftlight render --turn) == --turntable ]] || fail "bash completes an option"
+if command -v zsh >/dev/null; then zsh -n "$share/zsh/vendor-completions/_weftlight" || fail "zsh"; fi
+if command -v fish >/dev/null; then fish -n "$share/fish/vendor_completions.d/weftlight.fish" || fail "fish"; fi
+page=$(ls "$share"/man/man1/weftlight.1*)
+if command -v man >/dev/null; then
+  MANROFFSEQ='' man --warnings -E UTF-8 -l -Tutf8 -Z "$page" >/dev/null 2>"$root/log"
+  [[ ! -s $root/log ]] || { cat "$root/log"; fail "the manual page"; }
+fi
+for verb in info render export; do grep -q "weftlight $verb" <(zcat -f "$page") || fail "$verb is not in the manual page"; done
+if command -v appstreamcli >/dev/null; then
+  appstreamcli validate --no-net "$share"/metainfo/*.xml >"$root/log" || { cat "$root/log"; fail "the AppStream data"; }
+fi
+dpkg_there -P weftlight
+left=$(find "$system" -path "$system/var/lib/dpkg" -prune -o -type f -print)
+[[ -z $left ]] || fail "left behind: $left"
+
+# The archive runs from wherever it is unpacked.
+mkdir "$root/elsewhere"
+tar -xzf "$archive" -C "$root/elsewhere"
+(cd / && "$root"/elsewhere/weftlight-*/bin/weftlight info "$root"/elsewhere/weftlight-*/share/weftlight/presets/drafts/starter.wif >/dev/null) ||
+  fail "the unpacked archive"

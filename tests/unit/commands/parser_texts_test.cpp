@@ -1,0 +1,72 @@
+// What the command line says about arguments that it cannot use, and its help: the program's own words, in one line.
+
+#include "../scratch_fixture.h"
+#include "scratch_folder.h"
+
+namespace weftlight::commands {
+namespace {
+
+using Args = std::vector<std::string>;
+
+std::string draft() { return fixture_path("twill.wif"); }
+
+TEST(ParserTexts, name_the_argument_and_what_to_give) {
+  const std::vector<std::pair<Args, std::string>> cases{
+      {{"render"}, "weftlight render: FILE is required (Draft)\n"},
+      {{"render", draft()}, "weftlight render: -o is required (Output file: .png or .exr)\n"},
+      {{"render", draft(), "-o"}, "weftlight render: -o needs a value: FILE\n"},
+      {{"render", draft(), "-o", "a.png", "--size"}, "weftlight render: --size needs a value: WxH\n"},
+      {{"render", draft(), "-o", "a.png", "-o", "b.png"}, "weftlight render: -o may be given only once\n"},
+      {{"render", draft(), "-o", "a.png", "--shiny"}, "weftlight render: there is no option '--shiny'\n"},
+      {{"render", draft(), "-o", "a.png", "--sise=10x10"},
+       "weftlight render: there is no option '--sise'; did you mean --size?\n"},
+      {{"render", draft(), "--outptu", "a.png"},
+       "weftlight render: there is no option '--outptu'; did you mean --output?\n"},
+      {{"render", draft(), "-o", "a.png", "more"}, "weftlight render: 'more' is one argument too many\n"},
+      {{"convert", draft(), "a.wif", "--liftplan", "--treadling"},
+       "weftlight convert: --liftplan and --treadling exclude each other; give only one of them\n"},
+      {{"diff", draft()}, "weftlight diff: B is required (Second draft)\n"},
+      {{"a.wif", "b.wif"}, "weftlight: 'b.wif' is one argument too many\n"},
+      {{"--ui-mpa", "a.json"}, "weftlight: there is no option '--ui-mpa'; did you mean --ui-map?\n"},
+      {{"analyse", draft(), "--shrinkage", "3"}, "weftlight analyse: --shrinkage: '3' is not a number from 0 to 0.9\n"},
+      {{"analyse", draft(), "--floats", "7.5"},
+       "weftlight analyse: --floats: '7.5' is not a whole number from 0 to 100000\n"},
+      {{"print", draft(), "-o", "a.pdf", "--paper", "b5"},
+       "weftlight print: --paper: 'b5' is none of a4, a3, a5, letter, legal\n"},
+      {{"chart", "-o", "a", "--view", "7"}, "weftlight chart: --view: '7' is none of 0, 80\n"},
+  };
+  for (const auto& [args, said] : cases) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
+    EXPECT_EQ(ran.said.substr(0, ran.said.find('\n') + 1), said);
+  }
+}
+
+TEST(ParserTexts, a_number_is_finite_and_may_have_a_sign) {
+  for (const char* number : {"nan", "inf", "-inf", "", "1e999", "12mm"})
+    EXPECT_EQ(run({"analyse", draft(), "--length", number}).code, kUsage) << number;
+  for (const char* number : {"+100", "1e2", "100.5"})
+    EXPECT_EQ(run({"analyse", draft(), "--length", number}).code, kDone) << number;
+}
+
+TEST(ParserTexts, help_shows_options_as_they_are_typed) {
+  const std::string help = run({"print", "--help"}).out;
+  for (const char* line :
+       {"Usage: weftlight print [OPTIONS] FILE\n", "\n  FILE                        Draft\n",
+        "\n  -o, --output FILE (required)\n                              Output file: .pdf, .svg or .png\n",
+        "\n  --paper a4|a3|a5|letter|legal\n                              Paper size; default: a4\n",
+        "\n  --scale 0.5..20             Side of a grid cell in mm"})
+    EXPECT_NE(help.find(line), std::string::npos) << line << help;
+  for (const char* verb : {"info", "analyse", "print", "weave", "diff", "drawdown", "convert", "render", "reference",
+                           "export", "chart", "response", "drape"}) {
+    std::istringstream lines(run({verb, "--help"}).out);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 110u) << line;
+      for (const char* word : {"TEXT", "FLOAT", "INT", "not with:"})
+        EXPECT_EQ(line.find(word), std::string::npos) << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace weftlight::commands

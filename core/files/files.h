@@ -57,13 +57,12 @@ struct GltfMaterial {
   Linear sheen_color{0, 0, 0};
   float sheen_roughness = 0.5f;
   float anisotropy_strength = 0, anisotropy_rotation = 0;
-  float f0 = 0.04f, f90 = 1;  // reflectance at normal and grazing incidence: KHR_materials_specular
+  float f0 = 0.04f, f90 = 1;  // reflectance at normal and grazing incidence: KHR_materials_specular, _ior
   float transmission = 0;     // diffuse transmission as a fraction of the diffuse light
   GltfAlpha alpha = GltfAlpha::kOpaque;
 };
 /// Writes the mesh as .glb, or as .gltf with files beside it. Without material if `front` is null. With `back` the
 /// triangles are written twice, each side with its own material; otherwise the material is double sided.
-/// KHR_materials_diffuse_transmission is only written to a .gltf, since the Khronos validator does not support it yet.
 base::Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
                               const GltfMaterial* back = nullptr);
 

@@ -195,7 +195,7 @@ json add_texture(Document& doc, const GltfMaterial& material, const std::string&
           {"extensions", {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
 }
 
-constexpr float kUsualF0 = 0.04f;  // for an index of refraction of 1.5
+constexpr float kUsualIor = 1.5f, kUsualF0 = 0.04f;  // index of refraction, and its reflectance
 
 bool has_sheen(const GltfMaterial& m) { return m.sheen_color.r > 0 || m.sheen_color.g > 0 || m.sheen_color.b > 0; }
 
@@ -222,10 +222,20 @@ json transmission_extension(Document& doc, const GltfMaterial& m) {
   return out;
 }
 
-/// The factor is the reflectance at grazing incidence; the colour scales the usual F0 to that at normal incidence.
-json specular_extension(const GltfMaterial& m) {
-  const float factor = std::clamp(std::max(m.f90, m.f0), 1e-3f, 1.0f), colour = m.f0 / (kUsualF0 * factor);
-  return {{"specularFactor", factor}, {"specularColorFactor", {colour, colour, colour}}};
+/// Reflectances at normal and grazing incidence by KHR_materials_specular and KHR_materials_ior. The factor is the one
+/// at grazing incidence. The one at normal incidence is at most a fraction of it: up to the usual by a darker colour,
+/// beyond by the index of refraction, since programs clamp a colour beyond 1.
+struct Specular {
+  float factor = 1, colour = 1, ior = kUsualIor;
+};
+Specular specular_of(const GltfMaterial& m) {
+  constexpr float kMaxRatio = 0.99f;  // an index of 398
+  Specular out;
+  out.factor = std::clamp(std::max(m.f90, m.f0), 1e-3f, 1.0f);
+  const float ratio = std::clamp(m.f0 / out.factor, 0.0f, kMaxRatio), amplitude = std::sqrt(ratio);
+  if (ratio <= kUsualF0) out.colour = ratio / kUsualF0;
+  else out.ior = (1 + amplitude) / (1 - amplitude);
+  return out;
 }
 
 void use(Document& doc, const char* extension) {
@@ -250,10 +260,13 @@ json material_of(Document& doc, const GltfMaterial& m, bool double_sided) {
   if (!m.normal.empty()) material["normalTexture"] = add_texture(doc, m, "normal", m.normal);
   if (m.alpha != GltfAlpha::kOpaque) material["alphaMode"] = m.alpha == GltfAlpha::kMask ? "MASK" : "BLEND";
   if (has_sheen(m)) extend(doc, material, "KHR_materials_sheen", sheen_extension(doc, m));
-  if (m.f0 != kUsualF0 || m.f90 != 1) extend(doc, material, "KHR_materials_specular", specular_extension(m));
+  const Specular s = specular_of(m);
+  if (m.f0 != kUsualF0 || m.f90 != 1)
+    extend(doc, material, "KHR_materials_specular",
+           {{"specularFactor", s.factor}, {"specularColorFactor", {s.colour, s.colour, s.colour}}});
+  if (s.ior != kUsualIor) extend(doc, material, "KHR_materials_ior", {{"ior", s.ior}});
   if (m.anisotropy_strength > 0) extend(doc, material, "KHR_materials_anisotropy", anisotropy_extension(doc, m));
-  if (m.transmission > 0 && !doc.embed)
-    extend(doc, material, "KHR_materials_diffuse_transmission", transmission_extension(doc, m));
+  if (m.transmission > 0) extend(doc, material, "KHR_materials_diffuse_transmission", transmission_extension(doc, m));
   return material;
 }
 

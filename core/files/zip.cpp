@@ -26,6 +26,7 @@ constexpr uint16_t kUtf8Names = 1u << 11;
 constexpr uint16_t kDate = 0x21;  // 1 January 1980 for every file, so that the bytes do not depend on the time
 constexpr size_t kAlignment = 64, kPaddingHead = 4;
 constexpr uint16_t kPaddingId = 0x1986;
+constexpr size_t kHead = 30, kDirectoryHead = 46, kEndRecord = 22;  // bytes before a name, and of the last record
 
 struct Bytes {
   std::vector<unsigned char> all;
@@ -110,7 +111,6 @@ Bytes directory(const std::vector<Stored>& files, size_t at) {
 
 Result<void> write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, ZipKind kind) {
   constexpr size_t kEnd = std::numeric_limits<uint32_t>::max();
-  constexpr size_t kHead = 30;
   std::vector<Stored> files;
   size_t at = 0;
   for (const ZipEntry& entry : entries) {
@@ -133,6 +133,16 @@ Result<void> write_entries(std::FILE* to, const std::vector<ZipEntry>& entries, 
 }
 
 }  // namespace
+
+uint64_t plain_zip_size(const std::vector<ZipEntry>& entries) {
+  uint64_t size = kEndRecord;
+  for (const ZipEntry& entry : entries) {
+    std::error_code ec;
+    const uintmax_t bytes = std::filesystem::file_size(entry.path, ec);
+    size += kHead + kDirectoryHead + 2 * entry.name.size() + (ec ? 0 : bytes);
+  }
+  return size;
+}
 
 Result<void> write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
   if (entries.size() > 0xFFFF) return failure(ErrorKind::kOutput, tr("an archive holds at most 65535 files"), path);

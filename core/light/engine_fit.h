@@ -57,6 +57,12 @@ struct EngineScore {
 std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                       const EngineModel& model, const EngineFit& fit);
 
+/// The same for views and lights in one plane, along the warp or along the weft: there errors do not cancel as they do
+/// over all azimuths.
+enum class EnginePlane { kWarp, kWeft };
+std::vector<EngineScore> score_plane(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                                     const EngineModel& model, const EngineFit& fit, EnginePlane plane);
+
 /// Deterministic.
 EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                      const EngineModel& model);

@@ -82,6 +82,7 @@ struct ImageRow {
   PixelType type;
   bool srgb;
   std::array<Channel, 4> channels;
+  bool factor = false;  // the material has factors for a constant image; otherwise that is written in few texels
 };
 
 int channels_of(const ImageRow& row);

@@ -6,11 +6,13 @@
 #include <string>
 
 #include "base/result.h"
+#include "files/mip_file.h"
 #include "light/engine_fit.h"
 #include "texture_set/channels.h"
 
 namespace weftlight::texture_set {
 
+using files::MipContainer;
 using light::EngineModel;
 
 struct SetFacts;
@@ -35,7 +37,10 @@ struct ExportTarget {
   bool raw = false;          // the cloth itself instead of a fitted material: with horizons, and mips of its own
 
   Alpha open = Alpha::kBlend;  // best mode for cloth with gaps
-  bool keeps_masks = false;    // mipmaps keep the coverage of a mask, or there are none
+  // The container of colours with mipmaps, if the engine would average encoded colours and its material names ours.
+  std::optional<MipContainer> color_mips{};
+  bool names_dds = false;    // the materials name .dds images, which have mipmaps, where the set has them
+  bool keeps_masks = false;  // mipmaps keep the coverage of a mask, or there are none
 
   const char* material = "";  // file to open first: name + this; "": the set has none
   base::Result<void> (*write_material)(const SetFacts&) = nullptr;  // all files but the images

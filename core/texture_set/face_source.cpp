@@ -10,10 +10,10 @@ namespace weftlight::texture_set {
 
 using base::for_each_job;
 using cloth::MapsSize, cloth::bake;
-using light::ClothResponse, light::EngineTexels, light::FootprintLobe, light::LobePart, light::check_engine,
-    light::engine_texels, light::fit_engine, light::footprint_lobe, light::grain_of, light::kFitSamples,
-    light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
-    light::thread_spacing_mm;
+using light::ClothResponse, light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart,
+    light::check_engine, light::engine_texels, light::fit_engine, light::footprint_lobe, light::grain_of,
+    light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
+    light::score_plane, light::thread_spacing_mm;
 
 namespace {
 
@@ -167,6 +167,8 @@ void FaceSource::measure(const Maps& maps) {
   weight_ = texels.footprint_weight;
   checks_ = check_engine(texels, cloth_, response, options_.model, fit_);
   scores_ = score_engine(texels, cloth_, response, options_.model, fit_);
+  for (const EnginePlane plane : {EnginePlane::kWarp, EnginePlane::kWeft})
+    plane_scores_[static_cast<size_t>(plane)] = score_plane(texels, cloth_, response, options_.model, fit_, plane);
 }
 
 void FaceSource::measure_footprints() {

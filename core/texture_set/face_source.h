@@ -2,6 +2,7 @@
 // One face of a cloth at the size of its images, made band by band, so that memory does not grow with the size. The
 // whole face exists in few texels, for far-field properties; rows of the full size are supersampled on demand.
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -52,6 +53,8 @@ class FaceSource {
   const EngineFit& older_fit() const { return older_fit_; }
   const std::vector<EngineCheck>& checks() const { return checks_; }
   const std::vector<EngineScore>& scores() const { return scores_; }
+  /// Along the warp, then along the weft.
+  const std::array<std::vector<EngineScore>, 2>& plane_scores() const { return plane_scores_; }
   float coverage() const { return coverage_; }  // mean, 0..1
   Linear mean_base() const { return mean_base_; }
   TextureSize size() const { return options_.size; }
@@ -75,6 +78,7 @@ class FaceSource {
   EngineFit fit_, older_fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;
+  std::array<std::vector<EngineScore>, 2> plane_scores_;
   float coverage_ = 1, occlusion_gain_ = 1;
   Linear mean_base_;
 };

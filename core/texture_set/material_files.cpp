@@ -13,7 +13,7 @@ using base::content_hash;
 using cloth::Cloth, cloth::ThreadBody;
 using design::Lobes;
 using drape::Vec2, drape::compute_frames;
-using files::write_mesh;
+using files::MipContainer, files::extension_of, files::write_mesh;
 
 namespace {
 
@@ -43,11 +43,41 @@ std::string image_file(const ExportTarget& target, const ImageRow& row, const st
   return row.prefix + name + face_suffix(target, face) + row.suffix + row.extension;
 }
 
+namespace {
+
+const ImageRow* row_named(const SetFacts& set, const std::string& suffix) {
+  const auto at = std::ranges::find_if(set.target.images,
+                                       [&](const ImageRow& row) { return std::string_view(row.suffix) == suffix; });
+  return at == set.target.images.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
 std::string image_named(const SetFacts& set, const std::string& suffix, Face face) {
-  for (const ImageRow& row : set.target.images) {
-    if (row.suffix == suffix) return image_file(set.target, row, set.name, face);
-  }
-  return {};
+  const ImageRow* const row = row_named(set, suffix);
+  return row ? image_file(set.target, *row, set.name, face) : std::string{};
+}
+
+bool has_dds(const SetFacts& set, const ImageRow& row, Face face) {
+  return set.target.names_dds && set.mips.container == MipContainer::kDds && has_mips(row, set.mips) &&
+         !set.constants.contains(image_file(set.target, row, set.name, face));
+}
+
+std::string dds_file(const ExportTarget& target, const ImageRow& row, const std::string& name, Face face) {
+  const std::string file = image_file(target, row, name, face);
+  return file.substr(0, file.size() - std::string_view(row.extension).size()) + extension_of(MipContainer::kDds);
+}
+
+std::string mipped_image_named(const SetFacts& set, const std::string& suffix, Face face) {
+  const ImageRow* const row = row_named(set, suffix);
+  return row && has_dds(set, *row, face) ? dds_file(set.target, *row, set.name, face) : image_named(set, suffix, face);
+}
+
+std::vector<float> factors_of(const SetFacts& set, const std::string& suffix, Face face) {
+  const ImageRow* const row = row_named(set, suffix);
+  if (!row || !row->factor) return {};
+  const auto at = set.constants.find(image_named(set, suffix, face));
+  return at == set.constants.end() ? std::vector<float>{} : at->second;
 }
 
 std::string material_name(const SetFacts& set, Face face) { return set.name + (face == Face::kBack ? "_back" : ""); }

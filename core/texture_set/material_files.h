@@ -2,18 +2,24 @@
 // What the files of the targets write their materials from: the facts of a set, and the parts that several share.
 // Texture coordinates are in millimetres everywhere; each material scales them to repeats.
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "design/design.h"
 #include "drape/mesh.h"
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
+#include "texture_set/mip_images.h"
 
 namespace weftlight::texture_set {
 
 using design::Design;
 using draft::Face;
 using drape::Mesh;
+
+/// The stored values of constant images, by the file name that the image has or would have.
+using Constants = std::map<std::string, std::vector<float>>;
 
 /// A set whose images are already written.
 struct SetFacts {
@@ -25,6 +31,8 @@ struct SetFacts {
   const FaceSource& front;
   const FaceSource& back;
   const Mesh& mesh;
+  const Constants& constants;
+  MipChoice mips{};
   const FaceSource& of(Face face) const { return face == Face::kFront ? front : back; }
 };
 
@@ -43,6 +51,13 @@ std::string face_suffix(const ExportTarget& target, Face face);
 std::string image_file(const ExportTarget& target, const ImageRow& row, const std::string& name, Face face);
 /// The file name of the target's image with this suffix.
 std::string image_named(const SetFacts& set, const std::string& suffix, Face face);
+/// True if the materials name a .dds of this row, with mipmaps, instead of its image.
+bool has_dds(const SetFacts& set, const ImageRow& row, Face face);
+std::string dds_file(const ExportTarget& target, const ImageRow& row, const std::string& name, Face face);
+/// The file that a material names for the image with this suffix.
+std::string mipped_image_named(const SetFacts& set, const std::string& suffix, Face face);
+/// The values of an image that is a factor; empty: it is an image.
+std::vector<float> factors_of(const SetFacts& set, const std::string& suffix, Face face);
 /// The name of the material of a face.
 std::string material_name(const SetFacts& set, Face face);
 /// Diffuse transmission as a fraction of the diffuse light, mean over the threads; 0 if negligible.

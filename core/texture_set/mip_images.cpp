@@ -11,7 +11,7 @@ namespace weftlight::texture_set {
 
 using base::Result;
 using cloth::Plane;
-using files::PixelType, files::extension_of;
+using files::MipContainer, files::PixelType, files::extension_of;
 
 namespace {
 
@@ -47,22 +47,30 @@ std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size) {
   }
 }
 
-MipImages::MipImages(std::span<const ImageRow> rows, const FaceSource& source, std::optional<MipContainer> container,
-                     bool cut_out)
-    : source_(source), container_(container), all_rows_(rows) {
-  if (container && cut_out) scales_ = mask_scales(source.small(), source.size());
+MipChoice mips_for(const ExportTarget& target, std::optional<MipContainer> requested) {
+  if (requested) return {requested, false};
+  return {target.color_mips, true};
+}
+
+bool has_mips(const ImageRow& row, const MipChoice& choice) {
+  // No container has two channels.
+  return choice.container && row.type == PixelType::kU8 && channels_of(row) != 2 && (row.srgb || !choice.colors_only);
+}
+
+MipImages::MipImages(std::span<const ImageRow> rows, const FaceSource& source, const MipChoice& choice, bool cut_out)
+    : source_(source), choice_(choice), all_rows_(rows) {
+  if (choice.container && cut_out) scales_ = mask_scales(source.small(), source.size());
 }
 
 Result<void> MipImages::open(const std::vector<std::string>& stems) {
-  if (!container_) return {};
+  if (!choice_.container) return {};
   const TextureSize size = source_.size();
   for (size_t i = 0; i < all_rows_.size(); ++i) {
     names_.emplace_back();
     const ImageRow& row = all_rows_[i];
-    const int channels = channels_of(row);
-    if (row.type != PixelType::kU8 || channels == 2) continue;
-    const std::string path = stems[i] + extension_of(*container_);
-    auto file = MipFile::open(path, *container_, size.width, size.height, channels, row.srgb);
+    if (!has_mips(row, choice_)) continue;
+    const std::string path = stems[i] + extension_of(*choice_.container);
+    auto file = MipFile::open(path, *choice_.container, size.width, size.height, channels_of(row), row.srgb);
     if (!file) return base::failed(file);
     files_.push_back(std::move(*file));
     rows_.push_back(row), names_.back() = std::filesystem::path(path).filename().string();

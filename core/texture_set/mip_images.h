@@ -10,6 +10,7 @@
 
 #include "files/mip_file.h"
 #include "texture_set/channels.h"
+#include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
 
 namespace weftlight::texture_set {
@@ -20,14 +21,22 @@ using files::Image, files::MipContainer, files::MipFile;
 /// finest is above one half. Levels finer than `small` have factor 1.
 std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size);
 
+/// Which images have files with mipmaps: none without a container.
+struct MipChoice {
+  std::optional<MipContainer> container{};
+  bool colors_only = false;  // of sRGB images alone
+};
+/// The requested container for all images, or what the target needs.
+MipChoice mips_for(const ExportTarget& target, std::optional<MipContainer> requested);
+bool has_mips(const ImageRow& row, const MipChoice& choice);
+
 class MipImages {
  public:
-  /// `cut_out`: alpha is a mask. Without a container there are no such files.
-  MipImages(std::span<const ImageRow> rows, const FaceSource& source, std::optional<MipContainer> container,
-            bool cut_out);
+  /// `cut_out`: alpha is a mask.
+  MipImages(std::span<const ImageRow> rows, const FaceSource& source, const MipChoice& choice, bool cut_out);
   /// Opens stem.dds or stem.ktx2 for the 8-bit rows; one stem per row.
   base::Result<void> open(const std::vector<std::string>& stems);
-  bool wanted() const { return container_.has_value(); }
+  bool wanted() const { return choice_.container.has_value(); }
   int levels() const { return files_.empty() ? 0 : files_[0]->levels(); }
   /// File names, one entry per row; empty for a row without a file.
   const std::vector<std::string>& names() const { return names_; }
@@ -48,7 +57,7 @@ class MipImages {
   base::Result<void> write(int level, const std::vector<Image>& images);
 
   const FaceSource& source_;
-  std::optional<MipContainer> container_;
+  MipChoice choice_;
   std::span<const ImageRow> all_rows_;
   std::vector<ImageRow> rows_;  // with a file
   std::vector<std::unique_ptr<MipFile>> files_;

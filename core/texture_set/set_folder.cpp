@@ -1,12 +1,14 @@
 #include "texture_set/set_folder.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "base/files.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "platform/durable_file.h"
 #include "platform/file.h"
@@ -252,12 +254,54 @@ std::vector<std::string> listed_files(const fs::path& folder) {
   return {all.begin(), all.end()};
 }
 
+FileContents contents_of(const fs::path& path) {
+  constexpr size_t kBlock = size_t{1} << 16;
+  std::ifstream in(path, std::ios::binary);
+  std::string block(kBlock, '\0');
+  FileContents out;
+  uint64_t hash = base::content_hash({});
+  while (in.read(block.data(), kBlock), in.gcount() > 0) {
+    const auto read = static_cast<size_t>(in.gcount());
+    hash = base::content_hash(std::string_view(block).substr(0, read), hash);
+    out.bytes += read;
+  }
+  if (!in.eof()) throw fs::filesystem_error("contents of a file", path, std::make_error_code(std::errc::io_error));
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  out.hash = digits;
+  return out;
+}
+
+namespace {
+
+/// The contents that the list gives for a file; empty if it gives none.
+std::optional<FileContents> listed_contents(const json& root, const std::string& file) {
+  const auto all = root.find("contents");
+  if (all == root.end() || !all->is_object()) return std::nullopt;
+  const auto one = all->find(file);
+  if (one == all->end() || !one->is_object()) return std::nullopt;
+  const auto bytes = one->find("bytes");
+  if (bytes == one->end() || !bytes->is_number_unsigned()) return std::nullopt;
+  return FileContents{bytes->get<uint64_t>(), text_of(*one, "fnv1a")};
+}
+
+}  // namespace
+
 bool is_complete(const fs::path& folder, const std::string& key) {
   const std::optional<json> root = list_in(folder);
   if (!root || key.empty() || text_of(*root, "key") != key) return false;
-  std::error_code ec;
-  const std::vector<std::string> files = listed_files(folder);
-  return std::all_of(files.begin(), files.end(), [&](const std::string& f) { return fs::exists(folder / f, ec); });
+  std::vector<std::string> files = listed_files(folder);
+  std::erase(files, kList);
+  const auto whole = [&](const std::string& file, bool all_bytes) {
+    const std::optional<FileContents> wanted = listed_contents(*root, file);
+    std::error_code ec;
+    if (!wanted || !fs::is_regular_file(folder / file, ec) || fs::file_size(folder / file, ec) != wanted->bytes)
+      return false;
+    return !all_bytes || contents_of(folder / file) == *wanted;
+  };
+  // Sizes first: they tell most broken sets apart without reading a byte.
+  return std::ranges::all_of(files, [&](const std::string& f) { return whole(f, false); }) &&
+         std::ranges::all_of(files, [&](const std::string& f) { return whole(f, true); });
 }
 
 bool lists_archive(const fs::path& folder) {

@@ -2,6 +2,7 @@
 // Ownership of the files in a folder, and how a finished set is moved into it. Only files that an earlier set of the
 // same draft and target lists as its own are replaced or removed; all others are never touched.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,7 +39,15 @@ base::Result<Staging> make_staging(const std::filesystem::path& folder);
 base::Result<void> put_in_place(Staging made, const std::filesystem::path& folder, const SetIdentity& identity,
                                 bool force);
 
-/// True if the folder holds a complete set with this key.
+/// The size of a file in bytes and a hash of them, 16 hexadecimal digits; throws filesystem_error if it cannot be read.
+struct FileContents {
+  uint64_t bytes = 0;
+  std::string hash;
+  bool operator==(const FileContents&) const = default;
+};
+FileContents contents_of(const std::filesystem::path& path);
+
+/// True if the folder holds a complete set with this key, and every file has the contents that its list gives.
 bool is_complete(const std::filesystem::path& folder, const std::string& key);
 /// The files of the set in the folder, including its list; empty if there is none.
 std::vector<std::string> listed_files(const std::filesystem::path& folder);

@@ -1,7 +1,9 @@
 #include "texture_set/set_images.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "base/loops.h"
@@ -13,7 +15,8 @@ namespace weftlight::texture_set {
 
 using base::core_count, base::for_each_job;
 using cloth::Plane;
-using files::Image, files::ImageRows, files::PixelType, files::write_image, files::write_mipmapped_exr;
+using files::Image, files::ImageRows, files::PixelType, files::extension_of, files::write_image,
+    files::write_mipmapped_exr;
 
 namespace {
 
@@ -61,6 +64,12 @@ json channel_list(const ImageRow& row) {
   for (size_t c = 0; c < static_cast<size_t>(channels_of(row)); ++c)
     out[names.empty() ? kLetters[c] : names[c]] = channel_description(row.channels[c]);
   return out;
+}
+
+/// Of an image whose texels are all the same.
+TextureSize constant_size(TextureSize size) {
+  constexpr int kSide = 16;
+  return {std::min(size.width, kSide), std::min(size.height, kSide)};
 }
 
 /// Thumbnails show colours sRGB encoded, and every thread in a different colour.
@@ -180,6 +189,57 @@ PackedBand packed_band(std::span<const ImageRow> rows, const FaceSource& source,
   return out;
 }
 
+/// Whether an image has one value all over, in the steps that its file can store.
+class ConstantCheck {
+ public:
+  explicit ConstantCheck(PixelType type)
+      : steps_(type == PixelType::kU8    ? 255.0f
+               : type == PixelType::kU16 ? 65535.0f
+                                         : 0.0f) {}
+  void add(const Image& rows) {
+    const auto channels = static_cast<size_t>(rows.channels);
+    if (first_.empty()) first_.assign(rows.texels.begin(), rows.texels.begin() + rows.channels);
+    for (size_t i = 0; constant_ && i < rows.texels.size(); ++i) constant_ = same(rows.texels[i], first_[i % channels]);
+  }
+  bool constant() const { return constant_ && !first_.empty(); }
+  const std::vector<float>& values() const { return first_; }
+
+ private:
+  bool same(float a, float b) const {
+    const auto stored = [this](float v) { return std::floor(std::clamp(v, 0.0f, 1.0f) * steps_ + 0.5f); };
+    return steps_ > 0 ? stored(a) == stored(b) : a == b;
+  }
+  float steps_;
+  bool constant_ = true;
+  std::vector<float> first_;
+};
+
+/// The image in few texels, or none if the material has factors for it.
+base::Result<void> keep_constant(SetImages& set, const ImageRow& row, TextureSize size, Face face,
+                                 const std::vector<float>& values) {
+  const std::string file = image_file(set.target, row, set.name, face), path = set.folder + "/" + file;
+  std::error_code ec;
+  if (has_mips(row, set.mips)) {
+    std::filesystem::path mipped(path);
+    std::filesystem::remove(mipped.replace_extension(extension_of(*set.mips.container)), ec);
+  }
+  set.constants[file] = values;
+  if (row.factor) {
+    std::filesystem::remove(path, ec);
+    set.factors.push_back({{"image", file},
+                           {"face", face_name(face)},
+                           {"color_space", row.srgb ? "sRGB" : "linear"},
+                           {"channels", channel_list(row)},
+                           {"values", values}});
+    return {};
+  }
+  const TextureSize small = constant_size(size);
+  Image image{small.width, small.height, channels_of(row), {}};
+  for (int i = 0; i < small.width * small.height; ++i)
+    image.texels.insert(image.texels.end(), values.begin(), values.end());
+  return write_image(path, image, row.type, channel_names(row));
+}
+
 /// Writes the images of the table and collects the mip levels.
 base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, RawMips& mips,
                               MipImages& own) {
@@ -191,6 +251,8 @@ base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureS
     if (!opened) return failed(opened);
     images.push_back(std::move(*opened));
   }
+  std::vector<ConstantCheck> checks;
+  for (const ImageRow& row : rows) checks.emplace_back(row.type);
   std::vector<base::Result<void>> done(rows.size());  // by image
   const auto all_done = [&]() -> base::Result<void> {
     const auto not_done = std::ranges::find_if(done, [](const base::Result<void>& r) { return !r; });
@@ -206,8 +268,10 @@ base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureS
       bands[b] = packed_band(rows, source, y0, own, mips.wanted());
     });
     for_all(rows.size(), [&](size_t i) {
-      for (const PackedBand& band : bands)
+      for (const PackedBand& band : bands) {
+        checks[i].add(band.images[i]);
         if (done[i]) done[i] = images[i]->add(band.images[i]);
+      }
     });
     const int written = y + source.band() * static_cast<int>(bands.size());
     if (set.keep_going && !set.keep_going(static_cast<float>(written) / static_cast<float>(size.height)))
@@ -220,7 +284,12 @@ base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureS
     }
   }
   for_all(rows.size(), [&](size_t i) { done[i] = images[i]->close(); });
-  return all_done().and_then([&own] { return own.close(); });
+  if (base::Result<void> all = all_done().and_then([&own] { return own.close(); }); !all) return all;
+  for (size_t i = 0; i < rows.size() && !set.target.raw; ++i) {
+    if (!checks[i].constant()) continue;
+    if (base::Result<void> kept = keep_constant(set, rows[i], size, face, checks[i].values()); !kept) return kept;
+  }
+  return {};
 }
 
 /// Paths of a face's images without their extensions.
@@ -236,7 +305,7 @@ std::vector<std::string> stems_of(const SetImages& set, Face face) {
 void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face face) {
   const std::span<const ImageRow> rows = set.target.images;
   for (size_t i = 0; i < own.names().size(); ++i) {
-    if (own.names()[i].empty()) continue;
+    if (own.names()[i].empty() || set.constants.contains(image_file(set.target, rows[i], set.name, face))) continue;
     record(set, own.names()[i], face, rows[i].srgb, PixelType::kU8, size, channel_list(rows[i]));
     set.maps.back()["mip_levels"] = own.levels();
   }
@@ -253,7 +322,10 @@ base::Result<void> write_face(SetImages& set, const FaceSource& source, Face fac
   if (base::Result<void> rows = write_rows(set, source, size, face, mips, own); !rows) return rows;
   record_mips(set, own, size, face);
   for (const ImageRow& row : set.target.images) {
-    record(set, image_file(set.target, row, set.name, face), face, row.srgb, row.type, size, channel_list(row));
+    const std::string file = image_file(set.target, row, set.name, face);
+    const bool constant = set.constants.contains(file);
+    if (!constant || !row.factor)
+      record(set, file, face, row.srgb, row.type, constant ? constant_size(size) : size, channel_list(row));
     set.sheet.push_back(
         {std::string(row.suffix + 1) + face_suffix(set.target, face), thumbnail_of(row, source.small())});
   }

@@ -10,12 +10,12 @@
 #include "texture_set/contact_sheet.h"
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
+#include "texture_set/material_files.h"
 #include "texture_set/mip_images.h"
 
 namespace weftlight::texture_set {
 
 using draft::Face;
-using files::MipContainer;
 
 /// A set while it is written, with the records for the contact sheet and the list.
 struct SetImages {
@@ -25,8 +25,10 @@ struct SetImages {
   std::vector<SheetEntry> sheet;
   // Called after each band with the fraction of the face that is written. False stops the export.
   std::function<bool(float fraction)> keep_going{};
-  std::optional<MipContainer> mips{};
+  MipChoice mips{};
   Alpha alpha = Alpha::kAuto;  // as requested
+  Constants constants{};       // of the images that turned out to be constant
+  nlohmann::json factors = nlohmann::json::array();
 };
 
 /// Writes all images of a face. kCancelled if keep_going() stopped it.

@@ -81,9 +81,9 @@ json checks_json(const FaceSource& face) {
 }
 
 /// Error of the material by the elevation of the view.
-json scores_json(const FaceSource& face) {
+json scores_json(const std::vector<EngineScore>& scores) {
   json out = json::array();
-  for (const EngineScore& s : face.scores())
+  for (const EngineScore& s : scores)
     out.push_back({{"view_deg", s.view_deg}, {"mean", s.mean}, {"rms_error", s.error}});
   return out;
 }
@@ -96,7 +96,8 @@ json fit_json(const FaceSource& face) {
           {"sheen", f.sheen},
           {"sheen_roughness", f.sheen_roughness},
           {"rms_error", f.error},
-          {"views", scores_json(face)},
+          {"views", scores_json(face.scores())},
+          {"planes", {{"warp", scores_json(face.plane_scores()[0])}, {"weft", scores_json(face.plane_scores()[1])}}},
           {"radiance", checks_json(face)}};
 }
 
@@ -123,10 +124,16 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"distance_m", options.distance_m},
             {"fit", {{"front", fit_json(set.front)}, {"back", fit_json(set.back)}}},
             {"maps", images.maps}};
+  if (!images.factors.empty()) root["factors"] = images.factors;
   if (*set.target.material) root["material"] = set.name + set.target.material;
   if (!options.key.empty()) root["key"] = options.key;
   if (options.archived) root["archived"] = true;
-  root["files"] = files_in(set.folder);
+  const std::vector<std::string> files = files_in(set.folder);
+  for (const std::string& file : files) {
+    const FileContents contents = contents_of(fs::path(set.folder) / file);
+    root["contents"][file] = {{"bytes", contents.bytes}, {"fnv1a", contents.hash}};
+  }
+  root["files"] = files;
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -213,8 +220,14 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
   if (cells.rows() < 1 || cells.cols() < 1)
     return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
   const FaceSource front = face_of(design, cells, Face::kFront, options);
-  SetImages images{folder,       options.name, *options.target, json::array(), {}, face_progress(progress, 0),
-                   options.mips, options.alpha};
+  SetImages images{folder,
+                   options.name,
+                   *options.target,
+                   json::array(),
+                   {},
+                   face_progress(progress, 0),
+                   mips_for(*options.target, options.mips),
+                   options.alpha};
   if (base::Result<void> written = write_face(images, front, Face::kFront); !written) return written;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
   images.keep_going = face_progress(progress, kFaceDone);
@@ -227,7 +240,9 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                      design,
                      front,
                      back,
-                     mesh};
+                     mesh,
+                     images.constants,
+                     images.mips};
   base::Result<void> done = set.target.write_material ? set.target.write_material(set) : base::Result<void>();
   if (progress.stop.stop_requested()) return stopped();
   if (done) done = write_sheet(images, set);

@@ -94,28 +94,33 @@ void add_view_options(CLI::App& verb, PictureVerb& p) {
   verb.add_option("--yarns-per-pixel", o.yarns_per_pixel,
                   tr("Footprint in yarns per pixel at the middle of the picture; default: as the view frames it"))
       ->check(above_zero());
-  verb.add_option("--view", p.view, tr("Direction of the view: azimuth and elevation in degrees"))
+  verb.add_option("--view", p.view,
+                  tr("Direction of the view: azimuth and elevation in degrees; default: the draft's, for another "
+                     "--mesh the whole drape"))
       ->check(pair_of(',', "AZ,EL"));
   verb.add_option("--view-name", o.view_name,
-                  tr("View that is saved with the draft, or one of: whole, head_on, grazing, near"))
+                  tr("View that is saved with the draft, or one of: whole, head_on, grazing, near; default: as --view"))
       ->type_name(tr("NAME"));
   add_face(verb, o.face);
 }
 
 void add_light_options(CLI::App& verb, PictureVerb& p) {
   PictureOptions& o = p.options;
-  verb.add_option("--light", p.light, tr("Direction of the key light: azimuth and elevation in degrees"))
+  verb.add_option("--light", p.light,
+                  tr("Direction of the key light: azimuth and elevation in degrees; default: that of the lighting"))
       ->check(pair_of(',', "AZ,EL"));
-  auto* preset = verb.add_option("--lights", o.lights, tr("Lighting preset; --light moves its key light"))
+  auto* preset = verb.add_option("--lights", o.lights,
+                                 tr("Lighting preset; --light moves its key light; default: the draft's lighting"))
                      ->check(one_of(light_names()));
-  verb.add_option("--environment", o.lights, tr("Environment map, an equirectangular .hdr or .exr; --light rotates it"))
+  verb.add_option("--environment", o.lights,
+                  tr("Environment map, an equirectangular .hdr or .exr; --light rotates it; default: none"))
       ->check(environment_file())
       ->excludes(preset);
   verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
   verb.add_option(
           "--exposure", p.exposure,
           tr("Exposure in stops, or auto, which brightens a cloth the more, the less it reflects; in an .exr only "
-             "the stops count"))
+             "the stops count; default: the draft's"))
       ->check(exposure_form());
 }
 
@@ -128,7 +133,9 @@ std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
   add_mesh_options(verb, o);
   add_view_options(verb, *picture);
   add_light_options(verb, *picture);
-  verb.add_option("--stats", o.stats, tr("JSON file for the cost and the estimated error of the picture"))
+  add_progress(verb, o.quiet, o.progress_json);
+  verb.add_option("--stats", o.stats,
+                  tr("JSON file for the cost and the estimated error of the picture; default: none"))
       ->check(some_path());
   return picture;
 }
@@ -139,21 +146,24 @@ RunVerb add_render(CLI::App& verb) {
   auto* samples =
       verb.add_option("--samples", o.samples,
                       fill(tr("Samples per pixel where threads are drawn one by one, whatever the tolerance: 1, 2, 3, "
-                              "5, 8, 13, 21 or {most}; other counts are rounded down to one of these"),
+                              "5, 8, 13, 21 or {most}; other counts are rounded down to one of these; default: from "
+                              "the tolerance"),
                            arg("most", int{formulas::kMaxYarnSamples})))
           ->check(whole_number(1, 1024));
-  auto* tolerance =
-      verb.add_option("--tolerance", o.tolerance,
-                      tr("Error that the method auto may make, as a fraction of the brightness: 0.05 is 5%"))
-          ->check(number_in(0.01, 1.0));
+  auto* tolerance = verb.add_option("--tolerance", o.tolerance,
+                                    tr("Error that the method auto may make, as a fraction of the brightness: 0.05 is "
+                                       "5%; default: the draft's"))
+                        ->check(number_in(0.01, 1.0));
   verb.add_option("--budget-ms", o.budget_ms,
-                  tr("Time for drawing the cloth in milliseconds; the error is the smallest that fits into it"))
+                  tr("Time for drawing the cloth in milliseconds; the error is the smallest that fits into it; "
+                     "default: no limit"))
       ->check(number_in(0.01, 1e7))
       ->excludes(samples)
       ->excludes(tolerance);
-  verb.add_option(
-          "--turntable", o.turntable,
-          tr("Number of pictures of one full turn, named PICTURE_001.png and so on; the view moves to the right"))
+  verb.add_option("--turntable", o.turntable,
+                  tr("Number of pictures of one full turn, named PICTURE_001.png and so on; the view moves to the "
+                     "right; default: "
+                     "one picture"))
       ->check(whole_number(1, 3600));
   return [picture] { return apply_picture_texts(*picture) ? render_command(picture->options) : kUsage; };
 }
@@ -162,14 +172,20 @@ RunVerb add_reference(CLI::App& verb) {
   const std::shared_ptr<PictureVerb> picture = add_picture_options(verb);
   PictureOptions& o = picture->options;
   verb.add_option("--spp", o.spp, tr("Samples per pixel; default: 64"))->check(whole_number(1, 1 << 20));
-  verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
+  auto* bounces =
+      verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
+  verb.add_flag("--fibres", o.fibres,
+                tr("Every fibre of the threads, for a near view of up to some square centimetres; light is followed "
+                   "until it leaves them"))
+      ->excludes(bounces);
   return [picture] { return apply_picture_texts(*picture) ? reference_command(picture->options) : kUsage; };
 }
 
 void add_texture_options(CLI::App& verb, ExportOptions& o) {
   auto* size = verb.add_option("--size", o.size, tr("Side of the textures in texels, a power of two; default: 1024"))
                    ->check(whole_number(16, 8192));
-  verb.add_option("--px-per-mm", o.texels_per_mm, tr("Least resolution, in texels per millimetre of cloth"))
+  verb.add_option("--px-per-mm", o.texels_per_mm,
+                  tr("Least resolution, in texels per millimetre of cloth; default: as --size gives it"))
       ->check(number_in(0.1, 1000.0))
       ->excludes(size);
   verb.add_option("--tile-cm", o.tile_cm,
@@ -181,7 +197,8 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
                   tr("Viewing distance in metres that the roughness is made for; 0: close up; default: 1"))
       ->check(number_in(0.0, 1000.0));
   verb.add_option("--mips", o.mips,
-                  tr("Container for 8-bit images with prefiltered mipmaps, written beside each image"))
+                  tr("Container for 8-bit images with prefiltered mipmaps, written beside each image; default: none, "
+                     "for godot dds of the colours"))
       ->check(one_of({"dds", "ktx2"}));
   verb.add_option("--mesh", o.mesh, tr("Drape that the .glb shows; default: plane"))->type_name(tr("NAME|FILE"));
 }
@@ -196,13 +213,16 @@ RunVerb add_export(CLI::App& verb) {
       ->check(one_of(target_ids()));
   verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path(mark("FOLDER")));
   add_texture_options(verb, o);
-  verb.add_option("--name", o.name, tr("Template for the folder of a set; {name}, {target} and {size} are filled in"))
+  verb.add_option("--name", o.name,
+                  tr("Template for the folder of a set; {name}, {target} and {size} are filled in; default: {name}, "
+                     "with several targets {name}/{target}"))
       ->type_name(tr("TEMPLATE"));
   verb.add_option("--jobs", o.jobs, tr("Number of sets made at the same time; default: 1"))->check(whole_number(1, 64));
   verb.add_flag("--zip", o.zip, tr("Archive of each set beside its folder"));
   verb.add_flag("--resume", o.resume, tr("Skip sets that are complete and up to date"));
   verb.add_flag("--watch", o.watch, tr("Export again whenever a draft changes"));
   verb.add_flag("--force", o.force, tr("Overwrite other files that have the same names"));
+  add_progress(verb, o.quiet, o.progress_json);
   return [options] { return export_command(*options); };
 }
 

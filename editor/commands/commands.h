@@ -66,8 +66,11 @@ struct PictureOptions {
   int samples = 0;       // render only; 0: from the tolerance
   float tolerance = 0;   // render only; 0: the design's
   double budget_ms = 0;  // render only: time for drawing the cloth; 0: no limit
-  int spp = 64;          // reference only
-  int bounces = 0;       // reference only
+  bool quiet = false;    // no progress
+  bool progress_json = false;
+  int spp = 64;         // reference only
+  int bounces = 0;      // reference only
+  bool fibres = false;  // reference only: every fibre instead of threads as tubes
 };
 struct ExportOptions {
   std::vector<std::string> files;  // or folders of drafts
@@ -81,6 +84,8 @@ struct ExportOptions {
   float distance_m = 1;
   std::string mips;  // container of mipmaps beside the images, "dds" or "ktx2"; empty: none
   bool force = false, zip = false, watch = false, resume = false;
+  bool quiet = false;  // neither progress nor the folders of the sets
+  bool progress_json = false;
 };
 struct ChartOptions {
   std::string out;

@@ -45,7 +45,9 @@ RunVerb add_analyse(CLI::App& verb) {
       ->check(number_in(0.0, 0.9));
   verb.add_option("--spare", o.plan.spare, tr("Yarn lost in winding and on the bobbins, as a fraction; default: 0.05"))
       ->check(number_in(0.0, 1.0));
-  verb.add_option("--price", o.prices, tr("Price of a kilogram of yarn: YARN=PRICE, or PRICE for all yarns"))
+  verb.add_option(
+          "--price", o.prices,
+          tr("Price of a kilogram of yarn: YARN=PRICE, or PRICE for all yarns; default: none, and no cost is given"))
       ->type_name(tr("[YARN=]PRICE"));
   return [options] {
     options->plan.weft_shrinkage = options->plan.warp_shrinkage;
@@ -109,6 +111,11 @@ RunVerb add_print(CLI::App& verb) {
       ->check(number_in(0.5, 20.0));
   verb.add_option("--heavy", o.heavy_lines, tr("Threads from one heavier grid line to the next; 0: none; default: 4"))
       ->check(whole_number(0, 1000));
+  verb.add_flag("--one-repeat", o.one_repeat, tr("Grids and lists of one repeat only"));
+  verb.add_option("--first-sheet", o.first_sheet, tr("First sheet to print; default: 1"))
+      ->check(whole_number(1, print::kMaxSheets));
+  verb.add_option("--last-sheet", o.last_sheet, tr("Last sheet to print; default: all"))
+      ->check(whole_number(1, print::kMaxSheets));
   verb.add_option("--dpi", o.png_dpi, tr("Resolution of a .png in dots per inch; default: 150"))
       ->check(number_in(30.0, 1200.0));
   return [options] {
@@ -121,8 +128,10 @@ RunVerb add_weave(CLI::App& verb) {
   const auto options = std::make_shared<WeaveOptions>();
   WeaveOptions& o = *options;
   verb.add_option("weave", o.weave, tr("Id of the weave; see --list"));
-  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->check(some_path());
-  verb.add_option("--set", o.set, tr("Parameter of the weave; may be given several times"))->type_name(tr("ID=VALUE"));
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif; default: none, which --list alone allows"))
+      ->check(some_path());
+  verb.add_option("--set", o.set, tr("Parameter of the weave; may be given several times; default: as --list shows"))
+      ->type_name(tr("ID=VALUE"));
   verb.add_option("--ends", o.ends, tr("Number of ends; default: 64"))->check(whole_number(1, kMaxThreads));
   verb.add_option("--picks", o.picks, tr("Number of picks; default: 64"))->check(whole_number(1, kMaxThreads));
   verb.add_flag("--list", o.list, tr("List of all weaves with their parameters"));
@@ -160,7 +169,10 @@ RunVerb add_drawdown(CLI::App& verb) {
 void add_picture_draft_options(CLI::App& verb, files::PictureDraft& o) {
   verb.add_option("--ends", o.ends, tr("Picture as input: width of the draft in ends; default: one end per pixel"))
       ->check(whole_number(2, kMaxShafts));
-  verb.add_option("--colors", o.colors, tr("Picture as input: number of colours, each woven with a weave of its own"))
+  verb.add_option("--colors", o.colors,
+                  tr("Picture as input: number of colours, each woven with a weave of its own; default: two become "
+                     "crossings, more "
+                     "are reduced to at most eight"))
       ->check(whole_number(2, 16));
   verb.add_option("--floats", o.longest_float,
                   tr("Picture as input: longest float of its weaves in threads; default: 7"))
@@ -179,11 +191,12 @@ RunVerb add_convert(CLI::App& verb) {
           "--treadling", [&o] { o.shed_control = ConvertShedControl::kTreadling; },
           tr("Tie-up and treadling as the shed control"))
       ->excludes(liftplan);
-  auto* shafts = verb.add_option("--shafts", o.loom.shafts, tr("Number of shafts that the loom has"))
+  auto* shafts = verb.add_option("--shafts", o.loom.shafts, tr("Number of shafts that the loom has; default: any"))
                      ->check(whole_number(1, kMaxShafts));
-  auto* treadles = verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has"))
-                       ->check(whole_number(1, kMaxShafts))
-                       ->excludes(liftplan);
+  auto* treadles =
+      verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has; default: any"))
+          ->check(whole_number(1, kMaxShafts))
+          ->excludes(liftplan);
   verb.add_flag("--closest", o.closest, tr("Closest weave for the loom, where the draft itself does not fit it"));
   verb.add_flag("--nearest", o.closest)->group("");  // the earlier name
   add_picture_draft_options(verb, o.picture);

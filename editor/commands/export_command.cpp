@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -16,6 +18,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "commands/commands.h"
+#include "commands/progress.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
@@ -32,7 +35,7 @@ using base::arg, base::caught, base::fill, base::for_each_job, base::message, ba
 using design::Design;
 using drape::Mesh;
 using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
-    files::load_drape, files::write_zip;
+    files::load_drape, files::plain_zip_size, files::write_zip;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::alpha_named,
     texture_set::digest, texture_set::file_name_of, texture_set::fill_template, texture_set::is_complete,
     texture_set::key_of, texture_set::listed_files, texture_set::lists_archive, texture_set::size_for,
@@ -52,12 +55,23 @@ struct Job {
   fs::file_time_type time;  // of the file, before it was read
 };
 
+/// A draft that several jobs export: it is read and its problems are printed once. It stays in memory until the last
+/// of its jobs is done.
+struct SharedDraft {
+  std::mutex reading;
+  std::shared_ptr<const OpenedDesign> opened;
+  std::set<std::string> warnings;  // that were printed
+  int jobs = 0;                    // that still need it
+};
+
 /// State that all jobs share.
 struct ExportRun {
   const ExportOptions& options;
   const Mesh& mesh;
+  std::map<std::string, SharedDraft> drafts;  // by path
   std::mutex console;
-  std::atomic<int> worst{kDone}, written{0}, kept{0};
+  ProgressMeter progress;
+  std::atomic<int> worst{kDone}, written{0}, kept{0}, failed_sets{0};
   std::vector<std::string> failed;
 };
 
@@ -95,6 +109,19 @@ std::string changed(const std::string& path) {
   return text;
 }
 
+constexpr const char* kNameFields = "{name}, {target}, {size}";
+
+/// What is wrong with a template of folders, or an empty string: a field that there is not, or a brace alone.
+std::string template_problem(const std::string& form) {
+  const std::string rest = fill_template(form, {{"name", ""}, {"target", ""}, {"size", ""}});
+  const size_t open = rest.find_first_of("{}");
+  if (open == std::string::npos) return {};
+  const size_t close = rest.find('}', open);
+  const std::string field = rest.substr(open, close == std::string::npos ? close : close - open + 1);
+  return fill(tr("--name {name}: there is no field {field}; the fields are {fields}"), arg("name", form),
+              arg("field", field), arg("fields", kNameFields));
+}
+
 /// The path of a set below the output folder, from the template. Parts that would leave the output are dropped.
 std::string folder_name(const std::string& form, const std::string& name, const ExportTarget& target, int size) {
   fs::path out;
@@ -119,7 +146,7 @@ std::vector<std::string> set_names(const std::vector<std::string>& files) {
       if (is_wif_name(files[i]) != wif) continue;
       std::string stem = file_name_of(path.stem().string());
       if (!wif && taken.contains(stem) && path.has_extension())
-        stem += "-" + file_name_of(path.extension().string().substr(1));
+        stem.append("-").append(file_name_of(path.extension().string().substr(1)));
       names[i] = stem;
       for (int n = 2; !taken.insert(names[i]).second; ++n) names[i] = stem + "-" + std::to_string(n);
     }
@@ -158,20 +185,57 @@ base::Result<void> check_archive(const Job& job, const ExportOptions& options) {
                        tr("is not an archive of this set; move it away, or --force to replace it"), archive_of(job));
 }
 
-base::Result<void> write_archive(const Job& job) {
+std::vector<ZipEntry> archive_entries(const Job& job) {
   std::vector<ZipEntry> entries;
   const std::string top = fs::path(job.folder).filename().string();
   for (const std::string& name : listed_files(job.folder))
     entries.push_back({top + "/" + name, (fs::path(job.folder) / name).string()});
-  return write_zip(archive_of(job), entries, ZipKind::kPlain);
+  return entries;
 }
 
+base::Result<void> write_archive(const Job& job) {
+  return write_zip(archive_of(job), archive_entries(job), ZipKind::kPlain);
+}
+
+/// True if no archive is wanted, or the one of the complete set has its size.
+bool has_archive(const ExportRun& run, const Job& job) {
+  if (!run.options.zip) return true;
+  std::error_code ec;
+  return lists_archive(job.folder) && fs::file_size(archive_of(job), ec) == plain_zip_size(archive_entries(job));
+}
+
+/// Prints the failure of a set; the same text of several sets once.
 void report(ExportRun& run, int code, const std::string& problem) {
   const std::lock_guard lock(run.console);
+  ++run.failed_sets;
   for (int seen = run.worst; code > seen && !run.worst.compare_exchange_weak(seen, code);) {
   }
+  if (std::ranges::find(run.failed, problem) != run.failed.end()) return;
+  run.progress.clear();
   std::fprintf(stderr, "%s\n", problem.c_str());
   run.failed.push_back(problem);
+}
+
+std::shared_ptr<const OpenedDesign> open_shared(ExportRun& run, const std::string& file) {
+  SharedDraft& draft = run.drafts.at(file);
+  const std::lock_guard lock(draft.reading);
+  if (!draft.opened) draft.opened = std::make_shared<const OpenedDesign>(open_design(file));
+  return draft.opened;
+}
+
+void close_shared(ExportRun& run, const std::string& file) {
+  SharedDraft& draft = run.drafts.at(file);
+  const std::lock_guard lock(draft.reading);
+  if (--draft.jobs == 0) draft.opened.reset();
+}
+
+void print_warnings(ExportRun& run, const Job& job, const Design& design) {
+  for (const std::string& w : warnings_of(design, job.options)) {
+    const std::lock_guard lock(run.console);
+    if (!run.drafts.at(job.file).warnings.insert(w).second) continue;
+    run.progress.clear();
+    std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
+  }
 }
 
 /// The limp or stiff version of a shipped drape, if the fabric asks for it; empty if the common one is right.
@@ -183,8 +247,9 @@ std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
   return std::move(*read);
 }
 
-void run_job(Job job, ExportRun& run) {
-  const OpenedDesign opened = open_design(job.file);
+void run_job(Job job, int index, ExportRun& run) {
+  const std::shared_ptr<const OpenedDesign> shared = open_shared(run, job.file);
+  const OpenedDesign& opened = *shared;
   if (!opened.ok)
     return report(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", job.file)));
   if (run.options.texels_per_mm > 0) {
@@ -193,39 +258,54 @@ void run_job(Job job, ExportRun& run) {
   }
   job.options.archived = run.options.zip;
   job.options.key = digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh);
-  if (run.options.resume && is_complete(job.folder, job.options.key)) {
+  if (run.options.resume && is_complete(job.folder, job.options.key) && has_archive(run, job)) {
     ++run.kept;
+    const std::lock_guard lock(run.console);
+    run.progress.skip(index, job.folder);
     return;
   }
-  for (const std::string& w : warnings_of(opened.design, job.options)) {
+  print_warnings(run, job, opened.design);
+  const auto report_progress = [&](float fraction) {
     const std::lock_guard lock(run.console);
-    std::fprintf(stderr, "%s: %s\n", job.file.c_str(), w.c_str());
-  }
+    run.progress.set(index, std::min(static_cast<double>(fraction), 0.999), job.folder);
+  };
   const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
   base::Result<void> done = check_archive(job, run.options);
-  if (done) done = write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options);
+  if (done)
+    done = write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options,
+                             {.report = report_progress});
   if (done && run.options.zip) done = write_archive(job);
   if (!done)
     return report(run, kNotWritten,
                   fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", problem_of(done))));
   ++run.written;
+  if (run.options.quiet) return;
   const std::lock_guard lock(run.console);
+  run.progress.clear();
   std::printf("%s\n", job.folder.c_str());
   std::fflush(stdout);
 }
 
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
-  ExportRun run{options, mesh, {}, kDone, 0, 0, {}};
+  const ProgressForm form = options.progress_json ? ProgressForm::kJson
+                            : options.quiet       ? ProgressForm::kNone
+                                                  : ProgressForm::kTerminal;
+  ExportRun run{options, mesh, {}, {}, ProgressMeter(form, static_cast<int>(jobs.size())), kDone, 0, 0, 0, {}};
+  for (const Job& job : jobs) ++run.drafts[job.file].jobs;
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
     const Job& job = jobs[static_cast<size_t>(j)];
-    if (const base::Result<void> done = caught([&] { run_job(job, run); }); !done)
+    if (const base::Result<void> done = caught([&] { run_job(job, j, run); }); !done)
       report(run, kNotWritten,
              fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
+    close_shared(run, job.file);
+    const std::lock_guard lock(run.console);
+    run.progress.set(j, 1, job.folder);
   });
-  if (jobs.size() > 1) {
+  run.progress.clear();
+  if (jobs.size() > 1 && (!options.quiet || run.worst != kDone)) {
     print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),
                        arg("written", run.written.load()), arg("complete", run.kept.load()),
-                       arg("failed", run.failed.size())));
+                       arg("failed", run.failed_sets.load())));
     for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());
   }
   return run.worst;
@@ -233,7 +313,7 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
 
 /// Exports a draft again whenever its file changes, until the program is ended.
 void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh) {
-  print_problem(fill(tr("watching {count} sets; Ctrl+C ends"), arg("count", jobs.size())));
+  if (!options.quiet) print_problem(fill(tr("watching {count} sets; Ctrl+C ends"), arg("count", jobs.size())));
   while (true) {
     std::this_thread::sleep_for(kWatchStep);
     std::vector<Job> changed_jobs;
@@ -259,6 +339,7 @@ int export_command(const ExportOptions& options) {
     return refuse(fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
     return refuse(fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
+  if (const std::string wrong = template_problem(options.name); !wrong.empty()) return refuse(wrong);
   const bool mesh_wanted = std::ranges::any_of(targets, &ExportTarget::wears_mesh);
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
   if (!mesh)

@@ -240,6 +240,15 @@ CLI::Validator environment_file() {
       "FILE.hdr|FILE.exr");
 }
 
+void add_progress(CLI::App& verb, bool& quiet, bool& json) {
+  auto* silent = verb.add_flag("--quiet", quiet, tr("No progress and no list of what was written; problems only"));
+  verb.add_option_function<std::string>(
+          "--progress", [&json](const std::string& form) { json = form == "json"; },
+          tr("Progress on stderr: auto is a line on a terminal, json one line of JSON for each report; default: auto"))
+      ->check(one_of({"auto", "json"}))
+      ->excludes(silent);
+}
+
 void add_face(CLI::App& verb, Face& face) {
   verb.add_option_function<std::string>(
           "--face", [&face](const std::string& name) { face = name == "back" ? Face::kBack : Face::kFront; },

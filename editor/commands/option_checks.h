@@ -38,6 +38,8 @@ CLI::Validator exposure_form();
 
 CLI::Validator environment_file();
 
+/// Adds --quiet and --progress.
+void add_progress(CLI::App& verb, bool& quiet, bool& json);
 /// Adds --face, front by default.
 void add_face(CLI::App& verb, draft::Face& face);
 

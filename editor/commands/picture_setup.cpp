@@ -28,7 +28,7 @@ std::string extension_of(const std::string& path) { return std::filesystem::path
 
 void apply_options(Design& design, const PictureOptions& o) {
   Scene& scene = design.scene;
-  if (!o.mesh.empty()) scene.mesh = o.mesh;
+  if (!o.mesh.empty()) scene = on_mesh(scene, o);
   if (o.simulated_drape) scene.simulated_drape = true;
   if (is_environment(o.lights)) scene = lit_by_environment(scene, o.lights);
   else if (!o.lights.empty()) scene = lit_by(scene, lighting_preset(o.lights));
@@ -64,7 +64,19 @@ std::string no_view_text(const Design& design, const std::string& name) {
 
 }  // namespace
 
+Scene on_mesh(Scene scene, const PictureOptions& o) {
+  const bool another = scene.mesh != o.mesh, asked = !o.view_name.empty() || o.yarns_per_pixel > 0;
+  scene.mesh = o.mesh;
+  if (!another || asked) return scene;
+  const Scene whole;
+  scene.view_azimuth = whole.view_azimuth, scene.view_elevation = whole.view_elevation;
+  scene.view_distance = whole.view_distance, scene.pan_x = whole.pan_x, scene.pan_y = whole.pan_y;
+  return scene;
+}
+
 int PictureSetup::open(const PictureOptions& o) {
+  progress = o.progress_json ? ProgressForm::kJson : o.quiet ? ProgressForm::kNone : ProgressForm::kTerminal;
+  if (progress != ProgressForm::kTerminal) status.silence();
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
     return refuse(fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
   }

@@ -6,13 +6,14 @@
 #include <string>
 
 #include "commands/commands.h"
+#include "commands/progress.h"
 #include "commands/status_line.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 
 namespace weftlight::commands {
 
-using design::Design;
+using design::Design, design::Scene;
 using files::Image;
 using gl::Frame, gl::HeadlessContext, gl::Renderer;
 
@@ -22,6 +23,7 @@ struct PictureSetup {
   std::unique_ptr<Renderer> renderer;
 
   StatusLine status;
+  ProgressForm progress = ProgressForm::kTerminal;
 
   /// Returns an exit code of the contract; problems are printed.
   int open(const PictureOptions& options);
@@ -30,6 +32,10 @@ struct PictureSetup {
  private:
   int open_graphics();
 };
+
+/// The scene with the mesh of the options, which is framed as a whole if it is another: the draft's view is of its own.
+/// A view that was asked for stays.
+Scene on_mesh(Scene scene, const PictureOptions& options);
 
 /// True for .exr, which holds scene-linear values; a .png is tone mapped.
 bool writes_linear(const std::string& path);

@@ -49,22 +49,24 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
   const Frame frame = setup.frame(o);
   Scene scene = setup.design.scene;
   const float from = scene.view_azimuth;
+  ProgressMeter progress(setup.progress, o.turntable);
   for (int k = 0; k < o.turntable; ++k) {
-    setup.status.show(fill(tr("drawing picture {number} of {count}"), arg("number", k + 1), arg("count", o.turntable)));
+    const std::string file = numbered(o.out, k + 1);
+    progress.set(k, 0, file);
     scene.view_azimuth =
         std::remainder(from + 360.0f * static_cast<float>(k) / static_cast<float>(o.turntable), 360.0f);
     setup.renderer->draw(scene, setup.design.look, frame);
     if (const FrameStats stats = setup.renderer->measure(); !stats.cloth) {
-      setup.status.clear();
+      progress.clear();
       return fail(stats.cloth.error());
     }
-    const auto saved = write_picture(numbered(o.out, k + 1), setup.renderer->read_back(writes_linear(o.out)));
+    const auto saved = write_picture(file, setup.renderer->read_back(writes_linear(o.out)));
     if (!saved) {
-      setup.status.clear();
+      progress.clear();
       return fail(saved.error());
     }
+    progress.set(k, 1, file);
   }
-  setup.status.clear();
   return kDone;
 }
 
@@ -89,16 +91,18 @@ int render_command(const PictureOptions& o) {
   const Method requested = setup.design.look.method;
   Frame frame = setup.frame(o);
   frame.timed = !o.stats.empty();
-  setup.status.show(fill(tr("drawing {width} x {height} pixels"), arg("width", o.width), arg("height", o.height)));
+  ProgressMeter progress(setup.progress, 1);
+  progress.set(0, 0, fill(tr("drawing {width} x {height} pixels"), arg("width", o.width), arg("height", o.height)));
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
-  setup.status.clear();
+  progress.clear();
   if (!stats.cloth) return fail(stats.cloth.error());
   if (requested != Method::kAuto && requested != stats.method) {
     print_problem(fill(tr("drawn with the method {method}, the closest one available"),
                        arg("method", std::string(method_name(stats.method)))));
   }
   base::Result<void> saved = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
+  if (saved) progress.set(0, 1, o.out);
   if (saved && !o.stats.empty()) saved = write_stats(o.stats, stats, setup.design.look.tolerance, o);
   return finish(saved);
 }

@@ -18,6 +18,11 @@ void StatusLine::show(const std::string& text) {
   width_ = text.size();
 }
 
+void StatusLine::silence() {
+  clear();
+  terminal_ = false;
+}
+
 void StatusLine::clear() {
   if (width_ == 0) return;
   std::fprintf(stderr, "\r%*s\r", static_cast<int>(width_), "");

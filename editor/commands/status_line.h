@@ -12,6 +12,8 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
   void show(const std::string& text);
+  /// Shows nothing from now on.
+  void silence();
   void clear();
 
  private:

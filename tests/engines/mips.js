@@ -33,7 +33,10 @@ async function main([weftlight, three, ...drafts]) {
     try {
       for (const mips of ['ktx2', 'dds'])
         execFileSync(weftlight, ['export', draft, '--size', String(kSize), '--mips', mips, '-o', path.join(folder, mips)], { stdio: ['ignore', 'ignore', 'inherit'] });
+      const listed = JSON.parse(fs.readFileSync(path.join(folder, 'dds', name, 'texture_set.json'))).maps.map((map) => map.file);
       for (const map of ['basecolor', 'orm', 'normal', 'anisotropy', 'sheen']) {
+        const constant = map === 'anisotropy' || map === 'sheen';  // perhaps: then they are factors
+        if (constant && !listed.includes(`${name}_${map}.png`)) continue;
         const file = (mips) => fs.readFileSync(path.join(folder, mips, name, `${name}_${map}.${mips}`));
         const ktx = read(new Uint8Array(file('ktx2')));
         const bytes = file('dds');

@@ -3,11 +3,15 @@
 
 #include "texture_set/targets/gltf.h"
 
+#include <cmath>
+
+#include "cloth/srgb.h"
 #include "files/files.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 
+using cloth::srgb_decoded;
 using draft::Face;
 using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::encode_png, files::write_mesh;
 
@@ -20,9 +24,20 @@ constexpr ImageRow kImages[] = {
     {"", "_basecolor", ".png", kU8, true, kBaseCoverage},
     {"", "_orm", ".png", kU8, false, {kOcclusion, kRoughnessNarrow, kMetal, kNone}},
     {"", "_normal", ".png", kU8, false, kNormalUp},
-    {"", "_anisotropy", ".png", kU8, false, {kWideX, kWideY, kGltfAnisotropy, kNone}},
-    {"", "_sheen", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kSheenRoughness}},
+    {"", "_anisotropy", ".png", kU8, false, {kWideX, kWideY, kGltfAnisotropy, kNone}, true},
+    {"", "_sheen", ".png", kU8, true, {kSheenR, kSheenG, kSheenB, kSheenRoughness}, true},
 };
+
+void set_sheen(GltfMaterial& m, const SetFacts& set, Face face) {
+  if (const std::vector<float> even = factors_of(set, kImages[4].suffix, face); !even.empty()) {
+    m.sheen_color = {srgb_decoded(even[0]), srgb_decoded(even[1]), srgb_decoded(even[2])};
+    m.sheen_roughness = even[3];
+    return;
+  }
+  m.sheen.file = image_named(set, kImages[4].suffix, face);
+  m.sheen_color = {1, 1, 1};
+  m.sheen_roughness = 1;
+}
 
 GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
   const FaceSource& source = set.of(face);
@@ -40,13 +55,16 @@ GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
   set_image(m.base_color, 0);
   set_image(m.orm, 1);
   set_image(m.normal, 2);
-  set_image(m.anisotropy, 3);
-  m.anisotropy_strength = 1;
+  if (const std::vector<float> even = factors_of(set, kImages[3].suffix, face); beside && !even.empty()) {
+    m.anisotropy_strength = even[2];
+    m.anisotropy_rotation = std::atan2(2 * even[1] - 1, 2 * even[0] - 1);
+  } else {
+    set_image(m.anisotropy, 3);
+    m.anisotropy_strength = 1;
+  }
   // No other target that writes a .glb fits this sheen, and Blender 3 would import it as an unscaled velvet.
   if (beside && source.fit().sheen > 0) {
-    set_image(m.sheen, 4);
-    m.sheen_color = {1, 1, 1};
-    m.sheen_roughness = 1;
+    set_sheen(m, set, face);
   }
   m.uv_scale_u = 1 / source.small().width_mm;
   m.uv_scale_v = 1 / source.small().depth_mm;
@@ -76,7 +94,7 @@ const ExportTarget targets::kGltf{
     .title = "glTF",
     .images = kImages,
     .model = {.sheen = formulas::kSheenCharlie, .most_f0 = 1, .grazing = true, .anisotropic = true},
-    .highlight = "anisotropic GGX; both reflectances by `KHR_materials_specular`",
+    .highlight = "anisotropic GGX; both reflectances by `KHR_materials_specular` and `KHR_materials_ior`",
     .sheen = "Charlie, `KHR_materials_sheen`",
     .material = ".glb",
     .write_material = write_material,

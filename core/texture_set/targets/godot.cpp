@@ -10,6 +10,7 @@ namespace weftlight::texture_set {
 
 using base::write_file_atomically;
 using draft::Face;
+using files::MipContainer;
 
 namespace {
 
@@ -52,17 +53,15 @@ base::Result<void> write_godot_face(const SetFacts& set, Face face) {
   // Godot has one material for both sides: the front has the back as its next pass.
   const bool front = face == Face::kFront;
   const std::string back = "[ext_resource type=\"Material\" path=\"" + set.name + "_back.tres\" id=\"5\"]\n";
-  const char* transparency = set.alpha == Alpha::kBlend    ? "1"
-                             : set.alpha == Alpha::kMask   ? "2"
-                             : set.alpha == Alpha::kHashed ? "3"
-                                                           : "0";
+  // Blended with a depth pass of the opaque parts.
+  const char* transparency = set.alpha == Alpha::kBlend ? "4" : set.alpha == Alpha::kMask ? "2" : "0";
   return write_file_atomically(
       set.folder + "/" + name + ".tres",
       fill_template(kGodotMaterial, {{"NAME", name},
-                                     {"ALBEDO", image_named(set, "_albedo", face)},
-                                     {"ORM", image_named(set, "_orm", face)},
-                                     {"NORMAL", image_named(set, "_normal", face)},
-                                     {"FLOW", image_named(set, "_flowmap", face)},
+                                     {"ALBEDO", mipped_image_named(set, "_albedo", face)},
+                                     {"ORM", mipped_image_named(set, "_orm", face)},
+                                     {"NORMAL", mipped_image_named(set, "_normal", face)},
+                                     {"FLOW", mipped_image_named(set, "_flowmap", face)},
                                      {"TRANSPARENCY", transparency},
                                      {"CULL", face == Face::kBack ? "1" : "0"},
                                      {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0) / 0.16))},
@@ -89,7 +88,10 @@ const ExportTarget targets::kGodot{
     .model = {.sheen = formulas::kSheenNone, .most_f0 = 4 * formulas::kEngineF0, .grazing = false, .anisotropic = true},
     .highlight = "anisotropic GGX, specular to 1 (0.16)",
     .sheen = "none",
-    .open = Alpha::kHashed,
+    // Its Compatibility renderer draws hashed transparency opaque; depth of the opaque parts first works in all three.
+    .open = Alpha::kBlend,
+    .color_mips = MipContainer::kDds,
+    .names_dds = true,
     .material = ".tres",
     .write_material = write_material,
 };

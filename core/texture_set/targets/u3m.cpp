@@ -31,13 +31,13 @@ constexpr std::array<Channel, 4> grey(Channel c) { return {c, c, c, kNone}; }  /
 
 constexpr ImageRow kImages[] = {
     {"", "_basecolor", ".png", kU8, true, kBaseColor},
-    {"", "_alpha", ".png", kU8, false, grey(kCoverage)},
+    {"", "_alpha", ".png", kU8, false, grey(kCoverage), true},
     {"", "_normal", ".png", kU8, false, kNormalUp},
-    {"", "_roughness", ".png", kU8, false, grey(kRoughness)},
-    {"", "_metalness", ".png", kU8, false, grey(kMetal)},
-    {"", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy)},
-    {"", "_rotation", ".png", kU8, false, grey(kWideAngle)},
-    {"", "_sheen", ".png", kU8, false, grey(kSheenWeight)},
+    {"", "_roughness", ".png", kU8, false, grey(kRoughness), true},
+    {"", "_metalness", ".png", kU8, false, grey(kMetal), true},
+    {"", "_anisotropy", ".png", kU8, false, grey(kAspectAnisotropy), true},
+    {"", "_rotation", ".png", kU8, false, grey(kWideAngle), true},
+    {"", "_sheen", ".png", kU8, false, grey(kSheenWeight), true},
     {"", "_displacement", ".png", kU16, false, grey(kHeightNormalized)},
 };
 
@@ -149,6 +149,8 @@ json image(const SetFacts& set, const std::string& suffix, Face face) {
 json constant(double v) { return {{"constant", v}, {"texture", nullptr}}; }
 
 json scalar(const SetFacts& set, const std::string& suffix, Face face, double mean, double factor = 1) {
+  if (const std::vector<float> even = factors_of(set, suffix, face); !even.empty())
+    return constant(static_cast<double>(even[0]));
   return {{"constant", mean}, {"texture", {{"factor", factor}, {"offset", 0}, {"image", image(set, suffix, face)}}}};
 }
 
@@ -238,6 +240,7 @@ base::Result<void> write_material(const SetFacts& set) {
   std::vector<ZipEntry> entries{{file, path}};
   for (const Face face : {Face::kFront, Face::kBack}) {
     for (const ImageRow& row : kImages) {
+      if (!factors_of(set, row.suffix, face).empty()) continue;
       const std::string image = image_file(set.target, row, set.name, face);
       entries.push_back({image, set.folder + "/" + image});
     }

@@ -34,6 +34,22 @@ TextureImporter:
   alphaIsTransparency: 0
 )";
 
+constexpr const char* kDdsMeta = R"(fileFormatVersion: 2
+guid: {GUID}
+IHVImageFormatImporter:
+  externalObjects: {}
+  textureSettings:
+    serializedVersion: 2
+    filterMode: 2
+    aniso: 8
+    mipBias: 0
+    wrapU: 0
+    wrapV: 0
+    wrapW: 0
+  isReadable: 0
+  sRGBTexture: {SRGB}
+)";
+
 constexpr const char* kMaterialMeta = R"(fileFormatVersion: 2
 guid: {GUID}
 NativeFormatImporter:
@@ -79,6 +95,11 @@ base::Result<void> write_import_settings(const SetFacts& set, Face face) {
                                                                                  {"SRGB", row.srgb ? "1" : "0"},
                                                                                  {"KEEP", covers ? "1" : "0"},
                                                                                  {"TYPE", normal ? "1" : "0"}}));
+    if (done && has_dds(set, row, face)) {
+      const std::string dds = dds_file(set.target, row, set.name, face);
+      done = write_file_atomically(set.folder + "/" + dds + ".meta",
+                                   fill_template(kDdsMeta, {{"GUID", guid(dds)}, {"SRGB", row.srgb ? "1" : "0"}}));
+    }
     if (!done) return done;
   }
   return {};
@@ -90,7 +111,7 @@ std::vector<std::string> textures_of(const SetFacts& set, const UnityShader& sha
   std::vector<std::string> out;
   for (const UnitySlot& slot : shader.slots) {
     out.push_back(std::string(slot.slot) +
-                  ":\n        m_Texture: {fileID: 2800000, guid: " + guid(image_named(set, slot.suffix, face)) +
+                  ":\n        m_Texture: {fileID: 2800000, guid: " + guid(mipped_image_named(set, slot.suffix, face)) +
                   ", type: 3}\n        m_Scale: {x: " + number(1 / static_cast<double>(s.width_mm)) +
                   ", y: " + number(1 / static_cast<double>(s.depth_mm)) + "}\n        m_Offset: {x: 0, y: 0}");
   }

@@ -85,6 +85,7 @@ const ExportTarget targets::kUnityHdrp{
             .sheen = formulas::kSheenNone, .most_f0 = formulas::kEngineF0, .grazing = false, .anisotropic = false},
     .highlight = "GGX, specular colour (with metal yarns: the usual 0.04); round highlight",
     .sheen = "none",
+    .names_dds = true,
     .keeps_masks = true,
     .material = ".mat",
     .write_material = [](const SetFacts& set) { return write_unity_material(set, kLit); },

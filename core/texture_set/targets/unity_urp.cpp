@@ -65,6 +65,7 @@ const ExportTarget targets::kUnityUrp{
     .model = {.sheen = formulas::kSheenNone, .most_f0 = formulas::kEngineF0, .grazing = false, .anisotropic = false},
     .highlight = "GGX, round; its reflectance is fixed",
     .sheen = "none",
+    .names_dds = true,
     .keeps_masks = true,
     .material = ".mat",
     .write_material = [](const SetFacts& set) { return write_unity_material(set, kLit); },

@@ -59,6 +59,15 @@ TEST_F(Export, names_follow_the_template) {
   EXPECT_EQ(exported({"--target", "raw,godot", "--name", "{name}"}).code, kUsage) << "two sets in one folder";
 }
 
+TEST_F(Export, a_template_with_an_unknown_field_is_refused_with_the_fields) {
+  for (const char* form : {"{draft}_{target}", "{name", "a}b", "{}", "{Name}"}) {
+    const Ran ran = exported({"--target", "raw", "--size", "16", "--name", form});
+    EXPECT_EQ(ran.code, kUsage) << form;
+    EXPECT_NE(ran.said.find("{name}, {target}, {size}"), std::string::npos) << ran.said;
+    EXPECT_FALSE(has("")) << form;
+  }
+}
+
 TEST_F(Export, texels_per_millimetre_and_tiles_of_several_repeats) {
   EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "12", "--tile-cm", "1"}).code, kDone);
   const json a = list("a");
@@ -89,6 +98,24 @@ TEST_F(Export, failures_are_listed_at_the_end_and_the_rest_is_done) {
       << ran.said;
 }
 
+TEST_F(Export, a_broken_draft_is_reported_once_for_all_targets) {
+  write_file_atomically(path("drafts/aa.wif"), "no draft");
+  const Ran ran = exported({"--target", "raw,u3m,unity-urp", "--size", "16"});
+  EXPECT_EQ(ran.code, kBadInput);
+  size_t lines = 0;
+  for (size_t at = 0; (at = ran.said.find("aa.wif", at)) != std::string::npos; ++at) ++lines;
+  EXPECT_EQ(lines, 3u) << "what is wrong, that it is not exported, and the list at the end\n" << ran.said;
+  EXPECT_NE(ran.said.find("6 sets written, 0 were complete, 3 failed"), std::string::npos) << ran.said;
+}
+
+TEST_F(Export, warnings_of_a_draft_are_given_once_for_all_targets) {
+  const Ran ran = exported({"--target", "raw,u3m,unity-urp", "--size", "16", "--tile-cm", "5"});
+  EXPECT_EQ(ran.code, kDone);
+  const size_t first = ran.said.find("a.wif: a thread has only");
+  ASSERT_NE(first, std::string::npos) << ran.said;
+  EXPECT_EQ(ran.said.find("a.wif: a thread has only", first + 1), std::string::npos) << ran.said;
+}
+
 TEST_F(Export, resume_makes_missing_and_outdated_sets) {
   const Args again{"--target", "raw", "--size", "16", "--resume"};
   EXPECT_EQ(exported(again).code, kDone);
@@ -97,6 +124,36 @@ TEST_F(Export, resume_makes_missing_and_outdated_sets) {
   EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a file is gone";
   fs::copy_file(fixture_path("twill.wif"), path("drafts/deep/b.wif"), fs::copy_options::overwrite_existing);
   EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "another draft";
+}
+
+TEST_F(Export, resume_makes_sets_with_changed_files_again) {
+  const Args again{"--target", "raw", "--size", "16", "--resume"};
+  EXPECT_EQ(exported(again).code, kDone);
+  const std::string file = path("sets/a/a_front_height.exr"), whole = read_file(file).bytes;
+  const json contents = list("a")["contents"];
+  EXPECT_EQ(contents["a_front_height.exr"]["bytes"], whole.size());
+  EXPECT_EQ(contents.size(), list("a")["files"].size());
+  fs::resize_file(file, whole.size() / 2);
+  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a truncated file";
+  EXPECT_EQ(read_file(file).bytes, whole);
+  std::string other = whole;
+  other.back() = static_cast<char>(other.back() ^ 1);
+  write_file_atomically(file, other);
+  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a changed byte";
+  EXPECT_EQ(read_file(file).bytes, whole);
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+}
+
+TEST_F(Export, resume_makes_missing_and_truncated_archives) {
+  EXPECT_EQ(exported({"--target", "raw", "--size", "16"}).code, kDone);
+  const Args again{"--target", "raw", "--size", "16", "--resume", "--zip"};
+  EXPECT_EQ(exported(again).code, kDone);
+  ASSERT_TRUE(has("a.zip") && has("b.zip"));
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+  const uintmax_t size = fs::file_size(path("sets/a.zip"));
+  fs::resize_file(path("sets/a.zip"), size - 30);
+  EXPECT_EQ(exported(again).code, kDone);
+  EXPECT_EQ(fs::file_size(path("sets/a.zip")), size);
 }
 
 /// Four ends of plain weave, in Fiberworks' format; `treadling` may make it another.

@@ -11,7 +11,9 @@
 #include "commands/picture_setup.h"
 #include "design/edits.h"
 #include "design/lights.h"
+#include "files/files.h"
 #include "render_data/reference_scene.h"
+#include "scene/camera.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
@@ -19,10 +21,11 @@ namespace weftlight::commands {
 using base::presets_dir, base::problem_of, base::read_file;
 using design::Design, design::LightingPreset, design::Scene, design::is_environment, design::kLightingPresets,
     design::lighting_preset, design::lit_by, design::lit_by_environment, design::with_size;
-using files::Image, files::PixelType, files::read_image, files::write_image;
+using drape::Mesh;
+using files::Image, files::PixelType, files::load_drape, files::read_image, files::write_image;
 using gl::Frame;
 using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
-using scene::LightRig, scene::load_light_rig;
+using scene::Camera, scene::LightRig, scene::bounds_of, scene::load_light_rig, scene::place_camera;
 using wif::write_new_wif;
 
 namespace {
@@ -83,6 +86,44 @@ TEST_F(Pictures, what_is_behind_shows_through_the_pinholes_of_a_near_weave) {
       difference(corner_of("twill_2_2"), {"--mesh", "plane", "--view", "20,15", "--yarns-per-pixel", "0.04"});
   if (!off) GTEST_SKIP() << "no graphics";
   EXPECT_LT(*off, 0.3);
+}
+
+/// The part of a mesh that is in the picture: the largest coordinate of a vertex, 1 at the edge.
+float farthest_in(const Scene& scene, int width, int height) {
+  const base::Result<Mesh> mesh = load_drape(scene.mesh);
+  if (!mesh) return 99;
+  const Camera camera = place_camera(scene, *mesh, bounds_of(*mesh), width, height, 0, 1);
+  float most = 0;
+  for (const glm::vec3& p : mesh->position_mm) {
+    const glm::vec4 at = camera.world_to_clip * glm::vec4(p, 1);
+    most = std::max({most, std::abs(at.x / at.w), std::abs(at.y / at.w)});
+  }
+  return most;
+}
+
+// Tweed's tunic and ottoman's cushion were cropped.
+TEST(FirstViews, ShowTheWholeCloth) {
+  constexpr float kHem = 1.06f;  // of shirts and tunics, whose hem may touch the edge
+  for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + "/cloths")) {
+    const wif::WifRead read = wif::read_wif(read_file(entry.path().string()).bytes);
+    if (!read.file) continue;
+    const std::string cloth = entry.path().stem().string();
+    const bool mended = cloth == "tweed" || cloth == "ottoman";
+    EXPECT_LT(farthest_in(read.file->design.scene, 1280, 800), mended ? 1.0f : kHem) << cloth;
+  }
+}
+
+// The draft's view is of its own mesh: another one was cropped by it.
+TEST(FirstViews, AnotherMeshIsFramedAsAWholeUnlessAViewIsAskedFor) {
+  Scene scene;
+  scene.mesh = "tunic", scene.view_distance = 0.3f, scene.pan_x = 0.4f, scene.view_azimuth = 70;
+  PictureOptions options;
+  options.mesh = "cushion";
+  EXPECT_LT(farthest_in(on_mesh(scene, options), 1280, 800), 1.0f);
+  options.view_name = "near";
+  EXPECT_EQ(on_mesh(scene, options).view_distance, 0.3f);
+  options = {}, options.mesh = "tunic";
+  EXPECT_EQ(on_mesh(scene, options).view_distance, 0.3f) << "the draft's own";
 }
 
 double sum_of(const Image& image) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "../scratch.h"
 #include "files/files.h"
@@ -61,6 +62,53 @@ TEST(MeshFile, RoundTripWithMaterial) {
     expect_same(sheet(), *read);
   }
   EXPECT_TRUE(std::filesystem::exists(scratch / "cloth_basecolor.png"));
+}
+
+/// The JSON of a .glb or a .gltf.
+json root_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (bytes.starts_with("glTF"))
+    bytes = bytes.substr(20, static_cast<unsigned char>(bytes[12]) + 256u * static_cast<unsigned char>(bytes[13]));
+  return json::parse(bytes);
+}
+
+// Programs clamp colours beyond 1: with the usual index of refraction 0.4 became 0.04.
+TEST(MeshFile, ReflectancesNeedNoColourBeyondOne) {
+  const Scratch scratch("reflectances");
+  for (const auto& [f0, f90] : {std::pair{0.4f, 1.0f}, {0.17f, 0.17f}, {0.3f, 0.5f}, {0.01f, 1.0f}, {0.0f, 0.0f}}) {
+    GltfMaterial material;
+    material.f0 = f0, material.f90 = f90;
+    ASSERT_EQ(problem_of(write_mesh(scratch / "cloth.glb", sheet(), &material)), "");
+    const json extensions = root_of(scratch / "cloth.glb")["materials"][0]["extensions"];
+    const float factor = extensions["KHR_materials_specular"]["specularFactor"],
+                colour = extensions["KHR_materials_specular"]["specularColorFactor"][0],
+                ior = extensions.contains("KHR_materials_ior") ? extensions["KHR_materials_ior"]["ior"].get<float>()
+                                                               : 1.5f;
+    EXPECT_LE(colour, 1);
+    EXPECT_NEAR(factor, std::max(f90, 1e-3f), 1e-4);
+    const float amplitude = (ior - 1) / (ior + 1);
+    EXPECT_NEAR(amplitude * amplitude * colour * factor, f0, 0.011f * f0 + 1e-6f) << ior;
+  }
+}
+
+TEST(MeshFile, AGlbHasTheExtensionsOfItsGltf) {
+  const Scratch scratch("extensions");
+  GltfMaterial material;
+  material.base_color.png = encode_png(Image{2, 2, 3, std::vector<float>(12, 0.5f)});
+  material.transmission = 0.2f, material.f0 = 0.3f;
+  json materials[2];
+  for (const bool binary : {false, true}) {
+    const std::string file = scratch / (binary ? "cloth.glb" : "cloth.gltf");
+    ASSERT_EQ(problem_of(write_mesh(file, sheet(), &material)), "");
+    const json root = root_of(file);
+    materials[binary] = root["materials"][0]["extensions"];
+    const std::set<std::string> used = root["extensionsUsed"];
+    for (const auto& [name, values] : materials[binary].items()) EXPECT_TRUE(used.contains(name)) << name;
+  }
+  EXPECT_EQ(materials[0], materials[1]);
+  EXPECT_NEAR(materials[1]["KHR_materials_diffuse_transmission"]["diffuseTransmissionFactor"].get<float>(), 0.2f,
+              1e-6f);
 }
 
 TEST(MeshFile, TwoFacesHaveTheirOwnMaterials) {

@@ -221,7 +221,7 @@ Design tweed() {
   yarn.lobes.along_width = 0.7f, yarn.lobes.across_width = 0.8f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 9.6f, 9);
   return titled(
-      worn(std::move(d), "tunic", -20, 8, 0.72f), "Herringbone tweed",
+      worn(std::move(d), "tunic", -20, 8, 0.88f), "Herringbone tweed",
       {"2/2 twill that turns every sixteen ends; woollen Nm 5.6 in heather mixtures, 9.6 by 9 a centimetre."});
 }
 
@@ -303,7 +303,7 @@ Design ottoman() {
        weft = spun("Cotton", "Corded cotton", "Ne 5/6", 1.5f, 130, 6);
   warp.flattening = 0.5f, weft.flattening = 1;
   d = set_at(with_yarns(std::move(d), warp, weft), 66, 4.8f);
-  return titled(lit(worn(std::move(d), "cushion", 6, 30, 0.62f), -20, 28), "Ottoman",
+  return titled(lit(worn(std::move(d), "cushion", 6, 30, 0.82f), -20, 28), "Ottoman",
                 {"Corded: a close silk warp covers thick cotton picks, 66 by 4.8 a centimetre."});
 }
 

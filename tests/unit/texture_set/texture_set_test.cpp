@@ -12,6 +12,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stop_token>
 
 #include "../files/sheet.h"
 #include "../scratch.h"
@@ -22,7 +23,7 @@ namespace weftlight::texture_set {
 
 using base::problem_of;
 using cloth::Cloth, cloth::Period, cloth::lay_out;
-using design::Design;
+using design::Design, design::Yarn;
 using draft::Face, draft::System, draft::drawdown;
 using drape::Mesh, drape::sheet;
 using files::Image, files::MipContainer, files::read_image;
@@ -32,6 +33,11 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 class EveryTarget : public testing::TestWithParam<const ExportTarget*> {};
 INSTANTIATE_TEST_SUITE_P(All, EveryTarget, testing::ValuesIn(kTargets), [](const auto& target) {
@@ -78,7 +84,10 @@ TEST_P(EveryTarget, IsCompleteSeamlessAndListed) {
   EXPECT_GT(list["size_mm"][0], 0);
   EXPECT_GT(list["size_mm"][0], list["size_mm"][1]);
   EXPECT_EQ(list["size_texels"][0], 128);
-  EXPECT_EQ(list["maps"].size(), target.images.size() * 2 + (target.raw ? 6 : 0));
+  const auto mipped = static_cast<size_t>(std::ranges::count_if(
+      target.images, [&](const ImageRow& row) { return has_mips(row, mips_for(target, std::nullopt)); }));
+  const size_t factors = list.contains("factors") ? list["factors"].size() : 0;
+  EXPECT_EQ(list["maps"].size() + factors, (target.images.size() + mipped) * 2 + (target.raw ? 6 : 0));
   std::set<std::string> expected{"texture_set.json"}, named{"README.md", "contact_sheet.png"};
   for (const json& map : list["maps"]) {
     const std::string file = map["file"];
@@ -171,6 +180,19 @@ TEST(TextureSet, OtherSetsAreNotReplaced) {
   EXPECT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), namesake)), "");
 }
 
+TEST(TextureSet, AStoppedExportIsCancelledAndKeepsTheOldSet) {
+  const Scratch scratch("stopped");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32))),
+            "");
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 64),
+                                         {{}, source.get_token()});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, base::ErrorKind::kCancelled) << problem_of(stopped);
+  EXPECT_EQ(list_of(scratch / "set")["size_texels"][0], 32);
+}
+
 TEST(TextureSet, AFailedExportKeepsTheOldSet) {
   const Scratch scratch("failure");
   ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32))),
@@ -239,11 +261,6 @@ TEST(TextureSet, EveryTargetHasTheSameScale) {
   holds(targets::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
   const Scratch scratch("unity-maps");
   for (const ExportTarget* target : {&targets::kUnityUrp, &targets::kUnityHdrp}) {
@@ -260,6 +277,73 @@ TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
 }
 
 /// HDRP maps smoothness and normal from 0..1 to -1..1 and adds them to those of the base material.
+// Godot averages encoded colours and draws hashed transparency opaque in its Compatibility renderer.
+TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
+  const Scratch scratch("godot");
+  for (const Alpha alpha : {Alpha::kBlend, Alpha::kHashed}) {
+    TextureSetOptions options = options_for(targets::kGodot, 32);
+    options.alpha = alpha;
+    ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+    const std::string material = text_of(scratch / "set/sample.tres");
+    EXPECT_NE(material.find("transparency = 4\n"), std::string::npos) << material;
+    EXPECT_NE(material.find("path=\"sample_albedo.dds\""), std::string::npos) << material;
+    EXPECT_NE(material.find("path=\"sample_orm.png\""), std::string::npos) << material;
+    EXPECT_TRUE(fs::exists(scratch / "set/sample_albedo.dds"));
+  }
+  TextureSetOptions all = options_for(targets::kGodot, 32);
+  all.mips = MipContainer::kDds;
+  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), all), "");
+  EXPECT_NE(text_of(scratch / "set/sample_back.tres").find("path=\"sample_back_normal.dds\""), std::string::npos);
+}
+
+TEST(TextureSet, UnityMaterialsNameTheMipsThatTheSetHas) {
+  const Scratch scratch("unity-mips");
+  const auto guid_in = [&](const std::string& file) {
+    const std::string text = text_of(scratch / "set/" + file);
+    const size_t at = text.find("guid: ");
+    return at == std::string::npos ? file + " has none" : text.substr(at + 6, 32);
+  };
+  for (const bool mips : {true, false}) {
+    TextureSetOptions options = options_for(targets::kUnityUrp, 32);
+    if (mips) options.mips = MipContainer::kDds;
+    ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+    const std::string image = std::string("sample_BaseMap") + (mips ? ".dds.meta" : ".png.meta");
+    EXPECT_NE(text_of(scratch / "set/sample.mat").find(guid_in(image)), std::string::npos) << image;
+    EXPECT_EQ(fs::exists(scratch / "set/sample_BaseMap.dds.meta"), mips);
+  }
+}
+
+/// Matt threads without metal, a repeat far smaller than a pixel at one metre.
+Design fine_plain() {
+  Design design = plain({2, 2});
+  for (Yarn& yarn : design.yarns) yarn.lobes.fuzz = 0;
+  return design;
+}
+
+TEST(TextureSet, ConstantMapsAreFactorsOrSmall) {
+  const Scratch scratch("constant");
+  ASSERT_EQ(write_texture_set(scratch / "gltf", fine_plain(), sheet(), options_for(targets::kGltf, 64)), "");
+  EXPECT_FALSE(fs::exists(scratch / "gltf/sample_sheen.png")) << "black, and no material names it";
+  const json gltf = json::parse(text_of(scratch / "gltf/sample.gltf")), list = list_of(scratch / "gltf");
+  EXPECT_EQ(list["factors"][0]["image"], "sample_anisotropy.png");
+  const std::vector<float> values = list["factors"][0]["values"];
+  const json anisotropy = gltf["materials"][0]["extensions"]["KHR_materials_anisotropy"];
+  EXPECT_FALSE(anisotropy.contains("anisotropyTexture"));
+  EXPECT_FLOAT_EQ(anisotropy["anisotropyStrength"], values[2]);
+  EXPECT_NEAR(std::cos(anisotropy["anisotropyRotation"].get<double>()), static_cast<double>(2 * values[0] - 1), 1e-3);
+  for (const json& image : gltf["images"]) EXPECT_TRUE(fs::exists(scratch / "gltf/" + image["uri"].get<std::string>()));
+
+  TextureSetOptions options = options_for(targets::kBlender, 64);
+  ASSERT_EQ(write_texture_set(scratch / "blender", fine_plain(), sheet(), options), "");
+  const base::Result<Image> metal = read_image(scratch / "blender/sample_metallic.png"),
+                            color = read_image(scratch / "blender/sample_basecolor.png");
+  ASSERT_TRUE(metal && color);
+  EXPECT_EQ(metal->width, 16);
+  EXPECT_EQ(color->width, 64);
+  for (const json& map : list_of(scratch / "blender")["maps"])
+    EXPECT_EQ(map["width"], read_image(scratch / "blender/" + map["file"].get<std::string>())->width) << map["file"];
+}
+
 TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
   ASSERT_EQ(problem_of(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128))),

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Renders the pictures of docs/truth.md: the ray-traced threads, the preview, and their absolute difference, four times as
-# bright. Needs ImageMagick. Usage: docs/make_truth.sh [path of weftlight]
+# bright; and cloths as fibres beside the same as tubes. Needs ImageMagick. Usage: docs/make_truth.sh [path of weftlight]
+# ONLY=fibres or ONLY=tubes makes a part.
 source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh" truth "$@"
 
 scene() {  # name draft options...
@@ -13,6 +14,26 @@ scene() {  # name draft options...
   # Relative RMSE of the pixels, for the table.
   printf '%s %s\n' "$name" "$(compare -metric RMSE "$work/truth.png" "$work/auto.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/')"
 }
+
+# A shipped cloth at 1/32 yarn a pixel, as fibres and as tubes; prints time and memory for the table.
+fibres() {  # name cloth options...
+  local name=$1 cloth=$root/presets/cloths/$2.wif began
+  shift 2
+  local view=(--size 320x240 --mesh plane --yarns-per-pixel 0.03125 --view 20,15 "$@")
+  began=$SECONDS
+  "$weftlight" reference "$cloth" -o "$work/fibres.png" --fibres --spp "${SPP:-64}" "${view[@]}"
+  printf '%s %s s\n' "$name" "$((SECONDS - began))"
+  "$weftlight" reference "$cloth" -o "$work/tubes.png" --spp "${SPP:-96}" --bounces 1 "${view[@]}"
+  for part in fibres tubes; do convert "$work/$part.png" -quality 88 "$out/${name}_$part.jpg"; done
+}
+
+if [[ ${ONLY:-fibres} == fibres ]]; then
+  fibres cotton chambray
+  fibres linen linen
+  fibres worsted gabardine
+  fibres filament silk_satin
+fi
+[[ ${ONLY:-tubes} == tubes ]] || exit 0
 
 scene plain_near plain --mesh plane --view 15,10 --yarns-per-pixel 0.04
 scene twill_near twill_2_2 --mesh plane --view -30,20 --yarns-per-pixel 0.06

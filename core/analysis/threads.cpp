@@ -107,6 +107,19 @@ double wraps_per_cm(float diameter_mm) { return diameter_mm > 0 ? 10.0 / static_
 
 double sett_per_cm(double wraps, double interlacings) { return wraps / (1 + std::max(interlacings, 0.0)); }
 
+double firm_sett_per_cm(const BitMatrix& cells, const std::vector<WeaveLayer>& layers, double wraps) {
+  double sett = 0;
+  for (const WeaveLayer& layer : layers) {
+    if (layer.loose()) continue;
+    BitMatrix own(static_cast<int>(layer.picks.size()), static_cast<int>(layer.ends.size()));
+    for (int p = 0; p < own.rows(); ++p)
+      for (int e = 0; e < own.cols(); ++e)
+        own.set(p, e, cells.get(layer.picks[static_cast<size_t>(p)], layer.ends[static_cast<size_t>(e)]));
+    sett += sett_per_cm(wraps, interlacing(own).weft);
+  }
+  return sett;
+}
+
 YarnReport yarn_report(const Design& design, const ClothPlan& plan) {
   YarnReport out;
   const Draft& d = design.draft;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/weave_layers.h"
 #include "design/design.h"
 
 namespace weftlight::analysis {
@@ -35,6 +36,9 @@ double wraps_per_cm(float diameter_mm);
 /// Threads per cm of the loom for a firm cloth. Based on: T. R. Ashenhurst, A Treatise on Textile Calculations and
 /// the Structure of Fabrics, 1884: a repeat of T threads with i interlacings has room for wraps T / (T + i).
 double sett_per_cm(double wraps_per_cm, double interlacing);
+/// Ends per cm of the loom for a firm cloth of yarn with that many wraps. Separate layers lie one over the other, and
+/// each interlaces with its own picks only: their setts add up. Loose threads do not count. `layers`: of the drawdown.
+double firm_sett_per_cm(const BitMatrix& cells, const std::vector<WeaveLayer>& layers, double wraps_per_cm);
 
 /// How a cloth is planned. Lengths in mm; take-up, shrinkage and spare are fractions (0.1: 10 %).
 struct ClothPlan {

@@ -16,7 +16,8 @@ namespace weftlight::base {
 inline constexpr uint64_t kMaxFileBytes = uint64_t{1} << 30;
 
 /// The bytes of a regular file. Pipes, devices and files larger than `max_bytes` are errors; it never waits for a
-/// writer. A request to stop is one, too, once the system gives the bytes asked for last: a share may keep them for ever.
+/// writer. A request to stop is one, too, once the system gives the bytes asked for last: a share may keep them for
+/// ever.
 Result<std::string> read_file(const std::string& path, uint64_t max_bytes = kMaxFileBytes,
                               const std::stop_token& stop = {});
 

@@ -21,13 +21,14 @@ Rgb srgb_from_linear(Linear c);
 
 /// One thread of the period.
 struct ThreadBody {
-  float centre_mm = 0;   // across: x of an end, y of a pick
-  float spacing_mm = 0;  // width available to it, >= 0
-  float width_mm = 0;    // full width of the flattened cross-section
-  float height_mm = 0;   // full height of the section
-  Linear colour;         // linear light
-  int yarn = 0;          // index into Cloth::yarns
-  float unevenness = 0;  // standard deviation of its thickness along it, over the mean (thickness.h)
+  float centre_mm = 0;    // across: x of an end, y of a pick
+  float spacing_mm = 0;   // width available to it, >= 0
+  float width_mm = 0;     // full width of the flattened cross-section
+  float height_mm = 0;    // full height of the section
+  Linear colour;          // linear light
+  int yarn = 0;           // index into Cloth::yarns
+  float unevenness = 0;   // standard deviation of its thickness along it, over the mean (thickness.h)
+  float diameter_mm = 0;  // of the round thread before it is flattened or jammed: its count goes with this
 };
 
 /// One layer of a multi-layer cloth, as ranges of ends and picks.

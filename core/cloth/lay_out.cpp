@@ -118,6 +118,7 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   if (calendered > 0) press(body, woven.finished[index].flattening, calendered);
   if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));
   body.yarn = static_cast<int>(index);
+  body.diameter_mm = even * factor;
   body.unevenness = unevenness_of(yarn, design.finish);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
   return body;

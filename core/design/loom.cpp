@@ -13,22 +13,18 @@ LoomSize loom_size(const Design& design) {
   return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
 }
 
-namespace {
-
-base::Failure locked(std::string why) { return base::failure(base::ErrorKind::kInput, std::move(why)); }
-
-}  // namespace
+bool leads(const Design& design, BitGrid grid) {
+  const Leading leading = design.loom.leading;
+  if ((leading == Leading::kDrawdown) != (grid == BitGrid::kDrawdown)) return false;
+  return leading != Leading::kLiftplan || (grid != BitGrid::kTieup && grid != BitGrid::kTreadling);
+}
 
 base::Result<void> may_paint(const Design& design, BitGrid grid) {
-  if (!design.loom.locked) return {};
-  const bool drawdown_rules = design.loom.leading == Leading::kDrawdown;
-  if (drawdown_rules == (grid == BitGrid::kDrawdown)) {
-    const bool treadles = grid == BitGrid::kTieup || grid == BitGrid::kTreadling;
-    if (design.loom.leading != Leading::kLiftplan || !treadles) return {};
-    return locked(tr("tie-up and treadling follow the liftplan and are locked"));
-  }
-  return locked(drawdown_rules ? tr("this follows the drawdown and is locked")
-                               : tr("the drawdown follows and is locked"));
+  if (!design.loom.locked || leads(design, grid)) return {};
+  const char* why = design.loom.leading == Leading::kDrawdown ? tr("This follows the drawdown and is locked.")
+                    : grid == BitGrid::kDrawdown              ? tr("The drawdown follows and is locked.")
+                                                 : tr("Tie-up and treadling follow the liftplan and are locked.");
+  return base::failure(base::ErrorKind::kInput, why);
 }
 
 }  // namespace weftlight::design

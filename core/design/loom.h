@@ -16,6 +16,8 @@ using draft::BitGrid, draft::LoomSize;
 inline constexpr int kDefaultLimit = 32;
 LoomSize loom_size(const Design& design);
 
+/// True if other grids follow this one; false if it follows.
+bool leads(const Design& design, BitGrid grid);
 /// Whether a grid may be painted, or the error: it is locked and follows from others.
 base::Result<void> may_paint(const Design& design, BitGrid grid);
 

@@ -34,6 +34,7 @@ inline float exp(float x) {
 }
 
 #define FORMULA inline
+#include "shaders/fibre.glsl"
 #include "shaders/filter.glsl"
 #include "shaders/flyaway.glsl"
 #include "shaders/horizon.glsl"

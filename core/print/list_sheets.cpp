@@ -99,12 +99,11 @@ void list_yarn(std::vector<Line>& out, const Design& design, const ClothPlan& pl
                   {fill(tr("{sett:.1f} picks/cm"), arg("sett", r.picks_per_cm)), -1}}});
 }
 
-std::vector<Line> lines_of(const Design& design, const PrintOptions& options) {
+std::vector<Line> lines_of(const Design& design, const Draft& d, const PrintOptions& options) {
   const PrintParts& parts = options.parts;
-  const Draft& d = design.draft;
   std::vector<Line> out;
   constexpr int kGroup = 10;
-  if (parts.heddles) list_heddles(out, loom_use(d));
+  if (parts.heddles) list_heddles(out, loom_use(design.draft));
   if (parts.yarn) list_yarn(out, design, options.plan);
   if (!parts.lists) return out;
   list_rows(out, tr("Threading, shaft of each end"), d.threading, kGroup);
@@ -168,10 +167,10 @@ void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, c
 
 }  // namespace
 
-std::vector<Sheet> list_sheets(const Design& design, const PrintOptions& options) {
+std::vector<Sheet> list_sheets(const Design& design, const Design& listed, const PrintOptions& options) {
   const double width = (options.paper.width_mm - 2 * kMargin - 8) / 2;
   const double bottom = options.paper.height_mm - kMargin;
-  const std::vector<Line> lines = lines_of(design, options);
+  const std::vector<Line> lines = lines_of(design, listed.draft, options);
   const bool swatch = options.parts.swatch;
   std::vector<std::vector<Column>> sheets;
   size_t next = 0;

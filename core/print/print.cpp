@@ -10,13 +10,16 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/text.h"
+#include "design/edits.h"
+#include "design/repeat.h"
 #include "print/page.h"
 
 namespace weftlight::print {
 
-using base::ErrorKind, base::Result, base::failed, base::failure, base::mark, base::tr;
+using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::mark, base::tr;
 
 namespace {
 
@@ -96,21 +99,41 @@ std::string png_of(const Sheet& sheet, const PrintOptions& o) {
 
 constexpr const char* kDrawingFailed = mark("the drawing library failed; there may be too little memory");
 
-/// All sheets, at least one.
-Result<std::vector<Sheet>> all_sheets(const Design& design, const PrintOptions& options) {
+/// The first repeat of the design, if that is to be printed.
+std::optional<Design> part_of(const Design& design, const PrintOptions& options) {
+  if (!options.one_repeat) return {};
+  const design::Repeat repeat = design_repeat(design, drawdown(design.draft));
+  return with_size(design, repeat.ends, repeat.picks, design.draft.shafts, design.draft.treadles);
+}
+
+/// All sheets, at least one. They refer to both designs; `part`: what the grids and lists show.
+Result<std::vector<Sheet>> all_sheets(const Design& design, const Design& part, const PrintOptions& options) {
   Result<std::vector<Sheet>> sheets;
-  if (options.parts.grids) sheets = draft_sheets(design, options);
+  if (options.parts.grids) sheets = draft_sheets(part, options);
   if (!sheets) return sheets;
-  for (Sheet& sheet : list_sheets(design, options)) sheets->push_back(std::move(sheet));
+  for (Sheet& sheet : list_sheets(design, part, options)) sheets->push_back(std::move(sheet));
   if (sheets->empty()) return failure(ErrorKind::kInput, tr("nothing was selected for printing"));
   return sheets;
+}
+
+/// Keeps the sheets first_sheet to last_sheet.
+Result<void> keep_range(std::vector<Sheet>& sheets, const PrintOptions& options) {
+  const auto count = static_cast<int>(sheets.size());
+  const int first = std::max(1, options.first_sheet), last = options.last_sheet > 0 ? options.last_sheet : count;
+  if (first > last || first > count)
+    return failure(ErrorKind::kInput, fill(tr("there are no sheets {first} to {last}; there are {count}"),
+                                           arg("first", first), arg("last", last), arg("count", count)));
+  sheets.erase(sheets.begin() + std::min(last, count), sheets.end());
+  sheets.erase(sheets.begin(), sheets.begin() + (first - 1));
+  return {};
 }
 
 }  // namespace
 
 Result<SheetPicture> picture_of_sheet(const Design& design, const PrintOptions& options, int sheet,
                                       double pixels_per_mm) {
-  const Result<std::vector<Sheet>> sheets = all_sheets(design, options);
+  const std::optional<Design> part = part_of(design, options);
+  const Result<std::vector<Sheet>> sheets = all_sheets(design, part ? *part : design, options);
   if (!sheets) return failed(sheets);
   SheetPicture out;
   out.sheets = static_cast<int>(sheets->size());
@@ -140,8 +163,10 @@ std::string sheet_file(const std::string& out, size_t sheet, size_t sheets) {
 }
 
 Result<Printed> printed(const Design& design, PrintFormat format, const PrintOptions& options) {
-  const Result<std::vector<Sheet>> sheets = all_sheets(design, options);
+  const std::optional<Design> part = part_of(design, options);
+  Result<std::vector<Sheet>> sheets = all_sheets(design, part ? *part : design, options);
   if (!sheets) return failed(sheets);
+  if (const auto kept = keep_range(*sheets, options); !kept) return failed(kept);
   Printed out;
   out.sheets = static_cast<int>(sheets->size());
   if (format == PrintFormat::kPdf) {

@@ -60,8 +60,10 @@ struct PrintOptions {
   bool threading_below = false;  // below the drawdown
   double png_dpi = 150;
   PrintParts parts{};
-  ClothPlan plan{};    // of the cloth, for the yarn list
-  std::string name{};  // title of a draft without one; empty: "Draft"
+  bool one_repeat = false;              // grids and lists of one repeat; heddles, yarn and swatch are of the whole
+  int first_sheet = 1, last_sheet = 0;  // what printed() makes of all sheets; 0: to the last
+  ClothPlan plan{};                     // of the cloth, for the yarn list
+  std::string name{};                   // title of a draft without one; empty: "Draft"
   bool operator==(const PrintOptions&) const = default;
 };
 inline constexpr double kMinCell_mm = 1.6;  // of a fitted scale
@@ -71,6 +73,7 @@ struct Printed {
   std::vector<std::string> files;  // PDF: one; SVG and PNG: one per sheet
   int sheets = 0;
 };
+/// An error if there are too many sheets, none, or none of those numbers.
 base::Result<Printed> printed(const Design& design, PrintFormat format, const PrintOptions& options);
 
 /// Print preview of one sheet.

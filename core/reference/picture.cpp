@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "base/loops.h"
+#include "reference/fibre_trace.h"
 
 namespace weftlight::reference {
 
@@ -55,8 +56,30 @@ void lean_to(MeshHit& hit, glm::vec3 direction) {
   hit.warp = glm::cross(hit.normal, hit.weft);
 }
 
+/// One sample of the radiance along a ray through the flat cloth.
+using TraceRay = std::function<PathSample(glm::vec3, glm::vec3, const Surroundings&, RandomStream&)>;
+
+TraceRay ray_among(const ClothTracer& tracer, int bounces) {
+  return [&tracer, bounces](glm::vec3 origin, glm::vec3 direction, const Surroundings& around, RandomStream& random) {
+    return tracer.trace(origin, direction, 0, around, random, bounces);
+  };
+}
+
+TraceRay ray_among(const FibreTracer& tracer) {
+  return [&tracer](glm::vec3 origin, glm::vec3 direction, const Surroundings& around, RandomStream& random) {
+    return tracer.trace(origin, direction, 0, around, random);
+  };
+}
+
+/// Direction of the ray through a position on the picture, in pixels.
+glm::vec3 ray_through(const DrapePicture& picture, glm::vec2 p) {
+  const glm::vec4 far = picture.clip_to_world * glm::vec4(2 * p.x / static_cast<float>(picture.width) - 1,
+                                                          1 - 2 * p.y / static_cast<float>(picture.height), 1, 1);
+  return glm::normalize(glm::vec3(far) / far.w - picture.eye);
+}
+
 struct DrapeTrace {
-  const ClothTracer& tracer;
+  const TraceRay& trace_ray;
   const MeshScene& cloth;
   const MeshScene* body;
   const DrapePicture& picture;
@@ -102,8 +125,8 @@ struct DrapeTrace {
       const glm::vec3 local = face(frame.to(direction));
       const glm::vec3 at(hit.uv_mm, 0);
       // Enters the cloth above the point, but at grazing views no further away than the surface is locally flat.
-      const PathSample traced = tracer.trace(at - local * (kEnterThicknesses * thickness), local, 0, around(hit, light),
-                                             sampler, picture.bounces);
+      const PathSample traced =
+          trace_ray(at - local * (kEnterThicknesses * thickness), local, around(hit, light), sampler);
       if (traced.hit) return glm::vec4(traced.radiance, 1);
       t_min = hit.t + thickness;
     }
@@ -111,12 +134,7 @@ struct DrapeTrace {
   }
 };
 
-}  // namespace
-
-TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
-                        const DrapePicture& picture, const Progress& progress) {
-  const ClothTracer tracer(tubes);
-  const DrapeTrace drape{tracer, cloth, body, picture, tubes.z_max() - tubes.z_min()};
+TracedImage trace_pixels(const DrapeTrace& drape, const DrapePicture& picture, const Progress& progress) {
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
   each_row(picture.height, picture.threads, picture.stop, progress, [&](int y) {
@@ -130,9 +148,7 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
       glm::vec4 sum(0);
       for (int k = 0; k < picture.spp; ++k) {
         const glm::vec2 p = glm::vec2(x, y) + pixel_sample(picture.first_sample + k, shift);
-        const glm::vec4 far = picture.clip_to_world * glm::vec4(2 * p.x / static_cast<float>(picture.width) - 1,
-                                                                1 - 2 * p.y / static_cast<float>(picture.height), 1, 1);
-        sum += drape.sample(glm::normalize(glm::vec3(far) / far.w - picture.eye), sampler);
+        sum += drape.sample(ray_through(picture, p), sampler);
       }
       image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
           sum / static_cast<float>(picture.spp);
@@ -141,8 +157,8 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
   return image;
 }
 
-TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress) {
-  const ClothTracer tracer(tubes);
+TracedImage trace_flat_pixels(const TraceRay& trace_ray, float thickness, const FlatPicture& picture,
+                              const Progress& progress) {
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
   each_row(picture.height, 0, {}, progress, [&](int y) {
@@ -153,9 +169,9 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
       for (int k = 0; k < picture.spp; ++k) {
         const glm::vec2 p = glm::vec2(x, y) + pixel_sample(k, shift);
         const glm::vec2 at = picture.corner_mm + p.x * picture.step_x_mm + p.y * picture.step_y_mm;
-        const float away = 2 * (tubes.z_max() - tubes.z_min()) / std::max(picture.view.z, 1e-4f);
-        const PathSample traced = tracer.trace(glm::vec3(at, 0) + picture.view * away, -picture.view, 0, picture.around,
-                                               sampler, picture.bounces);
+        const float away = 2 * thickness / std::max(picture.view.z, 1e-4f);
+        const PathSample traced =
+            trace_ray(glm::vec3(at, 0) + picture.view * away, -picture.view, picture.around, sampler);
         sum += glm::vec4(traced.radiance, traced.hit ? 1.0f : 0.0f);
       }
       image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
@@ -163,6 +179,49 @@ TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const
     }
   });
   return image;
+}
+
+}  // namespace
+
+TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
+                        const DrapePicture& picture, const Progress& progress) {
+  const ClothTracer tracer(tubes);
+  const TraceRay trace_ray = ray_among(tracer, picture.bounces);
+  return trace_pixels({trace_ray, cloth, body, picture, tubes.z_max() - tubes.z_min()}, picture, progress);
+}
+
+TracedImage trace_drape(const FibreScene& fibres, const MeshScene& cloth, const MeshScene* body,
+                        const DrapePicture& picture, const Progress& progress) {
+  const FibreTracer tracer(fibres);
+  const TraceRay trace_ray = ray_among(tracer);
+  return trace_pixels({trace_ray, cloth, body, picture, fibres.thickness_mm()}, picture, progress);
+}
+
+SeenPatch seen_patch(const MeshScene& cloth, const MeshScene* body, const DrapePicture& picture) {
+  constexpr int kStep = 3;  // pixels
+  SeenPatch seen;
+  bool any = false;
+  for (int y = 0; y <= picture.height + kStep - 1; y += kStep)
+    for (int x = 0; x <= picture.width + kStep - 1; x += kStep) {
+      const glm::vec3 direction = ray_through(picture, {std::min(x, picture.width), std::min(y, picture.height)});
+      MeshHit hit, stop;
+      if (!cloth.intersect(picture.eye, direction, 0, hit)) continue;
+      if (body && body->intersect(picture.eye, direction, 0, stop) && stop.t < hit.t) continue;
+      seen.low = any ? glm::min(seen.low, hit.uv_mm) : hit.uv_mm;
+      seen.high = any ? glm::max(seen.high, hit.uv_mm) : hit.uv_mm;
+      any = true;
+    }
+  return seen;
+}
+
+TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress) {
+  const ClothTracer tracer(tubes);
+  return trace_flat_pixels(ray_among(tracer, picture.bounces), tubes.z_max() - tubes.z_min(), picture, progress);
+}
+
+TracedImage trace_flat(const FibreScene& fibres, const FlatPicture& picture, const Progress& progress) {
+  const FibreTracer tracer(fibres);
+  return trace_flat_pixels(ray_among(tracer), fibres.z_max() - fibres.z_min(), picture, progress);
 }
 
 }  // namespace weftlight::reference

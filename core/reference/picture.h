@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "reference/fibre_scene.h"
 #include "reference/mesh_scene.h"
 #include "reference/trace.h"
 
@@ -48,6 +49,17 @@ struct DrapePicture {
 TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress);
 
+/// The same with the cloth's fibres, without a limit on bounces (fibre_trace.h).
+TracedImage trace_drape(const FibreScene& fibres, const MeshScene& cloth, const MeshScene* body,
+                        const DrapePicture& picture, const Progress& progress);
+
+/// The part of the cloth, in mm of its (u, v), that a picture shows in front of everything else; low above high if it
+/// shows none.
+struct SeenPatch {
+  glm::vec2 low{0}, high{-1};
+};
+SeenPatch seen_patch(const MeshScene& cloth, const MeshScene* body, const DrapePicture& picture);
+
 /// A flat patch under parallel rays. Pixel (x, y) covers the parallelogram at corner_mm + x step_x + y step_y on the
 /// plane z = 0, as a camera at `view` sees it.
 struct FlatPicture {
@@ -58,5 +70,6 @@ struct FlatPicture {
   uint64_t seed = 0;  // different seeds give independent samples
 };
 TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress);
+TracedImage trace_flat(const FibreScene& fibres, const FlatPicture& picture, const Progress& progress);
 
 }  // namespace weftlight::reference

@@ -10,25 +10,17 @@
 #include <vector>
 
 #include "base/text.h"
-#include "cloth/centre_line.h"
-#include "cloth/layer_plan.h"
-#include "cloth/thickness.h"
 #include "reference/embree.h"
+#include "reference/thread_paths.h"
+#include "reference/tiles.h"
 
 namespace weftlight::reference {
 
 using base::ErrorKind, base::arg, base::failure, base::fill, base::tr;
-using cloth::CentreLines, cloth::CentrePoint, cloth::CentreStep, cloth::ThreadBody, cloth::centre_at,
-    cloth::centre_lines, cloth::centre_step, cloth::half_section, cloth::layer_count, cloth::layer_of, cloth::one_layer,
-    cloth::tallest_half;
 
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// A ray almost in the plane would cross tiles for ever; this is more than any light at 89.9 degrees crosses before it
-// leaves the cloth.
-constexpr int kMaxTiles = 4096;
-constexpr float kThinnest_mm = 1e-5f;
 
 struct Tube {
   System system;
@@ -37,29 +29,10 @@ struct Tube {
   uint32_t first_triangle;
 };
 
-/// A section on the centre line.
-struct Ring {
-  float along, z, slope;
-  glm::vec2 radii;  // half width, half height
-};
-
-glm::vec3 axis_of(System s, float slope) {
-  return glm::normalize(s == System::kWarp ? glm::vec3(0, 1, slope) : glm::vec3(1, 0, slope));
-}
-glm::vec3 across_of(System s) { return s == System::kWarp ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0); }
-glm::vec3 up_of(System s, float slope) {
-  return glm::normalize(s == System::kWarp ? glm::vec3(0, -slope, 1) : glm::vec3(-slope, 0, 1));
-}
-glm::vec3 centre_of(System s, float centre, const Ring& r) {
-  return s == System::kWarp ? glm::vec3(centre, r.along, r.z) : glm::vec3(r.along, centre, r.z);
-}
-
 }  // namespace
 
 struct TubeScene::Parts {
-  Cloth cloth;
-  std::vector<Cloth> layers;
-  std::vector<CentreLines> lines;  // by layer
+  ThreadPaths paths;
   int around = 0;
   int rings[2] = {0, 0};  // segments along a tube of each system over the tile
   // Extra segments beyond both ends: sections lean, so what is on top at the edge of the tile may start outside it.
@@ -74,34 +47,13 @@ struct TubeScene::Parts {
     if (device) rtcReleaseDevice(device);
   }
 
-  const std::vector<ThreadBody>& threads(System s) const { return s == System::kWarp ? cloth.ends : cloth.picks; }
   float tile_along(System s) const { return s == System::kWarp ? tile.y : tile.x; }
   float tile_across(System s) const { return s == System::kWarp ? tile.x : tile.y; }
-  float period_along(System s) const { return s == System::kWarp ? cloth.depth_mm : cloth.width_mm; }
-  float period_across(System s) const { return s == System::kWarp ? cloth.width_mm : cloth.depth_mm; }
   int segments(System s) const { return rings[static_cast<int>(s)] + 2 * beyond[static_cast<int>(s)]; }
   float step(System s) const { return tile_along(s) / static_cast<float>(rings[static_cast<int>(s)]); }
   float along_of(System s, float ring) const {
     return (ring - static_cast<float>(beyond[static_cast<int>(s)])) * step(s);
   }
-  float thickest(System s) const { return tallest_half(cloth, s); }
-  /// Upper bound of the half width.
-  float widest(System s, int thread) const {
-    const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
-    return 0.5f * std::max({body.width_mm, body.unevenness > 0 ? body.spacing_mm : 0, kThinnest_mm});
-  }
-  Ring ring_at(System s, int thread, float along) const {
-    const float period = period_along(s);
-    const float wrapped = along - std::floor(along / period) * period;
-    const size_t layer = static_cast<size_t>(layer_of(cloth, s, thread));
-    const Cloth& own = layers[layer];
-    const int in_layer = thread - (s == System::kWarp ? own.first_end : own.first_pick);
-    const CentreStep step = centre_step(own, s, wrapped);
-    const CentrePoint p = centre_at(lines[layer], s, in_layer, step);
-    return {along, p.height_mm, p.slope,
-            glm::max(half_section(own, s, in_layer, step), glm::vec2(0.5f * kThinnest_mm))};
-  }
-
   void list_tubes();
   int64_t triangle_count() const;
   size_t vertex_count() const;
@@ -109,21 +61,20 @@ struct TubeScene::Parts {
   bool make_scene();
   void fill(glm::vec3* vertices, uint32_t* indices);
   void read_hit(const RTCRayHit& ray, TubeHit& hit) const;
-  template <class Visit>
-  bool walk(glm::vec3 origin, glm::vec3 direction, float t_min, Visit visit) const;
+  Tiling tiling() const { return {tile, z_min, z_max}; }
 };
 
 void TubeScene::Parts::list_tubes() {
   tubes.clear();
   uint32_t triangle = 0;
   for (System s : {System::kWarp, System::kWeft}) {
-    const auto& bodies = threads(s);
-    const float period = period_across(s), across = tile_across(s);
+    const auto& bodies = paths.threads(s);
+    const float period = paths.period_across(s), across = tile_across(s);
     const int repeats = static_cast<int>(std::lround(across / period));
     for (int r = -1; r <= repeats; ++r) {
       for (size_t i = 0; i < bodies.size(); ++i) {
         const float centre = bodies[i].centre_mm + static_cast<float>(r) * period;
-        const float reach = widest(s, static_cast<int>(i));
+        const float reach = paths.widest(s, static_cast<int>(i));
         if (centre + reach < 0 || centre - reach > across) continue;
         tubes.push_back({s, static_cast<int>(i), centre, triangle});
         triangle += static_cast<uint32_t>(segments(s) * around * 2);
@@ -145,6 +96,7 @@ size_t TubeScene::Parts::vertex_count() const {
 }
 
 bool TubeScene::Parts::choose_resolution(const TubeOptions& options) {
+  const Cloth& cloth = paths.cloth();
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
   // Small repeats are combined into a tile of about 24 threads, for fewer steps from tile to tile.
   const int across = std::max(1, 24 / ends), down = std::max(1, 24 / picks);
@@ -157,7 +109,7 @@ bool TubeScene::Parts::choose_resolution(const TubeOptions& options) {
       rings[1] = ends * across * per_crossing;
       for (const System s : {System::kWarp, System::kWeft}) {
         const int most = rings[static_cast<int>(s)];
-        beyond[static_cast<int>(s)] = std::clamp(static_cast<int>(std::ceil(thickest(s) / step(s))), 1, most);
+        beyond[static_cast<int>(s)] = std::clamp(static_cast<int>(std::ceil(paths.thickest(s) / step(s))), 1, most);
       }
       list_tubes();
       if (triangle_count() <= options.max_triangles) return true;
@@ -176,7 +128,7 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
   for (const Tube& tube : tubes) {
     const System s = tube.system;
     for (int i = 0; i <= segments(s); ++i) {
-      const Ring ring = ring_at(s, tube.thread, along_of(s, static_cast<float>(i)));
+      const ThreadRing ring = paths.ring_at(s, tube.thread, along_of(s, static_cast<float>(i)));
       const glm::vec3 centre = centre_of(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
       for (int k = 0; k < around; ++k) {
         const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
@@ -239,40 +191,11 @@ void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
   hit.system = s;
   hit.thread = tube->thread;
   hit.around_rad = 2 * std::numbers::pi_v<float> * (facet + around_part) / static_cast<float>(around);
-  hit.along_mm = along - std::floor(along / period_along(s)) * period_along(s);
-  const Ring at = ring_at(s, tube->thread, along);
+  hit.along_mm = along - std::floor(along / paths.period_along(s)) * paths.period_along(s);
+  const ThreadRing at = paths.ring_at(s, tube->thread, along);
   hit.axis = axis_of(s, at.slope);
   hit.normal = glm::normalize(across_of(s) * (std::cos(hit.around_rad) / at.radii.x) +
                               up_of(s, at.slope) * (std::sin(hit.around_rad) / at.radii.y));
-}
-
-/// Visits the tiles that a ray crosses: visit(origin in the tile, t_near, t_far) returns true to stop.
-template <class Visit>
-bool TubeScene::Parts::walk(glm::vec3 origin, glm::vec3 direction, float t_min, Visit visit) const {
-  float t0 = t_min, t1 = kInfinity;
-  if (std::abs(direction.z) > 1e-12f) {
-    const float a = (z_min - origin.z) / direction.z, b = (z_max - origin.z) / direction.z;
-    t0 = std::max(t0, std::min(a, b));
-    t1 = std::max(a, b);
-  } else if (origin.z < z_min || origin.z > z_max) {
-    return false;
-  }
-  const float epsilon = 1e-5f * (tile.x + tile.y);  // a point this far beyond t0 lies in the tile that the ray enters
-  for (int tiles = 0; tiles < kMaxTiles && t0 <= t1; ++tiles) {
-    const glm::vec3 p = origin + direction * (t0 + epsilon);
-    const glm::vec3 shift(std::floor(p.x / tile.x) * tile.x, std::floor(p.y / tile.y) * tile.y, 0);
-    const glm::vec3 local = origin - shift;
-    float exit = t1;
-    for (int k = 0; k < 2; ++k) {
-      if (direction[k] > 0) exit = std::min(exit, (tile[k] - local[k]) / direction[k]);
-      if (direction[k] < 0) exit = std::min(exit, -local[k] / direction[k]);
-    }
-    exit = std::max(exit, t0 + epsilon);
-    if (visit(local, t0, exit)) return true;
-    t0 = exit;
-    if (exit >= t1) break;
-  }
-  return false;
 }
 
 base::Result<std::unique_ptr<TubeScene>> TubeScene::build(const Cloth& cloth, const TubeOptions& options) {
@@ -280,17 +203,14 @@ base::Result<std::unique_ptr<TubeScene>> TubeScene::build(const Cloth& cloth, co
   Parts& parts = *scene->parts_;
   if (cloth.ends.empty() || cloth.picks.empty() || !(cloth.width_mm > 0) || !(cloth.depth_mm > 0))
     return failure(ErrorKind::kInput, tr("the cloth has no size"));
-  parts.cloth = cloth;
+  parts.paths = ThreadPaths(cloth);
   if (!parts.choose_resolution(options))
     return failure(
         ErrorKind::kInput,
         fill(tr("a repeat of {ends} ends and {picks} picks is too large to trace thread by thread; use `render`, or "
                 "trace a smaller draft"),
              arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size())));
-  for (int i = 0; i < layer_count(cloth); ++i) {
-    parts.layers.push_back(one_layer(cloth, i));
-    parts.lines.push_back(centre_lines(parts.layers.back()));
-  }
+  parts.paths.compute_lines();
   if (!parts.make_scene())
     return failure(ErrorKind::kMemory, tr("the ray tracer (Embree) could not be started, or memory is short"));
   return scene;
@@ -300,10 +220,10 @@ TubeScene::TubeScene() : parts_(std::make_unique<Parts>()) {}
 TubeScene::~TubeScene() = default;
 float TubeScene::z_min() const { return parts_->z_min; }
 float TubeScene::z_max() const { return parts_->z_max; }
-const Cloth& TubeScene::cloth() const { return parts_->cloth; }
+const Cloth& TubeScene::cloth() const { return parts_->paths.cloth(); }
 
 bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, TubeHit& hit) const {
-  return parts_->walk(origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
+  return walk_tiles(parts_->tiling(), origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
     RTCRayHit ray{};
     ray.ray.org_x = local.x, ray.ray.org_y = local.y, ray.ray.org_z = local.z;
     ray.ray.dir_x = direction.x, ray.ray.dir_y = direction.y, ray.ray.dir_z = direction.z;
@@ -319,7 +239,7 @@ bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Tu
 }
 
 bool TubeScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
-  return parts_->walk(origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
+  return walk_tiles(parts_->tiling(), origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
     RTCRay ray{};
     ray.org_x = local.x, ray.org_y = local.y, ray.org_z = local.z;
     ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;

@@ -14,10 +14,11 @@
 namespace weftlight::render_data {
 
 using base::Result, base::failed;
-using cloth::Period, cloth::lay_out, cloth::linear_from_srgb, cloth::srgb_from_linear;
+using cloth::Cloth, cloth::Period, cloth::lay_out, cloth::linear_from_srgb, cloth::srgb_from_linear;
 using draft::BitMatrix, draft::drawdown;
 using files::drape_key, files::load_design_drape;
-using reference::DrapePicture, reference::LightSample, reference::RandomStream, reference::trace_drape;
+using reference::FibreOptions, reference::LightSample, reference::RandomStream, reference::SeenPatch,
+    reference::seen_patch, reference::trace_drape;
 using scene::Camera, scene::DistantLight, scene::Environment, scene::SceneLight, scene::bounds_of,
     scene::load_light_rig, scene::place_camera, scene::scene_light, scene::sky_radiance, scene::turned;
 
@@ -39,24 +40,28 @@ glm::vec4 traced_at(const TracedImage& traced, const Image& picture, int x, int 
 
 }  // namespace
 
-Result<void> ReferenceScene::update(const Design& design, const TubeOptions& options) {
+Result<void> ReferenceScene::update(const Design& design, const TubeOptions& options, TracedThreads traced) {
   // Files that may be unreadable come before the threads, which take long.
   if (Result<void> lights = update_lights(design.scene.lights); !lights) return lights;
   if (Result<void> drape = update_drape(design); !drape) return drape;
-  return update_threads(design, options);
+  return update_threads(design, options, traced);
 }
 
-Result<void> ReferenceScene::update_threads(const Design& design, const TubeOptions& options) {
-  if (tubes_ && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
+Result<void> ReferenceScene::update_threads(const Design& design, const TubeOptions& options, TracedThreads traced) {
+  const bool tubes = traced == TracedThreads::kTubes;
+  if ((tubes_ || !tubes) && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
   tubes_ = nullptr;  // two at once could double the memory
   const BitMatrix cells = drawdown(design.draft);
   // Same period as the preview, so that each thread has the same fibres, unless the tubes would lose resolution.
   const int64_t kFineCrossings = is_uneven(design) ? 20'000 : 3000;
-  const bool fine = int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
-  auto built = TubeScene::build(
-      lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat), options);
-  if (!built) return failed(built);
-  tubes_ = std::move(*built);
+  const bool fine = !tubes || int64_t{design.draft.ends()} * design.draft.picks() <= kFineCrossings;
+  const Cloth cloth = lay_out(design, cells, Face::kFront, fine ? choose_period(design, cells) : Period::kRepeat);
+  if (tubes) {
+    auto built = TubeScene::build(cloth, options);
+    if (!built) return failed(built);
+    tubes_ = std::move(*built);
+  }
+  mean_spacing_ = mean_spacing_mm(cloth);
   draft_ = design.draft;
   yarns_ = design.yarns, finish_ = design.finish;
   return {};
@@ -89,10 +94,10 @@ Result<void> ReferenceScene::update_lights(const std::string& name) {
   return {};
 }
 
-TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& progress) const {
+DrapePicture ReferenceScene::picture_of(const ReferenceView& view) const {
   const Scene& scene = view.scene;
-  const Camera camera = place_camera(scene, mesh_, bounds_, view.width, view.height, view.yarns_per_pixel,
-                                     mean_spacing_mm(tubes_->cloth()));
+  const Camera camera =
+      place_camera(scene, mesh_, bounds_, view.width, view.height, view.yarns_per_pixel, mean_spacing_);
   DrapePicture picture;
   picture.width = view.width, picture.height = view.height;
   picture.spp = view.spp, picture.bounces = view.bounces;
@@ -118,7 +123,30 @@ TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& pro
     picture.sky = [sky = light.sky](glm::vec3 d) { return sky_radiance(sky, d); };
   }
   picture.front = view.front == Face::kFront;
-  return trace_drape(*tubes_, *drape_, body_.get(), picture, progress);
+  return picture;
+}
+
+Result<FibreFigures> ReferenceScene::prepare_fibres(const ReferenceView& view, int64_t max_bytes) {
+  fibres_ = nullptr;
+  const SeenPatch seen = seen_patch(*drape_, body_.get(), picture_of(view));
+  FibreOptions options;
+  options.low_mm = seen.low, options.high_mm = glm::max(seen.high, seen.low);
+  options.max_bytes = max_bytes;
+  // A nap is hair that stands off the threads; the threads themselves stay as they are woven.
+  Design design;
+  design.draft = draft_, design.yarns = yarns_, design.finish = finish_;
+  options.raised = finish_.raised;
+  design.finish.raised = 0;
+  const BitMatrix cells = drawdown(design.draft);
+  auto built = FibreScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), options);
+  if (!built) return failed(built);
+  fibres_ = std::move(*built);
+  return fibres_->figures();
+}
+
+TracedImage ReferenceScene::trace(const ReferenceView& view, const Progress& progress) const {
+  if (view.fibres) return trace_drape(*fibres_, *drape_, body_.get(), picture_of(view), progress);
+  return trace_drape(*tubes_, *drape_, body_.get(), picture_of(view), progress);
 }
 
 void lay_over(Image& picture, const TracedImage& traced, float exposure_ev, bool linear) {

@@ -19,7 +19,8 @@ using design::Design, design::Finish, design::Scene, design::Yarn;
 using draft::Draft, draft::Face;
 using drape::Mesh;
 using files::Image;
-using reference::MeshScene, reference::Progress, reference::TracedImage, reference::TubeOptions, reference::TubeScene;
+using reference::DrapePicture, reference::FibreFigures, reference::FibreScene, reference::MeshScene,
+    reference::Progress, reference::TracedImage, reference::TubeOptions, reference::TubeScene;
 using scene::Bounds, scene::LightRig;
 
 /// View and quality of a traced picture.
@@ -29,28 +30,40 @@ struct ReferenceView {
   float yarns_per_pixel = 0;  // > 0: overrides the scene's distance
   Face front = Face::kFront;
   int spp = 64, bounces = 0;
+  bool fibres = false;   // as fibres; prepare_fibres() with the same view comes first
   int first_sample = 0;  // see DrapePicture
   int threads = 0;       // 0: all cores
   std::stop_token stop;
 };
 
+/// What is traced. The fibres are made for a view, by prepare_fibres().
+enum class TracedThreads : uint8_t { kTubes, kFibres };
+
 class ReferenceScene {
  public:
   /// Updates to the design; what it shares with the previous one is kept.
-  base::Result<void> update(const Design& design, const TubeOptions& options = {});
+  base::Result<void> update(const Design& design, const TubeOptions& options = {},
+                            TracedThreads traced = TracedThreads::kTubes);
+  /// Makes the fibres of what the view shows, after a successful update. An error if they need more than max_bytes.
+  base::Result<FibreFigures> prepare_fibres(const ReferenceView& view, int64_t max_bytes = int64_t{2} << 30);
+  /// The most memory that the fibres took, bytes; 0 before prepare_fibres().
+  int64_t fibre_bytes() const { return fibres_ ? fibres_->peak_bytes() : 0; }
   /// After a successful update.
   TracedImage trace(const ReferenceView& view, const Progress& progress) const;
 
  private:
-  base::Result<void> update_threads(const Design& design, const TubeOptions& options);
+  base::Result<void> update_threads(const Design& design, const TubeOptions& options, TracedThreads traced);
   base::Result<void> update_drape(const Design& design);
   base::Result<void> update_lights(const std::string& name);
+  DrapePicture picture_of(const ReferenceView& view) const;
 
   Draft draft_;
   std::vector<Yarn> yarns_;
   Finish finish_;
+  float mean_spacing_ = 0;  // mm
   std::string mesh_name_, lights_name_;
   std::unique_ptr<TubeScene> tubes_;
+  std::unique_ptr<FibreScene> fibres_;
   Mesh mesh_;
   Bounds bounds_;
   std::unique_ptr<MeshScene> drape_, body_;

@@ -61,6 +61,7 @@ base::Result<GeneratedWeave> with_weave(Design design, const WeaveUse& requested
   if (!kind) return impossible(fill(tr("there is no weave named '{name}'"), arg("name", requested.weave)));
   if (use.ends == 0 || use.picks == 0) return impossible(tr("no threads are selected"));
   use.values = complete_values(*kind, requested.values);
+  if (auto checked = check_values(*kind, use.values); !checked) return failed(checked);
   GeneratedWeave made = kind->make(use.values, {use.ends, use.picks});
   if (use.ends == d.ends() && use.picks == d.picks()) {
     if (kind->colors == WeaveColors::kOwn) {

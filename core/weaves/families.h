@@ -13,7 +13,8 @@ using design::Design;
 using draft::BitMatrix, draft::Rgb, draft::kMaxShafts;
 
 // ---- weavers' notations (text.cpp)
-/// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... Empty if it cannot be read.
+/// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... One number counts for both. Empty if it cannot be read:
+/// other signs, a 0, an odd number of numbers, or more than kMaxShafts threads.
 OverUnder read_ratio(std::string_view text);
 /// A profile: letters are blocks, each with its length or repeated: "A4 B2 CC".
 std::vector<int> read_profile(std::string_view text);

@@ -59,6 +59,8 @@ const WeaveKind* find_weave(std::string_view id);
 WeaveValues complete_values(const WeaveKind& kind, const WeaveValues& given);
 /// The same, with each count changed to the nearest allowed one.
 WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given);
+/// Whether these values make a weave, or the error: a ratio that cannot be read.
+base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values);
 /// One repeat of the weave with its colours. 0 if that is more than 1,024 threads.
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values);
 /// The whole number of repeats nearest to `about`, at least one; `about` if there is no repeat.
@@ -69,7 +71,7 @@ GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, Cloth
 
 /// Applies a weave to threads of a draft. Applied to all threads, it replaces threading, tie-up and treadling; size,
 /// yarns and (unless the weave has its own) colours stay. Applied to some, only their crossings change (factor.h),
-/// within the loom's limits. `use` is stored instead of weaves that it overlaps.
+/// within the loom's limits. `use` is stored instead of weaves that it overlaps. Refused as check_values().
 base::Result<GeneratedWeave> with_weave(Design design, const WeaveUse& use);
 
 }  // namespace weftlight::weaves

@@ -157,20 +157,19 @@ int palette_index(std::vector<Rgb>& palette, Rgb color) {
 }  // namespace
 
 OverUnder read_ratio(std::string_view text) {
+  constexpr std::string_view kBetween = " /,-:";
   OverUnder order;
   int sum = 0;
   for (size_t at = 0; at < text.size();) {
     const int n = number_at(text, at);
-    if (n > 0 && sum + n <= kMaxShafts) {
-      order.push_back(n);
-      sum += n;
-    } else if (n < 0) {
-      ++at;
-    }
+    if (n == 0 || sum + n > kMaxShafts) return {};
+    if (n < 0 && kBetween.find(text[at++]) == kBetween.npos) return {};
+    if (n < 0) continue;
+    order.push_back(n);
+    sum += n;
   }
   if (order.size() == 1 && 2 * sum <= kMaxShafts) order.push_back(order[0]);
-  if (order.size() % 2 == 1) order.pop_back();
-  return order;
+  return order.size() % 2 == 1 ? OverUnder{} : order;
 }
 
 std::vector<int> read_profile(std::string_view text) {

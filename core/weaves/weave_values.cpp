@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "weaves/families.h"
+#include "weaves/table.h"
 
 namespace weftlight::weaves {
 
@@ -27,8 +28,20 @@ bool is(const WeaveValues& values, std::string_view id, std::string_view choice)
 Noted<OverUnder> ratio(const WeaveValues& values) {
   OverUnder order = read_ratio(text(values, "ratio"));
   if (!order.empty()) return {std::move(order), {}};
+  // A stand-in: check_values() keeps it from becoming a draft.
   return {{2, 2},
-          fill(tr("'{text}' is not a ratio such as 2/2, which is used instead"), arg("text", text(values, "ratio")))};
+          fill(tr("'{text}' is no ratio. Write the threads that the warp passes over and under in turn: 2/2, or "
+                  "3/1/1/3."),
+               arg("text", text(values, "ratio")))};
+}
+
+base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values) {
+  for (const WeaveParameter& parameter : kind.parameters) {
+    if (std::string_view(parameter.id) != "ratio") continue;
+    Noted<OverUnder> read = ratio(complete_values(kind, values));
+    if (!read.note.empty()) return base::failure(base::ErrorKind::kInput, std::move(read.note));
+  }
+  return {};
 }
 
 Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id) {

@@ -61,7 +61,8 @@ void add_thread_actions(Actions& all, const ActiveDraft& draft, const Clipboard&
 /// Weaving at the loom, pick by pick; under Draft.
 void add_loom_actions(Actions& all, const ActiveDraft& draft, const LoomActions& loom);
 /// Zoom, navigation and drawdown styles; under View.
-void add_draft_view_actions(Actions& all, const ActiveDraft& draft, Settings& settings, const DraftDialogs& dialogs);
+void add_draft_view_actions(Actions& all, const ActiveDraft& draft, Settings& settings, const DraftDialogs& dialogs,
+                            const WindowActions& window);
 /// `kept_views`: names of the saved views of the active document. Under View.
 void add_cloth_view_actions(Actions& all, const ActiveDraft& draft, const ClothActions& cloth,
                             const std::vector<std::string>& kept_views);

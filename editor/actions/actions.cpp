@@ -19,7 +19,7 @@ std::vector<Action> make_actions(const Subjects& s, const std::vector<std::strin
   add_draft_actions(all, s.draft, s.dialogs);
   add_thread_actions(all, s.draft, s.clipboard, s.window);
   add_loom_actions(all, s.draft, s.loom);
-  add_draft_view_actions(all, s.draft, s.settings, s.dialogs);
+  add_draft_view_actions(all, s.draft, s.settings, s.dialogs, s.window);
   add_cloth_view_actions(all, s.draft, s.cloth, views);
   add_comparison_actions(all, s.draft, s.comparison, s.window);
   add_window_actions(all, s.window, s.tabs, s.settings);

@@ -79,7 +79,7 @@ bool copy_selection(const SelectionSubjects& e) {
   const Selection s = selected(e);
   const std::string size = size_text(s.grid, s.columns(), s.rows());
   if (int64_t{s.columns()} * s.rows() > kMaxBlockCells) {
-    e.window.say(fill(tr("{size} are too many to copy. Move or repeat them instead."), arg("size", size)));
+    e.window.refuse(fill(tr("{size} are too many to copy. Move or repeat them instead."), arg("size", size)));
     return false;
   }
   e.clipboard.set_text(block_text({s.grid, cells_of(e.draft.document().now().draft, s)}));
@@ -94,7 +94,7 @@ void cut_selection(const SelectionSubjects& e) {
 
 void paste(const SelectionSubjects& e, bool as_marks) {
   base::Result<CellBlock> read = read_block_text(e.clipboard.text());
-  if (!read) return e.window.say(message(read.error()));
+  if (!read) return e.window.refuse(message(read.error()));
   hold_block(e.draft.view().select, e.draft.document().now().draft, std::move(*read), as_marks);
   if (const auto grid = bit_grid_of(e.window.hover().grid))
     hold_block_over(e.draft.view().select, *grid, e.window.hover().cell);
@@ -128,8 +128,8 @@ void delete_threads(const SelectionSubjects& e) {
   const ThreadRange t = *threads_of(selected(e));
   const bool all = t.count() >= e.draft.document().now().draft.threads(t.system).size();
   if (all)
-    return e.window.say(t.system == System::kWarp ? tr("A draft keeps at least one end.")
-                                                  : tr("A draft keeps at least one pick."));
+    return e.window.refuse(t.system == System::kWarp ? tr("A draft keeps at least one end.")
+                                                     : tr("A draft keeps at least one pick."));
   e.draft.commit({tr("Delete threads"), [t, properties = e.draft.view().select.with_properties](Design d) {
                     return without_threads(std::move(d), t, properties);
                   }});
@@ -177,7 +177,7 @@ void turn(const SelectionSubjects& e, const char* label, SelectionEdit edit, Blo
                     return edit(std::move(d), s, properties);
                   }});
   const int64_t missed = missed_crossings(e.draft.document().now().draft, s.grid, s.a0, s.b0, wanted);
-  if (missed > 0) e.window.say(missed_text(label, missed));
+  if (missed > 0) e.window.refuse(missed_text(label, missed));
 }
 
 /// Row 0 becomes the last column.
@@ -216,7 +216,7 @@ void quarter_turn(const SelectionSubjects& e) {
                     return with_block(std::move(d), both.grid, both.a0, both.b0, cells, Write::kInside);
                   }});
   const int64_t missed = missed_crossings(e.draft.document().now().draft, grid, both.a0, both.b0, cells);
-  if (missed > 0) e.window.say(missed_text(tr("Rotate by a quarter turn"), missed));
+  if (missed > 0) e.window.refuse(missed_text(tr("Rotate by a quarter turn"), missed));
   select_cells(e.draft.view().select, {grid, a, a + columns, b, b + rows});
 }
 

@@ -120,7 +120,7 @@ void copy_properties(const PropertySubjects& e, PropertyTexts (*texts)(System, s
 
 void paste_properties(const PropertySubjects& e) {
   const base::Result<ThreadProperties> read = read_thread_properties(e.clipboard.text());
-  if (!read) return e.window.say(message(read.error()));
+  if (!read) return e.window.refuse(message(read.error()));
   const ThreadChoice& choice = e.draft.view().chosen;
   const std::vector<int> threads = concerned(choice, e.draft.document().now().draft);
   const auto texts = read->colors.empty() ? thickness_texts : color_texts;

@@ -1,5 +1,6 @@
 // The View menu: zoom, navigation, drawdown styles, views of the cloth, comparison, and the window.
 
+#include <algorithm>
 #include <utility>
 
 #include "actions/action_parts.h"
@@ -8,7 +9,7 @@
 namespace weftlight::actions {
 
 using base::fill, base::mark, base::tr;
-using draft::Face;
+using draft::Draft, draft::Face;
 using scene::ShippedView, scene::kShippedViews;
 using session::DraftView, session::DrawdownStyle, session::Report, session::Settings, session::page_ends,
     session::page_picks, session::show_place, session::zoomed_pitch;
@@ -68,7 +69,7 @@ void step_difference(const ActiveDraft& draft, const ComparisonActions& comparis
                      int by) {
   const Report* r = comparison.report();
   if (r == nullptr || r->other != draft.view().differences.other || r->places.empty())
-    return window.say(tr("No crossing differs"));
+    return window.refuse(tr("No crossing differs"));
   const int places = static_cast<int>(r->places.size());
   const int from = draft.view().differences.place < 0 && by < 0 ? 0 : draft.view().differences.place;
   const int next = ((from + by) % places + places) % places;
@@ -87,11 +88,17 @@ void add_heavy_lines(Actions& all, Settings& settings) {
 
 }  // namespace
 
-void add_draft_view_actions(Actions& all, const ActiveDraft& draft, Settings& settings, const DraftDialogs& dialogs) {
+void add_draft_view_actions(Actions& all, const ActiveDraft& draft, Settings& settings, const DraftDialogs& dialogs,
+                            const WindowActions& window) {
   add(all, "View", "zoom_in", tr("Larger cells"), "Ctrl++",
       [&draft] { draft.view().draft.pitch = zoomed_pitch(draft.view().draft.pitch, 1); });
-  add(all, "View", "zoom_out", tr("Smaller cells"), "Ctrl+-",
-      [&draft] { draft.view().draft.pitch = zoomed_pitch(draft.view().draft.pitch, -1); });
+  add(all, "View", "zoom_out", tr("Smaller cells"), "Ctrl+-", [&draft, &window] {
+    DraftView& v = draft.view().draft;
+    const Draft& d = draft.document().now().draft;
+    const float smallest = smallest_pitch(v, d.ends(), d.picks());
+    if (v.pitch <= smallest) return window.refuse(tr("Smaller cells could not be read."));
+    v.pitch = std::max(smallest, zoomed_pitch(v.pitch, -1));
+  });
   add(all, "View", "fit", tr("Fit the draft"), "Ctrl+0", [&draft] { draft.view().draft.pitch = 0; });
   add_moves(all, draft, settings, dialogs);
   add_heavy_lines(all, settings);

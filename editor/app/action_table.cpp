@@ -26,9 +26,13 @@ void ActionTable::run(const std::string& id) {
     if (a.item.id == id && (!a.enabled || a.enabled())) return a.run();
 }
 
-void ActionTable::run_key(const std::string& key) {
+bool ActionTable::run_key(const std::string& key) {
   for (const Action& a : actions_)
-    if (a.item.shortcut == key) return run(a.item.id);
+    if (a.item.shortcut == key) {
+      run(a.item.id);
+      return true;
+    }
+  return false;
 }
 
 }  // namespace weftlight::app

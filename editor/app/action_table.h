@@ -26,8 +26,8 @@ class ActionTable {
   /// As the panels show them.
   std::vector<ActionItem> items() const { return show(actions_); }
   void run(const std::string& id);
-  /// Runs the action with that shortcut, if there is one.
-  void run_key(const std::string& key);
+  /// Runs the action with that shortcut; false if there is none.
+  bool run_key(const std::string& key);
 
  private:
   Subjects subjects_;

@@ -32,8 +32,10 @@ ClothPane::ClothPane(Editing& editing, const Settings& settings, BackgroundTasks
       draper_(Window::wake),
       preview_(Window::wake) {}
 
+void ClothPane::submit() { preview_.submit(shown_design(), {editing_.shown_id(), view().flat}); }
+
 void ClothPane::follow() {
-  preview_.submit(shown_design());
+  submit();
   draper_.follow(document().snapshot());
 }
 
@@ -41,7 +43,7 @@ bool ClothPane::update() {
   const bool picture = preview_.poll();
   const Draper::Update drape = draper_.take_update();
   if (!drape.message.empty()) messages_.say(drape.message);
-  if (drape.new_mesh) preview_.submit(shown_design());
+  if (drape.new_mesh) submit();
   return picture || drape.any;
 }
 
@@ -66,7 +68,7 @@ std::shared_ptr<const Design> ClothPane::shown_design() {
 }
 
 void ClothPane::show() {
-  preview_.submit(shown_design());
+  submit();
   schedule_.draw(3);
 }
 
@@ -85,7 +87,7 @@ void ClothPane::toggle_flat() {
 
 void ClothPane::save_view() {
   if (view().flat)
-    return messages_.say(tr("The flat swatch has one view. Press F for the drape, whose view can be saved."));
+    return messages_.refuse(tr("The flat swatch has one view. Press F for the drape, whose view can be saved."));
   editing_.commit({tr("Save view"), [camera = view().camera](Design d) {
                      d.scene = with_orbit(d.scene, camera);
                      return d;
@@ -94,7 +96,7 @@ void ClothPane::save_view() {
 
 void ClothPane::go_to_view(const std::string& name) {
   const std::optional<NamedView> to = view_named(document().now(), name, size_.x, size_.y);
-  if (!to) return messages_.say(tr("There is no view of that name."));
+  if (!to) return messages_.refuse(tr("There is no view of that name."));
   const MaybeEdit edit = session::go_to_view(view(), document().now(), *to);
   if (edit) editing_.commit(*edit);
   show();
@@ -122,11 +124,11 @@ void ClothPane::choose_environment() {
   dialogs_.ask_path(
       FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
       [this](const std::string& path) {
-        if (!is_environment(path)) return messages_.say(tr("An environment picture ends in .hdr or .exr."));
+        if (!is_environment(path)) return messages_.refuse(tr("An environment picture ends in .hdr or .exr."));
         base::Task task =
             base::task_with_result([path](const base::RunningTask&) { return check_environment(path); },
                                    [this, path, id = editing_.shown_id()](const base::Result<void>& readable) {
-                                     if (!readable) return messages_.say(message(readable.error()));
+                                     if (!readable) return messages_.refuse(message(readable.error()));
                                      editing_.commit_to(id, {tr("Environment picture"), [path](Design d) {
                                                                d.scene = lit_by_environment(d.scene, path);
                                                                return d;

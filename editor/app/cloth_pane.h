@@ -42,6 +42,9 @@ class ClothPane {
 
   void reset_view();
   void toggle_flat();
+  void show_flat() {
+    if (!view().flat) toggle_flat();
+  }
   void save_view();
   void save_view_as();
   void go_to_view(const std::string& name);
@@ -53,6 +56,7 @@ class ClothPane {
  private:
   const Document& document() const { return editing_.document(); }
   ClothView& view() { return editing_.view().cloth; }
+  void submit();
   /// The shown design with its drape, or as a flat swatch.
   std::shared_ptr<const Design> shown_design();
   /// Draws the design anew, as another view shows it.

@@ -52,6 +52,8 @@ void DraftPrompts::ask_new_draft(int weave) {
     const auto& p = dialogs_.prompt<WeavePrompt>();
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
     files_.open_beside(Document(weaves::new_draft(kind, p.values, {p.ends, p.picks}).design), Origin::kOwn);
+    // From afar a new cloth is of one colour; its threads are what a weaver wants to see first.
+    show_flat_();
   });
 }
 

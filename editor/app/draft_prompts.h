@@ -2,6 +2,8 @@
 // The dialogs that make a draft, change it, or move in it.
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "actions/draft_dialogs.h"
 #include "app/dialogs.h"
@@ -15,8 +17,9 @@ using session::Document, session::DocumentView;
 
 class DraftPrompts {
  public:
-  DraftPrompts(Editing& editing, Files& files, Dialogs& dialogs)
-      : editing_(editing), files_(files), dialogs_(dialogs) {}
+  /// `show_flat`: shows the cloth as a flat swatch.
+  DraftPrompts(Editing& editing, Files& files, Dialogs& dialogs, std::function<void()> show_flat)
+      : editing_(editing), files_(files), dialogs_(dialogs), show_flat_(std::move(show_flat)) {}
 
   /// A new draft, with a weave of weave_kinds() chosen.
   void ask_new_draft(int weave);
@@ -36,6 +39,7 @@ class DraftPrompts {
   Editing& editing_;
   Files& files_;
   Dialogs& dialogs_;
+  std::function<void()> show_flat_;
   uint64_t asked_ = 0;  // dialogs so far whose edits are one undo step each
 };
 

@@ -10,7 +10,7 @@ using session::OpenDocument;
 void Editing::commit(const Edit& edit) {
   if (session_.commit(edit, edit.stroke != 0 ? edit.stroke : strokes_.now())) return edited_();
   if (!edit.why) return;
-  if (std::string why = edit.why(document().now()); !why.empty()) messages_.say(std::move(why));
+  if (std::string why = edit.why(document().now()); !why.empty()) messages_.refuse(std::move(why));
 }
 
 void Editing::commit_to(uint64_t id, const Edit& edit) {
@@ -21,7 +21,7 @@ void Editing::commit_to(uint64_t id, const Edit& edit) {
 void Editing::take_computed() {
   SlowEdits::Outcome outcome = slow_edits_.take_outcome();
   if (outcome.edited) edited_();
-  if (!outcome.said.empty()) messages_.say(std::move(outcome.said));
+  if (!outcome.said.empty()) messages_.refuse(std::move(outcome.said));
 }
 
 bool Editing::commit(const TypedKey& typed) {

@@ -10,6 +10,7 @@
 #include "base/user_folders.h"
 #include "session/library/gallery.h"
 #include "ui/imgui_compat.h"
+#include "ui/keyboard.h"
 #include "ui/widgets.h"
 #include "views/shell/tour.h"
 
@@ -21,7 +22,7 @@ using session::ActionItem, session::Document, session::DocumentView, session::Ed
     session::Intent, session::MaybeEdit, session::RunAction, session::SelectDrag, session::SelectState,
     session::SettingsChange, session::Tool, session::load_settings, session::opens_with_gallery, session::save_settings,
     session::type_after_wait, session::type_key, session::waits_until;
-using ui::close_popups, ui::push_font;
+using ui::begin_keyboard, ui::close_popups, ui::close_popups_above, ui::open_popups, ui::push_font;
 using views::GalleryPrompt, views::PanelContext, views::TabRequest, views::draw_context_menu, views::draw_menu_bar,
     views::draw_tour;
 
@@ -42,7 +43,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       dialogs_(session_, messages_, schedule_),
       live_export_(options.live_export),
       files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
-      prompts_(editing_, files_, dialogs_),
+      prompts_(editing_, files_, dialogs_, [this] { cloth_.show_flat(); }),
       start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
       tabs_(session_, files_, dialogs_, schedule_),
       exports_(session_, dialogs_, messages_),
@@ -72,8 +73,10 @@ Subjects Editor::subjects() {
                         .set_text = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); }},
           .settings = settings_,
           .window = {.say = [this](std::string text) { messages_.say(std::move(text)); },
+                     .refuse = [this](std::string text) { messages_.refuse(std::move(text)); },
                      .hover = [this] { return notes_.hover; },
                      .focus = [this](std::string control) { focus_ = std::move(control); },
+                     .open_menus = [this] { opens_menus_ = true; },
                      .show_commands = [this] { tools_.show_commands(); },
                      .show_remarks = [this] { messages_.show_remarks(); },
                      .toggle_keys = [this] { tools_.toggle_keys(); },
@@ -135,6 +138,7 @@ double Editor::sleep_s() {
   if (sleep == 0) return sleep;
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
+  if (const double at = panels_.changes_at_s(); at >= 0) sooner(std::max(0.0, at - ImGui::GetTime()));
   if (const auto until = waits_until(editing_.view())) sooner(std::max(0.0, *until - now));
   if (dialogs_.busy() || tasks_.busy() || exports_.busy()) sooner(kDialogPollS);
   if (session_.busy() || live_export_.busy()) sooner(kTroublePollS);
@@ -173,13 +177,14 @@ void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
   const bool changed = update_background();
+  if (const double at = panels_.changes_at_s(); at >= 0 && ImGui::GetTime() >= at) schedule_.draw(2);
   if (!schedule_.is_due() && !changed && !schedule_.is_tip_due(now) && !ImGui::GetIO().WantTextInput) return;
   schedule_.drawn(now);
   if (restyle_ || now == 0) window_.use_style(style_);
   restyle_ = false;
   apply_waiting_input();
   cloth_.ask_picture(window_.pixel_ratio());
-  window_.begin_frame();
+  begin_frame();
   apply_input();
   draw_window();
   window_.end_frame(style_.color.window);
@@ -192,7 +197,7 @@ void Editor::frame() {
 void Editor::apply_waiting_input() {
   const double until = Window::seconds() + kInputS;
   while (window_.has_input() && Window::seconds() < until && !tabs_.leaving()) {
-    window_.begin_frame();
+    begin_frame();
     apply_input();
     draw_window();
     Window::drop_frame();
@@ -200,12 +205,21 @@ void Editor::apply_waiting_input() {
   }
 }
 
+void Editor::begin_frame() {
+  begin_keyboard();
+  const int open = open_popups();
+  window_.begin_frame();
+  popup_closed_ = open_popups() < open;
+}
+
 void Editor::apply_input() {
   actions_.follow(editing_.document());
   bool pressed = false;
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
   editing_.strokes().frame(pressed, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
-  for (const std::string& key : window_.take_keys()) apply_key(key == "Ctrl+Y" ? "Ctrl+Shift+Z" : key);
+  const std::vector<std::string> keys = window_.take_keys();
+  if (pressed || !keys.empty()) messages_.begin_action();
+  for (const std::string& key : keys) apply_key(key == "Alt" ? "F10" : key);
   if (dialogs_.any() && !dialogs_.shows<GalleryPrompt>()) return;
   for (const std::string& path : window_.take_dropped_files()) {
     if (dialogs_.any()) close_popups();
@@ -214,22 +228,31 @@ void Editor::apply_input() {
   }
 }
 
+/// The keys of dialogs, menus and lists. True if the key is theirs; a command closes menus and runs.
+bool Editor::walk_through_popup(const std::string& key) {
+  if (key == "Tab" || key == "Shift+Tab") step_focus(map_, key == "Tab" ? 1 : -1);
+  if (key == "Enter") press_focused(map_);
+  if (dialogs_.any()) return true;  // they close themselves
+  const bool of_menus = key == "Alt" || key == "F10", command = runs_while_typing(key) && !of_menus;
+  if (of_menus || command) close_popups();
+  // ImGui may have closed it already.
+  if (key == "Escape" && !popup_closed_) close_popups_above(open_popups() - 1);
+  return !command;
+}
+
 /// Handles a key that types no text: closes a popup or runs an action.
 void Editor::apply_key(const std::string& key) {
   if (tools_.take_key(key)) return;
-  if (dialogs_.any()) return;  // dialogs handle their own keys
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-    const bool command = runs_while_typing(key);
-    if (key == "Escape" || command) close_popups();
-    if (!command) return;
-  }
+  if (open_popups() > 0 && walk_through_popup(key)) return;
+  if (dialogs_.any()) return;
   if (tools_.shows_commands() || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
   DocumentView& view = editing_.view();
   if (const std::string id = view.at_loom.open ? key_at_loom(key) : ""; !id.empty()) return actions_.run(id);
   if (view.select.tool == Tool::kType &&
       editing_.commit(type_key(view, editing_.document().now(), settings_, key, Window::seconds())))
     return;
-  actions_.run_key(key);
+  // Redo by Ctrl+Y, too, unless it was given to another command.
+  if (!actions_.run_key(key) && key == "Ctrl+Y") actions_.run("redo");
 }
 
 void Editor::draw_window() {
@@ -240,13 +263,15 @@ void Editor::draw_window() {
   map_.clear();
   tip_.begin(schedule_.rest_s(Window::seconds()));
   notes_ = {};
+  notes_.popup_closed = popup_closed_;
   Intents wanted;
   const Document& document = editing_.document();
   PanelContext c{
       {style_, map_, tip_, focus_}, document.now(), document.cells(), session_.revision(), settings_, notes_, wanted};
   push_font(style_.font.text);
   const std::vector<ActionItem> items = actions_.items();
-  wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_));
+  wanted.add_action(
+      draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_, std::exchange(opens_menus_, false)));
   const float tabs_height = tabs_.height(style_);
   const TabRequest requested = tabs_.draw(c, tabs_height);
   panels_.draw(c, tabs_height, items, {trouble_, tabs_.awaits()});
@@ -265,6 +290,7 @@ void Editor::draw_window() {
   SelectState& select = editing_.view().select;
   if (select.drag == SelectDrag::kBand) messages_.clear();  // it was about the earlier selection
   if (!select.notice.empty()) messages_.say(std::exchange(select.notice, {}));
+  if (!select.refusal.empty()) messages_.refuse(std::exchange(select.refusal, {}));
   window_.use_crosshair(notes_.crosshair);
   if (notes_.again) schedule_.draw(1);
   // ImGui lays out a new tooltip in one frame and shows it in the next; the --ui-map is written once it is stable.

@@ -50,9 +50,11 @@ class Editor {
  private:
   Subjects subjects();
   void frame();
+  void begin_frame();
   void apply_input();
   void apply_waiting_input();
   void apply_key(const std::string& key);
+  bool walk_through_popup(const std::string& key);
   void draw_window();
   /// Carries out the requests of the panels in their order.
   void carry_out(Intents& wanted);
@@ -101,6 +103,7 @@ class Editor {
   UiMap map_;
   UiMapFile map_file_;
   Tip tip_;
+  bool opens_menus_ = false, popup_closed_ = false;
   std::string focus_;  // control that gets the keyboard next
 };
 

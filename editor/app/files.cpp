@@ -175,8 +175,8 @@ void Files::write(const std::string& path, std::function<std::string()> make) {
   base::Task task = base::task_with_result(
       [path, make = std::move(make)](const base::RunningTask&) { return write_file_atomically(path, make()); },
       [this, path](const base::Result<void>& written) {
-        messages_.say(written ? fill(tr("Wrote {file}"), arg("file", file_name(path)))
-                              : fill(tr("Not written: {problem}"), arg("problem", message(written.error()))));
+        if (written) messages_.say(fill(tr("Wrote {file}"), arg("file", file_name(path))));
+        else messages_.refuse(fill(tr("Not written: {problem}"), arg("problem", message(written.error()))));
       });
   task.kind = "write:" + path;
   task.name = fill(tr("Writing {file}"), arg("file", file_name(path)));

@@ -5,7 +5,6 @@
 
 #include "app/window.h"
 #include "base/text.h"
-#include "views/shell/status_bar.h"
 
 namespace weftlight::app {
 
@@ -13,21 +12,23 @@ using base::arg, base::fill, base::tr;
 
 namespace {
 
-constexpr double kMessageS = 10;  // then hints replace it again
+constexpr double kReadingS = 4;  // shown at least that long
 
 }  // namespace
 
-void Messages::say(std::string text) {
-  text_ = std::move(text);
+void Messages::show(StatusMessage message) {
+  shown_ = std::move(message);
   said_at_s_ = Window::seconds();
 }
 
-std::string Messages::text() const { return Window::seconds() - said_at_s_ < kMessageS ? text_ : std::string(); }
+void Messages::begin_action() {
+  if (Window::seconds() - said_at_s_ >= kReadingS) clear();
+}
 
 void Messages::report(std::vector<Diagnostic> remarks, const std::string& path) {
   remarks_ = std::move(remarks);
   remarks_open_ = true;
-  say(fill(tr("{file} could not be opened"), arg("file", std::filesystem::path(path).filename().string())));
+  refuse(fill(tr("{file} could not be opened"), arg("file", std::filesystem::path(path).filename().string())));
 }
 
 void Messages::follow(std::vector<Diagnostic> remarks) {

@@ -3,23 +3,29 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "views/common/panel.h"
+#include "views/shell/status_bar.h"
 #include "wif/wif.h"
 
 namespace weftlight::app {
 
-using views::PanelContext;
+using views::PanelContext, views::StatusMessage;
 using wif::Diagnostic;
 
 class Messages {
  public:
-  /// Shows a message in the status line for a while.
-  void say(std::string text);
-  /// The message, while it is shown; else empty.
-  std::string text() const;
-  void clear() { text_.clear(); }
+  /// Shows a message in the status line until it is read: for some seconds, and on until the user's next action.
+  void say(std::string text) { show({std::move(text), false}); }
+  /// The same for what could not be done; it stands out.
+  void refuse(std::string text) { show({std::move(text), true}); }
+  /// The message, while it is shown; else without a text.
+  const StatusMessage& shown() const { return shown_; }
+  void clear() { shown_ = {}; }
+  /// The user begins another action: what had the time to be read goes.
+  void begin_action();
 
   /// Shows why a file could not be opened.
   void report(std::vector<Diagnostic> remarks, const std::string& path);
@@ -32,7 +38,9 @@ class Messages {
   void draw_remarks(PanelContext& c);
 
  private:
-  std::string text_;
+  void show(StatusMessage message);
+
+  StatusMessage shown_;
   double said_at_s_ = 0;
   std::vector<Diagnostic> remarks_;  // about the document, or a file that could not be opened
   bool remarks_open_ = false;

@@ -67,7 +67,7 @@ void Panels::draw_status(PanelContext& c, const WindowLayout& l, const StatusTex
   const DocumentView& v = editing_.view();
   begin_fixed("Status", l.status, {c.style.px(14), c.style.px(6)}, kFixed);
   tasks_.draw(c, status.awaits);
-  if (draw_status_bar(c, v.select, v.drawing, status.trouble, messages_.text(), messages_.remarks()))
+  if (draw_status_bar(c, v.select, v.drawing, status.trouble, messages_.shown(), messages_.remarks()))
     messages_.toggle_remarks();
   ImGui::End();
 }

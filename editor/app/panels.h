@@ -32,6 +32,8 @@ class Panels {
   };
   /// Below the tabs.
   void draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status);
+  /// When something goes by itself; negative if nothing does.
+  double changes_at_s() const { return draft_pictures_.minimap.goes_at_s(); }
   /// Another document is shown.
   void forget() { typed_threads_.clear(); }
 

@@ -57,6 +57,8 @@ class PictureMaker {
     return !problem_.empty() ? problem_ : !stats_.cloth ? problem_of(stats_.cloth) : problem_of(pipeline_.made());
   }
   const std::shared_ptr<const Design>& design() const { return design_; }
+  /// The one that the picture shows; null before the first.
+  std::shared_ptr<const Design> drawn_design() const { return pipeline_.uploaded(); }
   /// True while the newest design is being processed.
   bool busy() const { return renderer_ && pipeline_.busy(); }
   /// True if more samples of the threads would refine the resting picture.

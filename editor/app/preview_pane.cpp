@@ -1,5 +1,6 @@
 #include "app/preview_pane.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -16,7 +17,8 @@ using session::Compare, session::PictureComparison;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kAgainS = 1;  // delay before a failed picture is drawn again
+constexpr size_t kMaxSubjects = 64;  // while no picture comes
+constexpr double kAgainS = 1;        // delay before a failed picture is drawn again
 
 double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -33,8 +35,11 @@ PreviewPane::~PreviewPane() {
   thread_.join();
 }
 
-void PreviewPane::submit(std::shared_ptr<const Design> design) {
+void PreviewPane::submit(std::shared_ptr<const Design> design, const ClothSubject& subject) {
   submitted_ = design;
+  subject_ = subject;
+  subjects_.emplace_back(design, subject);
+  if (subjects_.size() > kMaxSubjects) subjects_.pop_front();
   {
     const std::lock_guard lock(mutex_);
     design_ = std::move(design);
@@ -87,7 +92,15 @@ bool PreviewPane::poll() {
     drawn = std::exchange(drawn_, std::nullopt);
   }
   if (!drawn) return false;
-  if (!drawn->pixels.empty()) texture_.set(drawn->width, drawn->height, drawn->pixels);
+  if (!drawn->pixels.empty()) {
+    texture_.set(drawn->width, drawn->height, drawn->pixels);
+    const auto is_of = [&](const auto& one) { return one.first == drawn->of; };
+    const auto of = std::find_if(subjects_.begin(), subjects_.end(), is_of);
+    if (of != subjects_.end()) {
+      shown_subject_ = of->second;
+      subjects_.erase(subjects_.begin(), of);  // earlier ones come no more
+    }
+  }
   if (!drawn->reference.empty())
     reference_texture_.set(drawn->reference_width, drawn->reference_height, drawn->reference);
   picture_ = std::move(drawn->picture);
@@ -97,7 +110,7 @@ bool PreviewPane::poll() {
 
 PreviewPicture PreviewPane::picture() const {
   PreviewPicture p = picture_;
-  p.texture = texture_.name();
+  p.texture = shown_subject_ == subject_ ? texture_.name() : 0;
   if (p.reference.texture != 0) p.reference.texture = reference_texture_.name();
   p.busy = p.problem.empty() && (p.busy || shown_ != submitted_);
   if (p.texture == 0 && p.problem.empty()) p.problem = tr("Weaving the cloth\xE2\x80\xA6");
@@ -180,7 +193,10 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
   Drawn made;
-  if (drawn) maker.read(made.width, made.height, made.pixels);
+  if (drawn) {
+    maker.read(made.width, made.height, made.pixels);
+    made.of = maker.drawn_design();
+  }
   const base::Result<PictureComparison>& traced = maker.comparison();
   const PictureComparison c = traced.value_or(PictureComparison{});
   const bool compared = request.compare != Compare::kOff && !c.reference.empty();
@@ -200,8 +216,10 @@ void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& req
   {
     const std::lock_guard lock(mutex_);
     // Pixels that were not taken yet and are not replaced stay valid.
-    if (drawn_ && made.pixels.empty())
+    if (drawn_ && made.pixels.empty()) {
       made.pixels = std::move(drawn_->pixels), made.width = drawn_->width, made.height = drawn_->height;
+      made.of = std::move(drawn_->of);
+    }
     drawn_ = std::move(made);
   }
   wake_window_();

@@ -3,12 +3,15 @@
 // The window requests a picture and is woken when there is something new to show.
 
 #include <condition_variable>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/picture_maker.h"
@@ -23,6 +26,13 @@ using gl::HeadlessContext;
 using ui::PixelTexture;
 using views::PreviewPicture;
 
+/// What is seen: a picture of one is never shown for another, whose camera it would have.
+struct ClothSubject {
+  uint64_t document = 0;
+  bool flat = false;
+  bool operator==(const ClothSubject&) const = default;
+};
+
 class PreviewPane {
  public:
   /// `wake` is called on the drawing thread when poll() has a result.
@@ -32,7 +42,7 @@ class PreviewPane {
   PreviewPane(const PreviewPane&) = delete;
   PreviewPane& operator=(const PreviewPane&) = delete;
 
-  void submit(std::shared_ptr<const Design> design);
+  void submit(std::shared_ptr<const Design> design, const ClothSubject& subject = {});
   /// Replaces the earlier request.
   void ask(const PictureRequest& request, bool moving);
   /// Takes the newest result; true if there is something to show. Needs the window's GL context and its thread, which
@@ -49,6 +59,7 @@ class PreviewPane {
     int reference_width = 0, reference_height = 0;
     PreviewPicture picture;              // without its textures
     std::shared_ptr<const Design> made;  // the design, if its picture is complete
+    std::shared_ptr<const Design> of;    // the design of the pixels
   };
 
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
@@ -79,6 +90,9 @@ class PreviewPane {
   std::unique_ptr<HeadlessContext> context_;
   // Used by the window's thread.
   std::shared_ptr<const Design> submitted_, shown_;
+  std::deque<std::pair<std::shared_ptr<const Design>, ClothSubject>>
+      subjects_;  // of the designs that may be shown next
+  ClothSubject subject_, shown_subject_;
   PreviewPicture picture_;
   PixelTexture texture_, reference_texture_;
   std::thread thread_;

@@ -1,11 +1,16 @@
 #include "app/printing.h"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include "app/window.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "platform/environment.h"
+#include "platform/process.h"
+#include "platform/unique_name.h"
 #include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
@@ -16,6 +21,28 @@ using session::Document;
 using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::plan_of;
 
 namespace {
+
+constexpr const char* kSpooler = "lp";  // of CUPS, as of other systems
+
+/// Hands a PDF to the spooler, at its own scale.
+base::Result<void> spool(const std::string& pdf, const std::string& title, const std::string& paper) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("weftlight-" + platform::unique_name() + ".pdf");
+  if (auto done = write_file_atomically(file.string(), pdf); !done) return done;
+  platform::Process lp(
+      {kSpooler, "-t", title, "-o", "media=" + paper, "-o", "print-scaling=none", "--", file.string()});
+  const bool started = lp.running();
+  while (lp.running()) {
+    lp.look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);  // the spooler has a copy
+  if (started && lp.succeeded()) return {};
+  return base::failure(base::ErrorKind::kOutput,
+                       fill(tr("the system's printing program ({program}) reports an error; is a printer set up?"),
+                            arg("program", kSpooler)));
+}
 
 base::Result<void> print_to(const std::string& path, const Design& design, const PrintPrompt& p,
                             const base::TaskProgress& progress) {
@@ -42,16 +69,41 @@ void Printing::ask() {
   prompt.options.plan = plan_of(document.now(), editing_.view().analysis, settings_);
   prompt.options.name = std::filesystem::path(document.shown_name()).stem().string();
   prompt.preview = std::make_shared<SheetPreview>(document.snapshot(), Window::wake);
-  dialogs_.ask(std::move(prompt), [this](int) {
+  prompt.has_printer = platform::is_program(kSpooler, platform::variable("PATH"));
+  dialogs_.ask(std::move(prompt), [this](int pressed) {
     const PrintPrompt p = dialogs_.prompt<PrintPrompt>();
     dialogs_.close();
-    const std::string& path = editing_.document().path();
-    const std::filesystem::path draft(path.empty() ? "untitled.wif" : path);
-    const std::string ending = ending_of(p.format);
-    dialogs_.ask_path(
-        FileAsk::kSave, tr("Print to a file"), (draft.parent_path() / (draft.stem().string() + ending)).string(),
-        [this, p](const std::string& to) { start(to, p); }, ending);
+    if (p.button(pressed) == PrintPrompt::Button::kPrint) send(p);
+    else save(p);
   });
+}
+
+void Printing::save(const PrintPrompt& p) {
+  const std::string& path = editing_.document().path();
+  const std::filesystem::path draft(path.empty() ? "untitled.wif" : path);
+  const std::string ending = ending_of(p.format);
+  dialogs_.ask_path(
+      FileAsk::kSave, tr("Print to a file"), (draft.parent_path() / (draft.stem().string() + ending)).string(),
+      [this, p](const std::string& to) { start(to, p); }, ending);
+}
+
+void Printing::send(const PrintPrompt& p) {
+  const std::string name = editing_.document().shown_name();
+  base::Task task = base::task_with_result(
+      [p, name, design = editing_.document().snapshot()](const base::RunningTask&) -> base::Result<void> {
+        const base::Result<print::Printed> printed =
+            print::printed(*design, print::PrintFormat::kPdf, chosen_options(p));
+        if (!printed) return failed(printed);
+        return spool(printed->files.front(), name, print::kPapers[p.paper].name);
+      },
+      [this, name](const base::Result<void>& sent) {
+        if (sent) messages_.say(fill(tr("Sent to the printer: {file}"), arg("file", name)));
+        else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", message(sent.error()))));
+      });
+  task.kind = "print";
+  task.name = fill(tr("Printing {file}"), arg("file", name));
+  task.finishes = true;
+  tasks_.computing().start(std::move(task));
 }
 
 void Printing::start(const std::string& path, const PrintPrompt& p) {
@@ -61,8 +113,8 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
           return print_to(path, *design, p, running);
         },
         [this, path](const base::Result<void>& printed) {
-          messages_.say(printed ? fill(tr("Printed to {path}"), arg("path", path))
-                                : fill(tr("Not printed: {problem}"), arg("problem", message(printed.error()))));
+          if (printed) messages_.say(fill(tr("Printed to {path}"), arg("path", path)));
+          else messages_.refuse(fill(tr("Not printed: {problem}"), arg("problem", message(printed.error()))));
         });
     task.kind = "print:" + path;
     task.name = fill(tr("Printing to {file}"), arg("file", std::filesystem::path(path).filename().string()));

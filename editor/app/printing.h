@@ -1,5 +1,6 @@
 #pragma once
-// Printing the draft to files: the dialog, and the sheets, which are written in the background.
+// Printing the draft, to files or on the system's printer (CUPS): the dialog, and the sheets, which are made in the
+// background.
 
 #include <string>
 
@@ -21,7 +22,10 @@ class Printing {
   void ask();
 
  private:
+  void save(const PrintPrompt& prompt);
   void start(const std::string& path, const PrintPrompt& prompt);
+  /// Hands it to the system's printers.
+  void send(const PrintPrompt& prompt);
 
   Editing& editing_;
   const Settings& settings_;

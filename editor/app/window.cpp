@@ -127,6 +127,7 @@ struct Window::Inbox {
   std::vector<std::string> dropped;
   std::vector<std::string> shortcuts;                     // of the frame
   bool key_of_character = false;                          // the last shortcut may type the next character
+  bool alt_alone = false;                                 // Alt is down, and nothing else was pressed since
   bool button_down[kButtons] = {}, key_down[kKeys] = {};  // as last reported by the window system
   double x = kOutside, y = kOutside;                      // position of the last move
   ImVec2 given_pointer = {kOutside, kOutside};            // as passed to ImGui
@@ -152,6 +153,9 @@ void Window::Inbox::key(int key, int scancode, int action, int mods) {
   InputEvent e{
       is_modifier(key) ? Kind::kModifier : Kind::kKey, x, y, static_cast<unsigned>(key), down, modifiers(mods)};
   if (down) e.shortcut = shortcut(key, scancode, mods);
+  const bool alt = key == GLFW_KEY_LEFT_ALT;
+  if (!down && alt && alt_alone) e.shortcut = "Alt";  // pressed and released alone
+  alt_alone = down && alt && (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_SUPER)) == 0;
   input.add(std::move(e));
 }
 
@@ -168,6 +172,7 @@ void Window::listen(GLFWwindow* w) {
     Inbox& in = Inbox::of(at);
     if (button < 0 || button >= kButtons) return;
     in.button_down[button] = action == GLFW_PRESS;
+    in.alt_alone = false;
     // The position of the last move: glfwGetCursorPos gives the present one, which differs after a slow frame.
     in.input.add({Kind::kButton, in.x, in.y, static_cast<unsigned>(button), action == GLFW_PRESS, modifiers(mods)});
   });
@@ -179,6 +184,7 @@ void Window::listen(GLFWwindow* w) {
   });
   glfwSetScrollCallback(w, [](GLFWwindow* at, double x, double y) {
     Inbox& in = Inbox::of(at);
+    in.alt_alone = false;
     in.input.add({Kind::kScroll, x, y, 0, false, modifiers(in.key_down)});
   });
   glfwSetCursorEnterCallback(w, [](GLFWwindow* at, int entered) {
@@ -187,7 +193,9 @@ void Window::listen(GLFWwindow* w) {
     if (!entered && !in.dragging()) in.input.add({Kind::kMove, kOutside, kOutside});
   });
   glfwSetWindowFocusCallback(w, [](GLFWwindow* at, int focused) {
-    Inbox::of(at).focused |= focused != 0;
+    Inbox& in = Inbox::of(at);
+    in.focused |= focused != 0;
+    in.alt_alone = false;  // GLFW releases the keys of a window that loses the keyboard: Alt+Tab
     ImGui_ImplGlfw_WindowFocusCallback(at, focused);
   });
   glfwSetDropCallback(
@@ -232,6 +240,7 @@ void Window::Inbox::give(InputEvent& e) {
       if (key_of_character) shortcuts.push_back(std::move(e.shortcut));
       [[fallthrough]];
     case Kind::kModifier:
+      if (e.kind == Kind::kModifier && !e.shortcut.empty()) shortcuts.push_back(std::move(e.shortcut));
       given_keys[e.code] = e.down;
       feed_key(static_cast<int>(e.code), e.down);
       break;

@@ -22,8 +22,7 @@ namespace weftlight::commands {
 using analysis::ClothPlan, analysis::Comparison, analysis::Difference, analysis::Float, analysis::Interlacing,
     analysis::LongFloats, analysis::LongestFloats, analysis::LoomUse, analysis::WeaveLayer, analysis::YarnNeed,
     analysis::YarnReport, analysis::compare, analysis::interlacing, analysis::long_floats, analysis::longest_floats,
-    analysis::loom_use, analysis::sett_per_cm, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm,
-    analysis::yarn_report;
+    analysis::loom_use, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm, analysis::yarn_report;
 using base::arg, base::fill, base::tr, base::tr_n;
 using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat, design::tex_of,
     design::warp_up_fraction;
@@ -43,6 +42,7 @@ struct DraftAnalysis {
   Interlacing interlacings;
   double warp_up = 0;  // fraction of the crossings
   YarnReport yarn;
+  double firm_sett = 0;  // as a fraction of the wraps
 };
 
 /// Empty if the text is not a price.
@@ -89,11 +89,18 @@ bool apply_prices(const Design& design, const std::vector<std::string>& prices, 
 
 DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
-  return {structure_repeat(cells), design_repeat(design, cells),
-          longest_floats(cells),   long_floats(cells, options.float_limit),
-          weave_layers(cells),     loom_use(design.draft),
-          fewest_for(cells),       interlacing(cells),
-          warp_up_fraction(cells), yarn_report(design, options.plan)};
+  const std::vector<WeaveLayer> layers = weave_layers(cells);
+  return {structure_repeat(cells),
+          design_repeat(design, cells),
+          longest_floats(cells),
+          long_floats(cells, options.float_limit),
+          layers,
+          loom_use(design.draft),
+          fewest_for(cells),
+          interlacing(cells),
+          warp_up_fraction(cells),
+          yarn_report(design, options.plan),
+          analysis::firm_sett_per_cm(cells, layers, 1)};
 }
 
 /// For JSON.
@@ -239,9 +246,9 @@ void print_setts(const Design& design, const DraftAnalysis& f) {
                              arg("picks", f.yarn.picks_per_cm)));
   for (const Yarn& yarn : design.yarns) {
     const double wraps = wraps_per_cm(yarn.diameter_mm);
-    print_row(tr("  from wraps"), fill(tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps/cm, sett {sett:.1f}/cm"),
-                                       arg("yarn", yarn.name), arg("tex", tex_of(yarn)), arg("wraps", wraps),
-                                       arg("sett", sett_per_cm(wraps, f.interlacings.weft))));
+    print_row(tr("  from wraps"),
+              fill(tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps/cm, sett {sett:.1f}/cm"), arg("yarn", yarn.name),
+                   arg("tex", tex_of(yarn)), arg("wraps", wraps), arg("sett", wraps * f.firm_sett)));
   }
 }
 

@@ -172,7 +172,12 @@ RunVerb add_reference(CLI::App& verb) {
   const std::shared_ptr<PictureVerb> picture = add_picture_options(verb);
   PictureOptions& o = picture->options;
   verb.add_option("--spp", o.spp, tr("Samples per pixel; default: 64"))->check(whole_number(1, 1 << 20));
-  verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
+  auto* bounces =
+      verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
+  verb.add_flag("--fibres", o.fibres,
+                tr("Every fibre of the threads, for a near view of up to some square centimetres; light is followed "
+                   "until it leaves them"))
+      ->excludes(bounces);
   return [picture] { return apply_picture_texts(*picture) ? reference_command(picture->options) : kUsage; };
 }
 

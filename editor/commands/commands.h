@@ -68,8 +68,9 @@ struct PictureOptions {
   double budget_ms = 0;  // render only: time for drawing the cloth; 0: no limit
   bool quiet = false;    // no progress
   bool progress_json = false;
-  int spp = 64;     // reference only
-  int bounces = 0;  // reference only
+  int spp = 64;         // reference only
+  int bounces = 0;      // reference only
+  bool fibres = false;  // reference only: every fibre instead of threads as tubes
 };
 struct ExportOptions {
   std::vector<std::string> files;  // or folders of drafts

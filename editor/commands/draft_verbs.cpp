@@ -111,6 +111,11 @@ RunVerb add_print(CLI::App& verb) {
       ->check(number_in(0.5, 20.0));
   verb.add_option("--heavy", o.heavy_lines, tr("Threads from one heavier grid line to the next; 0: none; default: 4"))
       ->check(whole_number(0, 1000));
+  verb.add_flag("--one-repeat", o.one_repeat, tr("Grids and lists of one repeat only"));
+  verb.add_option("--first-sheet", o.first_sheet, tr("First sheet to print; default: 1"))
+      ->check(whole_number(1, print::kMaxSheets));
+  verb.add_option("--last-sheet", o.last_sheet, tr("Last sheet to print; default: all"))
+      ->check(whole_number(1, print::kMaxSheets));
   verb.add_option("--dpi", o.png_dpi, tr("Resolution of a .png in dots per inch; default: 150"))
       ->check(number_in(30.0, 1200.0));
   return [options] {

@@ -146,7 +146,7 @@ std::vector<std::string> set_names(const std::vector<std::string>& files) {
       if (is_wif_name(files[i]) != wif) continue;
       std::string stem = file_name_of(path.stem().string());
       if (!wif && taken.contains(stem) && path.has_extension())
-        stem += "-" + file_name_of(path.extension().string().substr(1));
+        stem.append("-").append(file_name_of(path.extension().string().substr(1)));
       names[i] = stem;
       for (int n = 2; !taken.insert(names[i]).second; ++n) names[i] = stem + "-" + std::to_string(n);
     }

@@ -2,19 +2,21 @@
 // and the body under the cloth are drawn by the renderer, so that only the cloth differs.
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/text.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
 #include "render_data/reference_scene.h"
 
 namespace weftlight::commands {
 
-using base::message;
+using base::arg, base::fill, base::message, base::tr;
 using design::Design, design::Scene;
 using files::Image;
 using gl::Frame, gl::FrameStats;
 using reference::Progress, reference::TracedImage;
-using render_data::ReferenceScene, render_data::ReferenceView, render_data::lay_over;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::TracedThreads, render_data::lay_over;
 
 namespace {
 
@@ -29,7 +31,26 @@ ReferenceView view_of(const PictureOptions& o, const Scene& scene) {
   view.yarns_per_pixel = o.yarns_per_pixel;
   view.front = o.face;
   view.spp = o.spp, view.bounces = o.bounces;
+  view.fibres = o.fibres;
   return view;
+}
+
+int in_mb(int64_t bytes) { return static_cast<int>((bytes + (1 << 20) - 1) >> 20); }
+
+/// Makes the fibres and prints what they are and the memory that they take.
+base::Result<void> make_fibres(ReferenceScene& scene, const ReferenceView& view, StatusLine& status) {
+  status.show(tr("making the fibres"));
+  const auto made = scene.prepare_fibres(view);
+  status.clear();
+  if (!made) return base::failed(made);
+  print_row(tr("Cloth of fibres"),
+            fill(tr("{width} x {height} mm, {threads} threads"), arg("width", std::round(10 * made->size_mm.x) / 10),
+                 arg("height", std::round(10 * made->size_mm.y) / 10), arg("threads", made->threads)));
+  print_row(tr("Fibres"), fill(tr("{fibres} across the picture, {strays} hairs and loops, {curves} curves"),
+                               arg("fibres", made->fibres), arg("strays", made->strays), arg("curves", made->curves)));
+  print_row(tr("Memory"), fill(tr("{used} MB, estimated {estimate} MB"), arg("used", in_mb(scene.fibre_bytes())),
+                               arg("estimate", in_mb(made->bytes))));
+  return {};
 }
 
 }  // namespace
@@ -39,8 +60,14 @@ int reference_command(const PictureOptions& o) {
   if (const int code = setup.open(o); code != kDone) return code;
   const Design& design = setup.design;
   ReferenceScene scene;
-  if (const auto updated = scene.update(design); !updated)
+  const TracedThreads traced_as = o.fibres ? TracedThreads::kFibres : TracedThreads::kTubes;
+  if (const auto updated = scene.update(design, {}, traced_as); !updated)
     return fail({updated.error().kind, message(updated.error()), o.file});
+  const ReferenceView view = view_of(o, design.scene);
+  if (o.fibres) {
+    if (const auto made = make_fibres(scene, view, setup.status); !made)
+      return fail({made.error().kind, message(made.error()), o.file});
+  }
 
   Frame frame = setup.frame(o);
   frame.cloth = false;
@@ -48,7 +75,7 @@ int reference_command(const PictureOptions& o) {
   const bool linear = writes_linear(o.out);
   Image picture = setup.renderer->read_back(linear);
   ProgressMeter meter(setup.progress, 1);
-  const TracedImage traced = scene.trace(view_of(o, design.scene), progress_on(meter, o.out));
+  const TracedImage traced = scene.trace(view, progress_on(meter, o.out));
   meter.clear();
   lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
   const base::Result<void> saved = write_picture(o.out, picture);

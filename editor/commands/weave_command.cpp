@@ -69,6 +69,7 @@ int weave_command(const WeaveOptions& options) {
   }
   WeaveValues values;
   if (!read_values(*kind, options.set, values)) return kUsage;
+  if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));
   GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
   generated.design.title = kind->name;
   if (!generated.note.empty()) {

@@ -34,7 +34,8 @@ struct Pipeline::Parts {
   std::optional<PackedCloth> quick_maps;  // or these are; patches follow them
   ClothPatches patches;
   std::optional<ClothLobes> lobes;
-  base::Result<void> made;  // of the last design
+  std::shared_ptr<const Design> handed, uploaded;  // the designs that those are of, and that the renderer has
+  base::Result<void> made;                         // of the last design
   VisiblePart visible;
   bool quick_drawn = true;
   std::condition_variable_any drawn;
@@ -45,7 +46,7 @@ struct Pipeline::Parts {
   void fail(const base::Error& error);
   void compute(const std::shared_ptr<const Design>& design, Effort effort, const std::stop_token& stop = {});
   void wait_for_picture(const std::stop_token& stop);
-  void hand_over(StageResult result, std::optional<PackedCloth> copy);
+  void hand_over(const std::shared_ptr<const Design>& design, StageResult result, std::optional<PackedCloth> copy);
   bool upload(Renderer& renderer, bool wait);
   bool has_updates() const { return mesh || lights || all_maps || quick_maps || !patches.empty() || lobes; }
 };
@@ -62,7 +63,7 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
   if (result.stopped) return;
   std::optional<PackedCloth> copy;
   if (result.all_maps && effort == Effort::kQuick) copy = stages.packed();
-  hand_over(std::move(result), std::move(copy));
+  hand_over(design, std::move(result), std::move(copy));
 }
 
 /// The next design is computed from the start: stages that threw may hold half of this one.
@@ -83,8 +84,10 @@ void Pipeline::Parts::wait_for_picture(const std::stop_token& stop) {
   drawn.wait_for(lock, stop, kLongest, [this] { return quick_drawn; });
 }
 
-void Pipeline::Parts::hand_over(StageResult result, std::optional<PackedCloth> copy) {
+void Pipeline::Parts::hand_over(const std::shared_ptr<const Design>& design, StageResult result,
+                                std::optional<PackedCloth> copy) {
   const std::lock_guard lock(mutex);
+  handed = design;
   if (result.mesh) mesh = std::move(result.mesh);
   if (result.lights) lights = std::move(result.lights);
   if (result.all_maps) {
@@ -108,7 +111,8 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
   if (wait) hold.lock();
   std::unique_lock lock(mutex);
   if (all_maps && !wait && !hold.try_lock()) return false;
-  const bool changed = has_updates();
+  const bool changed = has_updates() || uploaded != handed;
+  uploaded = handed;
   if (mesh) renderer.set_mesh(std::move(*mesh));
   mesh.reset();
   if (lights) renderer.set_lights(std::move(*lights));
@@ -160,6 +164,11 @@ base::Result<void> Pipeline::finish(Renderer& renderer) {
 base::Result<void> Pipeline::made() const {
   const std::lock_guard lock(parts_->mutex);
   return parts_->made;
+}
+
+std::shared_ptr<const Design> Pipeline::uploaded() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->uploaded;
 }
 
 bool Pipeline::busy() const {

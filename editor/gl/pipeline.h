@@ -24,13 +24,15 @@ class Pipeline {
   /// The visible part, for quick updates after edits of many cells.
   void set_visible_part(const VisiblePart& visible);
   /// From the thread with the GL context: uploads what is finished (maps, patches, a new mesh). True if the picture
-  /// must be drawn again.
+  /// must be drawn again, or is now that of another design.
   bool poll(Renderer& renderer);
   /// Waits until the last submitted design is computed; poll() then uploads it.
   void wait() const;
   /// Headless: waits until the last submitted design is ready and uploads it. An error if, for
   /// one, a mesh cannot be read.
   base::Result<void> finish(Renderer& renderer);
+  /// The design that the renderer has, with its mesh and at least its quick maps; null before the first.
+  std::shared_ptr<const Design> uploaded() const;
   /// Whether all of the last design could be made (the error is shown by the window).
   base::Result<void> made() const;
   /// Whether a submitted design is not yet computed and uploaded.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "session/editing/selection_state.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
@@ -111,9 +112,41 @@ bool Session::followed(OpenDocument& open, bool changed) {
   return true;
 }
 
+namespace {
+
+constexpr size_t kMaxKept = 1000;  // selections of a document
+
+void keep_selection(OpenDocument& open, uint64_t mark, const Selection& selected) {
+  open.selections[mark] = {selected, open.view.chosen};
+  if (open.selections.size() > kMaxKept) open.selections.erase(open.selections.begin());
+}
+
+/// Before an edit: a move has shifted the selection already.
+Selection selected_before(const SelectState& s, const Design& before) {
+  return s.move && *s.move->base == before ? s.move->from : s.selected;
+}
+
+/// Nothing is taken from what is selected now if nothing was selected then.
+void bring_selection_back(OpenDocument& open) {
+  const auto kept = open.selections.find(open.document.history().mark());
+  if (kept == open.selections.end()) return;
+  const Draft& draft = open.document.now().draft;
+  const Selection& selected = kept->second.selected;
+  if (!selected.empty() && is_shown(draft, selected.grid)) select_cells(open.view.select, clipped(selected, draft));
+  if (kept->second.chosen.threads.empty()) return;
+  open.view.chosen = kept->second.chosen;
+  open.view.chosen.dragging = false;
+  limit_choice(open.view.chosen, draft);
+}
+
+}  // namespace
+
 bool Session::commit(OpenDocument& open, const Edit& edit, uint64_t stroke) {
   const std::shared_ptr<const Design> before = open.document.snapshot();
+  const uint64_t from = open.document.history().mark();
+  const Selection selected = selected_before(open.view.select, *before);
   const bool changed = open.document.commit(edit, stroke);
+  if (changed) keep_selection(open, from, selected);
   std::optional<RejectedEdit> rejected_edit =
       refusal_after(std::move(open.view.rejected_edit), *before, edit, stroke, changed);
   if (changed) follow_given(open.view.drawing.given, before->draft, open.document.now().draft, edit.by_painting);
@@ -126,7 +159,9 @@ template <class Go>
 bool Session::gone(Go go) {
   OpenDocument& open = active();
   const std::shared_ptr<const Design> before = open.document.snapshot();
+  keep_selection(open, open.document.history().mark(), open.view.select.selected);
   if (!followed(open, go(open.document))) return false;
+  bring_selection_back(open);
   follow_given(open.view.drawing.given, before->draft, open.document.now().draft, true);
   return true;
 }

@@ -3,6 +3,7 @@
 // asked before it closes an unsaved document.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,12 +23,19 @@ using wif::Diagnostic;
 /// draft by the next shipped one, so that browsing the library does not pile up tabs.
 enum class Origin { kOwn, kFirst, kShipped };
 
+/// What was selected at a step of the history.
+struct KeptSelection {
+  Selection selected;
+  ThreadChoice chosen;
+};
+
 struct OpenDocument {
   uint64_t id = 0;  // unique; also its number in the journal
   Document document;
   DocumentView view;
   std::vector<Diagnostic> remarks;  // about its file
   Origin origin = Origin::kOwn;
+  std::map<uint64_t, KeptSelection> selections{};  // by the mark of the step; undo and redo bring them back
 };
 
 class Session {

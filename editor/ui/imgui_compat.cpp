@@ -99,6 +99,87 @@ bool letter_down(char letter) { return ImGui::IsKeyDown(letter); }
 
 #endif
 
+void use_keyboard(bool on) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (on) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+#if IMGUI_VERSION_NUM < 18700
+  io.KeyMap[ImGuiKey_Tab] = on ? -1 : GLFW_KEY_TAB;
+#endif
+}
+
+unsigned keyboard_item() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  return g.ActiveId != 0 ? g.ActiveId : g.NavId;
+}
+
+bool keyboard_frame_shown() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+#if IMGUI_VERSION_NUM >= 19140
+  const bool shown = g.NavCursorVisible;
+#else
+  const bool shown = !g.NavDisableHighlight;
+#endif
+  return shown && g.NavId != 0 && g.ActiveId == 0;
+}
+
+void show_keyboard_frame() {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+#if IMGUI_VERSION_NUM >= 19140
+  g.NavCursorVisible = true;
+#else
+  g.NavDisableHighlight = false;
+#endif
+}
+
+void draw_keyboard_frame() {
+#if IMGUI_VERSION_NUM < 19140
+  ImGui::RenderNavHighlight({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetItemID());
+#endif
+}
+
+void give_keyboard_to_item(bool field) {
+  const ImGuiID item = ImGui::GetItemID();
+  if (field) return give_keyboard(item);
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  ImGui::ClearActiveID();
+  ImGui::SetFocusID(item, window);
+  ImGui::GetCurrentContext()->NavDisableMouseHover = true;
+  show_keyboard_frame();
+  ImGui::ScrollToItem();
+}
+
+#if IMGUI_VERSION_NUM >= 18700
+void give_keyboard(unsigned) {}
+void press_keyboard_item() {}
+#else
+void give_keyboard(unsigned field) {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  ImGui::ClearActiveID();
+  ImGui::SetFocusID(field, ImGui::GetCurrentWindow());
+  g.NavNextActivateId = field;
+  g.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+  ImGui::ScrollToItem();
+}
+void press_keyboard_item() { ImGui::ActivateItem(ImGui::GetCurrentContext()->NavId); }
+#endif
+
+ImGuiItemFlags last_item_flags() {
+#if IMGUI_VERSION_NUM >= 19120
+  return ImGui::GetCurrentContext()->LastItemData.ItemFlags;
+#else
+  return ImGui::GetCurrentContext()->LastItemData.InFlags;
+#endif
+}
+
+bool begin_list(const char* id, ImVec2 size) {
+#if IMGUI_VERSION_NUM >= 19090
+  return ImGui::BeginChild(id, size, ImGuiChildFlags_NavFlattened);
+#else
+  return ImGui::BeginChild(id, size, false, ImGuiWindowFlags_NavFlattened);
+#endif
+}
+
 ImTextureID texture_of(unsigned gl_name) {
 #if IMGUI_VERSION_NUM >= 19140
   return static_cast<ImTextureID>(gl_name);
@@ -142,10 +223,10 @@ float content_right() {
 }
 
 bool begin_padded_child(const char* id, ImVec2 size) {
-#if IMGUI_VERSION_NUM >= 19000
-  return ImGui::BeginChild(id, size, ImGuiChildFlags_AlwaysUseWindowPadding);
+#if IMGUI_VERSION_NUM >= 19090
+  return ImGui::BeginChild(id, size, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_NavFlattened);
 #else
-  return ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  return ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
 #endif
 }
 

@@ -3,6 +3,7 @@
 // other file checks the version.
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #if IMGUI_VERSION_NUM < 18600
 #error "Weftlight takes Dear ImGui 1.86 or newer"
@@ -14,6 +15,13 @@ namespace weftlight::ui {
 inline constexpr ImGuiCol kFocusColor = ImGuiCol_NavCursor;
 #else
 inline constexpr ImGuiCol kFocusColor = ImGuiCol_NavHighlight;
+#endif
+
+/// An invisible button that takes the keyboard.
+#if IMGUI_VERSION_NUM >= 19140
+inline constexpr ImGuiButtonFlags kTakesKeyboard = ImGuiButtonFlags_EnableNav;
+#else
+inline constexpr ImGuiButtonFlags kTakesKeyboard = 0;
 #endif
 
 /// The input that ImGui sees in this frame; call after the new frame of its backend. Feed the pointer in every frame.
@@ -30,6 +38,34 @@ void feed_whole_frames();
 bool key_pressed(ImGuiKey key, bool repeat = true);
 /// True while the letter, 'A' to 'Z', is held.
 bool letter_down(char letter);
+
+// The keyboard in dialogs and menus (keyboard.h).
+
+/// True where ImGui walks with Tab through text fields only, and where Enter presses no button.
+#if IMGUI_VERSION_NUM >= 18700
+inline constexpr bool kOwnTabKey = false, kOwnEnterKey = false;
+#else
+inline constexpr bool kOwnTabKey = true, kOwnEnterKey = true;
+#endif
+/// Lets ImGui use arrows and Space, from the next frame on.
+void use_keyboard(bool on);
+/// The item that has the keyboard, or 0.
+unsigned keyboard_item();
+/// True if a frame shows which item has it, and it does not take text.
+bool keyboard_frame_shown();
+/// Shows that frame.
+void show_keyboard_frame();
+/// Draws it around the item drawn last, where ImGui does not.
+void draw_keyboard_frame();
+/// Gives the keyboard to the item drawn last; a text field is opened.
+void give_keyboard_to_item(bool field);
+/// Opens a text field of the current window in the next frame.
+void give_keyboard(unsigned field);
+/// Presses the item that has the keyboard, in the next frame.
+void press_keyboard_item();
+ImGuiItemFlags last_item_flags();
+/// A list that the arrows enter and leave.
+bool begin_list(const char* id, ImVec2 size);
 
 ImTextureID texture_of(unsigned gl_name);
 

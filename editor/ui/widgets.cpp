@@ -218,6 +218,7 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
     }
     c.map.add_item(std::string(id) + ":" + label);
     const bool on = chosen == i;
+    c.map.controls.back().tab_stop &= on;
     if (on) {
       dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
@@ -283,7 +284,19 @@ bool text_button(const Context& c, const char* id, const char* label, const char
 
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
   // ImGui asserts on an empty size, and a tiny window has empty panes.
-  return ImGui::InvisibleButton(id, {std::max(1.0f, size.x), std::max(1.0f, size.y)}, flags);
+  const bool pressed =
+      ImGui::InvisibleButton(id, {std::max(1.0f, size.x), std::max(1.0f, size.y)}, flags | kTakesKeyboard);
+  draw_keyboard_frame();
+  return pressed;
+}
+
+bool list_row(const Context& c, const char* id, const char* label, bool chosen, float height) {
+  ImGui::PushID(id);
+  const bool pressed = ImGui::Selectable(label, chosen, ImGuiSelectableFlags_SelectOnNav, {0, height});
+  ImGui::PopID();
+  if (chosen && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
+  c.map.add_row(id, chosen);
+  return pressed;
 }
 
 void close_popups() { ImGui::ClosePopupToLevel(0, true); }

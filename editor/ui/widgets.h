@@ -41,6 +41,8 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
 /// A drop-down list. If true, fill it and call end_combo.
 bool begin_combo(const Context& c, const char* id, const char* shown);
 void end_combo();
+/// A row of a list: a click or the arrows choose it (true), Enter is for the dialog. `id`: in the map, also on its own.
+bool list_row(const Context& c, const char* id, const char* label, bool chosen, float height = 0);
 /// A heading that folds the group below it. True while the group is open.
 bool section(const Context& c, const char* id, const char* label, bool open_at_first = true);
 /// Opens the section.

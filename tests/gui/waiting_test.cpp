@@ -40,6 +40,12 @@ class WaitingTest : public OnDisplay {
     EXPECT_FALSE(w.has("task.cancel")) << "half a save is none";
     EXPECT_EQ(bytes_of(draft_), original_);
   }
+  /// Of the window, which tells nothing of its controls while the draft that it starts with is opened.
+  void wait_for_a_picture() const {
+    ASSERT_TRUE(comes_true([&] {
+      return display_.picture({0, 0}, {1280, 800}).find_first_not_of('\0', 20) != std::string::npos;
+    })) << "there is no first frame";
+  }
   void type_path(const Window& w, const fs::path& path) const {
     display_.key("ctrl+o");
     ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
@@ -183,7 +189,7 @@ TEST_F(WaitingTest, AReadThatHangsKeepsNeitherAnotherNorTheEndOfTheProgram) {
 TEST_F(WaitingTest, QuittingDoesNotWaitForADraftThatIsBeingOpened) {
   disk_hangs();
   Window w(display_, folder_, draft_, on_a_slow_disk());
-  ASSERT_TRUE(comes_true([&] { return w.has("task.cancel"); }));
+  ASSERT_NO_FATAL_FAILURE(wait_for_a_picture());
   display_.key("ctrl+q");
   EXPECT_TRUE(comes_true([&] { return !w.process().is_running(); })) << "quitting waits for the disk";
   disk_ends();
@@ -193,9 +199,7 @@ TEST_F(WaitingTest, QuittingDoesNotWaitForADraftThatIsBeingOpened) {
 TEST_F(WaitingTest, AWindowComesBeforeASlowFile) {
   disk_hangs();
   Window w(display_, folder_, draft_, on_a_slow_disk());
-  ASSERT_TRUE(comes_true([&] {
-    return display_.picture({0, 0}, {1280, 800}).find_first_not_of('\0', 20) != std::string::npos;
-  })) << "there is no first frame";
+  ASSERT_NO_FATAL_FAILURE(wait_for_a_picture());
   EXPECT_FALSE(w.is_ready()) << "programs that drive the window are told of the file alone";
   disk_ends();
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -20,6 +20,14 @@ float zoomed_pitch(float pitch, float steps) {
   return std::clamp(next, kSmallestPitch, kLargestPitch);
 }
 
+float smallest_pitch(const DraftView& v, int ends, int picks) {
+  constexpr float kReadable = 4;  // pixels
+  if (v.seen_ends <= 0 || v.seen_picks <= 0) return kSmallestPitch;
+  const float fitting = v.pitch * std::min(v.seen_ends / static_cast<float>(std::max(1, ends)),
+                                           v.seen_picks / static_cast<float>(std::max(1, picks)));
+  return std::min(kReadable, std::max(kSmallestPitch, fitting));
+}
+
 void page_ends(DraftView& v, int pages) {
   v.scroll_end += static_cast<float>(pages) * std::max(1.0f, 0.9f * v.seen_ends);
 }

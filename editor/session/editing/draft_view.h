@@ -19,6 +19,9 @@ struct DraftView {
 /// The pitch after a zoom; `steps` > 0 zooms in. Whole pixels from 2 upwards; range 0.02 to 48.
 float zoomed_pitch(float pitch, float steps);
 
+/// The smallest pitch that helps: cells that can be read, or the whole draft in the pane.
+float smallest_pitch(const DraftView& view, int ends, int picks);
+
 /// Scrolls by pages, forward (1) or back (-1); a tenth of the page stays visible.
 void page_ends(DraftView& view, int pages);
 void page_picks(DraftView& view, int pages);

@@ -43,6 +43,7 @@ struct SelectState {
   std::optional<MarksOnTheMove> move;
   std::optional<ActiveBlock> held;
   std::string notice;     // shown once in the status line
+  std::string refusal;    // the same: what could not be done
   uint64_t revision = 0;  // of the design last followed
   uint64_t moves = 0;     // number of moves so far
 };

@@ -86,7 +86,7 @@ MaybeEdit take_number(DocumentView& v, const Design& design) {
   const int number = std::exchange(v.drawing.cursor.typed, 0);
   if (number == 0) return {};
   if (const auto open = may_paint(design, *bit_grid_of(v.drawing.cursor.grid)); !open) {
-    v.select.notice = problem_of(open);
+    v.select.refusal = problem_of(open);
     return {};
   }
   if (holds_one(v.drawing.cursor.grid)) v.drawing.cursor.at = numbered(v.drawing.cursor, number);
@@ -122,7 +122,7 @@ std::vector<Edit> type_digit(DocumentView& v, const Design& design, int digit, d
     edits.push_back(clear_edit(c, design.draft));
     go_on(v, design.draft);
   } else if (number == 0 || number > limit) {
-    v.select.notice = why_no_number(c.grid, number, limit);
+    v.select.refusal = why_no_number(c.grid, number, limit);
   } else {
     c.typed = number;
     c.until_s = now_s + kDigitWaitS;

@@ -11,7 +11,7 @@
 
 namespace weftlight::views {
 
-using analysis::WeaveLayer, analysis::interlacing, analysis::loom_use, analysis::sett_per_cm, analysis::thread_list,
+using analysis::WeaveLayer, analysis::loom_use, analysis::firm_sett_per_cm, analysis::thread_list,
     analysis::weave_layers, analysis::wraps_per_cm, analysis::yarn_report;
 using base::arg, base::fill, base::tr, base::tr_n;
 using draft::Draft, draft::fewest_for;
@@ -24,7 +24,7 @@ void analyse(const PanelContext& c, AnalysisState& s) {
   s.layers = weave_layers(c.cells);
   s.loom = loom_use(c.design.draft);
   s.fewest = fewest_for(c.cells);
-  s.interlacings = interlacing(c.cells);
+  s.firm_sett = firm_sett_per_cm(c.cells, s.layers, 1);
   s.yarn = yarn_report(c.design, {});
 }
 
@@ -87,10 +87,9 @@ void draw_yarn_use(const PanelContext& c, const AnalysisState& s) {
             arg("picks", s.yarn.picks_per_cm)));
   const double wraps = wraps_per_cm(c.design.yarns.front().diameter_mm);
   fact(c, tr("Firm sett"),
-       fill(tr("{sett:.1f} per cm ({wraps:.1f} wraps)"), arg("sett", sett_per_cm(wraps, s.interlacings.weft)),
-            arg("wraps", wraps)),
+       fill(tr("{sett:.1f} per cm ({wraps:.1f} wraps)"), arg("sett", wraps * s.firm_sett), arg("wraps", wraps)),
        tr("Ends per cm on the loom for a firm cloth of the first yarn in this weave, from its wraps per cm "
-          "(Ashenhurst)"));
+          "(Ashenhurst); in all layers together"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct AnalysisState {
   std::vector<analysis::WeaveLayer> layers;
   analysis::LoomUse loom;
   LoomSize fewest;
-  analysis::Interlacing interlacings;
+  double firm_sett = 0;  // as a fraction of the wraps
   analysis::YarnReport yarn;
 };
 

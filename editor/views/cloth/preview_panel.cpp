@@ -20,8 +20,8 @@ using design::Design, design::Method, design::NamedView, design::kShadedMethods,
 using scene::ShippedView, scene::kShippedViews;
 using session::Compare, session::DocumentView, session::Edit, session::Settings, session::kDifferenceScale,
     session::orbited, session::wrapped_degrees, session::zoomed;
-using ui::Colors, ui::blend, ui::fitted, ui::fixed, ui::font_size, ui::hit_area, ui::letter_down, ui::push_font,
-    ui::segmented, ui::texture_of, ui::tooltip, ui::with_alpha;
+using ui::Colors, ui::Style, ui::blend, ui::fitted, ui::fixed, ui::font_size, ui::hit_area, ui::letter_down,
+    ui::push_font, ui::segmented, ui::texture_of, ui::tooltip, ui::with_alpha;
 
 namespace {
 
@@ -210,54 +210,60 @@ void draw_views_menu(PanelContext& c) {
   if (!c.design.views.empty()) item(tr("Rename or delete views\xE2\x80\xA6"), "views_change");
 }
 
-/// Left of `at`, where the Drape and Flat buttons begin.
+// The buttons over the picture, pixels at 96 dpi.
+constexpr float kWaysWidth = 120, kViewsWidth = 64, kGrazingWidth = 72, kButtonGap = 8, kButtonMargin = 14;
+
 void draw_views_button(PanelContext& c, ImVec2 at) {
-  constexpr float kWidth = 64, kGap = 8;  // pixels at 96 dpi
   const Colors& k = c.style.color;
-  ImGui::SetCursorScreenPos({at.x - c.style.px(kWidth + kGap), at.y});
+  ImGui::SetCursorScreenPos(at);
   ImGui::PushStyleColor(ImGuiCol_Button, blend(k.panel, k.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(k.panel, k.text, 0.14f));
-  if (ImGui::Button(tr("Views"), {c.style.px(kWidth), 0})) ImGui::OpenPopup("views");
+  if (ImGui::Button(tr("Views"), {c.style.px(kViewsWidth), 0})) ImGui::OpenPopup("views");
   c.map.add_item("views");
   tooltip(c, tr("Views of the cloth, and your own, which are saved with the draft"));
   ImGui::PopStyleColor(2);
-  ImGui::SetNextWindowPos({at.x - c.style.px(kWidth + kGap), at.y + ImGui::GetFrameHeight() + c.style.px(4)});
+  ImGui::SetNextWindowPos({at.x, at.y + ImGui::GetFrameHeight() + c.style.px(4)});
   if (ImGui::BeginPopup("views")) {
     draw_views_menu(c);
     ImGui::EndPopup();
   }
-  ImGui::SetCursorScreenPos(at);
 }
 
-/// Left of the Views button, while the swatch is flat.
-void draw_grazing_button(Panel& c, ImVec2 at, float width) {
+/// While the swatch is flat.
+void draw_grazing_button(Panel& c, ImVec2 at) {
   const Colors& k = c.style.color;
   const bool on = c.view.grazing;
   ImGui::SetCursorScreenPos(at);
   ImGui::PushStyleColor(ImGuiCol_Button, on ? k.accent_soft : blend(k.panel, k.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? k.accent_soft : blend(k.panel, k.text, 0.14f));
-  if (ImGui::Button(tr("Grazing"), {width, 0})) c.wanted.add_action("grazing");
+  if (ImGui::Button(tr("Grazing"), {c.style.px(kGrazingWidth), 0})) c.wanted.add_action("grazing");
   c.map.add_item(on ? "grazing.on" : "grazing");
   tooltip(c, tr("Light low from the side, which shows the relief of every thread"));
   ImGui::PopStyleColor(2);
 }
 
-/// Draped or flat, over the corner of the picture. Called before the view below it, so that it gets the pointer first.
+/// Draped or flat, and the views, at the upper right; in a narrow pane one below the other. Called before the view
+/// below them, so that they get the pointer first.
 void draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
   constexpr const char* kWays[] = {mark("Drape"), mark("Flat")};
-  constexpr float kWidth = 120, kMinPane = 330;  // pixels at 96 dpi
-  if (pane.x < c.style.px(kMinPane)) return;
+  const Style& s = c.style;
+  const float margin = s.px(kButtonMargin), row = ImGui::GetFrameHeight() + s.px(6);
+  if (pane.x < s.px(kWaysWidth) + 2 * margin || pane.y < 2 * row) return;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSetCurrent(1);
-  ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
-  draw_views_button(c, {a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
-  constexpr float kViews = 72, kGrazing = 72, kMinForGrazing = 330;  // the Views button with its gap
-  if (c.view.flat && pane.x >= c.style.px(kMinForGrazing))
-    draw_grazing_button(c, {a.x + pane.x - c.style.px(kWidth + 14 + kViews + 8 + kGrazing), a.y + c.style.px(12)},
-                        c.style.px(kGrazing));
-  ImGui::SetCursorScreenPos({a.x + pane.x - c.style.px(kWidth + 14), a.y + c.style.px(12)});
+  const float right = a.x + pane.x - margin;
+  ImVec2 left{right - s.px(kWaysWidth), a.y + s.px(12)};
+  // Places a button to the left, or in the next row.
+  const auto place = [&](float width) {
+    left.x -= width + s.px(kButtonGap);
+    if (left.x < a.x + margin) left = {right - width, left.y + row};
+    return left;
+  };
+  ImGui::SetCursorScreenPos(left);
   int way = c.view.flat ? 1 : 0;
-  if (segmented(c, "hanging", kWays, way, c.style.px(kWidth))) c.wanted.add_action("flat");
+  if (segmented(c, "hanging", kWays, way, s.px(kWaysWidth))) c.wanted.add_action("flat");
+  draw_views_button(c, place(s.px(kViewsWidth)));
+  if (c.view.flat) draw_grazing_button(c, place(s.px(kGrazingWidth)));
   dl->ChannelsSetCurrent(0);
   ImGui::SetCursorScreenPos(a);
 }

@@ -25,6 +25,7 @@ struct FrameNotes {
   const char* hint = "";        // how to use what is under the pointer, for the status bar; translated
   bool crosshair = false;       // the cursor is a crosshair
   bool selection_menu = false;  // open the context menu in this frame
+  bool popup_closed = false;    // Escape closed a list or menu in this frame
   bool again = false;           // draw another frame, because something moves by itself
 };
 

@@ -17,7 +17,7 @@ using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::Design;
 using draft::CellRect;
 using session::ClosestWeave, session::DocumentView, session::Edit, session::MaybeEdit, session::show_place;
-using ui::muted_text;
+using ui::begin_list, ui::muted_text;
 
 namespace {
 
@@ -28,17 +28,14 @@ void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
   const ClosestWeave& n = *p.closest;
   const int places = static_cast<int>(n.places.size());
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  ImGui::BeginChild("places",
-                    {c.style.px(kWidth), static_cast<float>(std::min(places, kShownPlaces)) * line + c.style.px(4)});
+  begin_list("places", {c.style.px(kWidth), static_cast<float>(std::min(places, kShownPlaces)) * line + c.style.px(4)});
   for (int i = 0; i < places; ++i) {
     const CellRect& at = n.places[static_cast<size_t>(i)];
-    ImGui::PushID(i);
-    if (ImGui::Selectable(analysis::region_text(at).c_str(), i == p.place)) {
+    const std::string id = "closest.place:" + std::to_string(i + 1);
+    if (list_row(c, id.c_str(), analysis::region_text(at).c_str(), i == p.place)) {
       p.place = i;
       c.wanted.change_view([i, at](DocumentView& v) { show_place(v, i, at); });
     }
-    ImGui::PopID();
-    c.map.add_item("closest.place:" + std::to_string(i + 1));
   }
   ImGui::EndChild();
 }

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "ui/imgui_compat.h"
+#include "ui/keyboard.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -43,12 +44,20 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
     if (i == 0 ? primary_button(c, id.c_str(), label) : text_button(c, id.c_str(), label, nullptr)) pressed = i;
     if (i > 0) ImGui::SameLine();
   }
-  return pressed < 0 && enter_presses_first && enter_pressed() ? 0 : pressed;
+  return pressed < 0 && enter_presses_first && enter_pressed() && !takes_enter(c.map) ? 0 : pressed;
 }
 
 DialogResult dialog_result(int button, int cancel_button) {
   if (button < 0) return {};
   return {button == cancel_button ? DialogOutcome::kCancelled : DialogOutcome::kDone, button, {}};
+}
+
+unsigned field_of_number(const char* label) {
+  // The field in the group that ImGui makes of it and its two buttons.
+  ImGui::PushID(label);
+  const ImGuiID field = ImGui::GetID("");
+  ImGui::PopID();
+  return field;
 }
 
 void heading(PanelContext& c, const std::string& text) {
@@ -64,9 +73,9 @@ void number(PanelContext& c, const char* id, const char* label, int& value, int 
   ImGui::SetNextItemWidth(c.style.px(140));
   ImGui::PushID(id);
   ImGui::InputInt("##n", &value, 1, 10);
-  ImGui::PopID();
   ImGui::PopFont();
-  c.map.add_item(id);
+  c.map.add_field(id, field_of_number("##n"));
+  ImGui::PopID();
   value = std::clamp(value, min, max);
 }
 

@@ -12,6 +12,8 @@ using session::MaybeEdit;
 using weaves::WeaveKind, weaves::WeaveValues;
 
 void heading(PanelContext& c, const std::string& text);
+/// The id of the text field in ImGui::InputInt with steps, under its id.
+unsigned field_of_number(const char* label);
 /// A labelled whole number with steps of one and ten.
 void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max);
 /// The buttons at the lower right; the first is the primary one and outermost. Labels are marked texts, and the map has

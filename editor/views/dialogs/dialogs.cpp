@@ -1,12 +1,14 @@
 #include "views/dialogs/dialogs.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 
 #include "base/text.h"
 #include "ui/imgui_compat.h"
+#include "ui/keyboard.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
@@ -14,11 +16,15 @@ namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using draft::kMaxShafts, draft::kMaxThreads;
-using ui::Colors, ui::blend, ui::fitted, ui::key_pressed, ui::muted_text, ui::row_label, ui::segmented, ui::text_button;
+using ui::Colors, ui::begin_list, ui::blend, ui::close_popups_above, ui::fitted, ui::key_pressed, ui::muted_text,
+    ui::open_popups, ui::row_label, ui::segmented, ui::text_button;
 
 namespace {
 
 bool escape_pressed() { return key_pressed(ImGuiKey_Escape, false); }
+
+/// Popups up to the dialog that is being drawn.
+int dialog_depth() { return ImGui::GetCurrentContext()->BeginPopupStack.Size; }
 
 DialogResult draw(PanelContext&, std::monostate&) { return {}; }
 
@@ -57,7 +63,7 @@ DialogResult draw(PanelContext& c, NamesPrompt& p) {
   heading(c, p.title);
   const float row = ImGui::GetFrameHeightWithSpacing(), width = c.style.px(380);
   const auto rows = static_cast<float>(std::min(static_cast<int>(p.names.size()), kMaxRows));
-  ImGui::BeginChild("##names", {width, rows * row});
+  begin_list("##names", {width, rows * row});
   for (size_t i = 0; i < p.names.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     ImGui::PushID(static_cast<int>(i));
@@ -141,13 +147,13 @@ DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
   const float width = c.style.px(480), when = c.style.px(230);
   const float line = 2 * ImGui::GetTextLineHeightWithSpacing() + c.style.px(4);
   const int shown = std::min(static_cast<int>(p.rows.size()), kMaxRows);
-  ImGui::BeginChild("##left", {width, static_cast<float>(shown) * (line + ImGui::GetStyle().ItemSpacing.y)});
+  begin_list("##left", {width, static_cast<float>(shown) * (line + ImGui::GetStyle().ItemSpacing.y)});
   for (int i = 0; i < static_cast<int>(p.rows.size()); ++i) {
     const RecoveryPrompt::Row& row = p.rows[static_cast<size_t>(i)];
     ImGui::PushID(i);
     const ImVec2 at = ImGui::GetCursorPos();
-    if (ImGui::Selectable("##row", i == p.chosen, 0, {0, line})) p.chosen = i;
-    c.map.add_item("recovery:" + std::to_string(i + 1));
+    const std::string id = "recovery:" + std::to_string(i + 1);
+    if (list_row(c, id.c_str(), "##row", i == p.chosen, line)) p.chosen = i;
     const ImVec2 next = ImGui::GetCursorPos();
     ImGui::SetCursorPos({at.x + c.style.px(6), at.y + c.style.px(2)});
     ImGui::TextUnformatted(fitted(row.name, when - c.style.px(16)).c_str());
@@ -220,8 +226,12 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   DialogResult result;
   if (ImGui::BeginPopupModal(
           kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
+    const int depth = dialog_depth();
+    const bool list_open = open_popups() > depth;
     result = std::visit([&](auto& d) { return draw(c, d); }, dialog);
-    if (result.outcome == DialogOutcome::kOpen && escape_pressed()) result = {DialogOutcome::kCancelled, -1, {}};
+    if (list_open && escape_pressed()) close_popups_above(depth);
+    else if (result.outcome == DialogOutcome::kOpen && escape_pressed() && !c.frame.popup_closed)
+      result = {DialogOutcome::kCancelled, -1, {}};
     if (result.outcome == DialogOutcome::kCancelled)
       if (MaybeEdit back = restored(dialog)) result.edit = std::move(back);
     if (result.outcome != DialogOutcome::kOpen) ImGui::CloseCurrentPopup();

@@ -10,6 +10,7 @@
 #include "views/dialogs/export_dialog.h"
 #include "views/dialogs/gallery.h"
 #include "views/dialogs/print_dialog.h"
+#include "views/dialogs/weave_preview.h"
 #include "weaves/table.h"
 
 namespace weftlight::views {
@@ -41,6 +42,7 @@ struct WeavePrompt {
   int ends = 64, picks = 64;
   ClothSize repeat{0, 0};
   bool own_size = false;  // the size was typed; otherwise it is whole repeats
+  std::shared_ptr<WeavePreview> preview{};
 };
 /// The weave with its default parameters, near that size.
 WeavePrompt prompt_for(int kind, ClothSize about);

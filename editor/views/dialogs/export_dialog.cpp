@@ -22,8 +22,8 @@ using session::PictureRect, session::PreviewSizes, session::ShownChannel, sessio
     session::toggle;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::alpha_name, texture_set::kTargets,
     texture_set::key_of;
-using ui::begin_combo, ui::end_combo, ui::fitted, ui::hit_area, ui::muted_text, ui::push_font, ui::row_label,
-    ui::segmented, ui::slider, ui::text_button, ui::tooltip;
+using ui::begin_combo, ui::begin_list, ui::end_combo, ui::fitted, ui::hit_area, ui::muted_text, ui::push_font,
+    ui::row_label, ui::segmented, ui::slider, ui::text_button, ui::tooltip;
 
 bool ExportStage::poll() {
   std::optional<base::Result<ExportPreview>> finished = preview.take();
@@ -331,7 +331,7 @@ DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   const DialogSizes room = sizes_in(c);
   const Exporter::State state = p.exporter->state();
   heading(c, tr("Export texture set"));
-  ImGui::BeginChild("choices", {room.column, room.height});
+  begin_list("choices", {room.column, room.height});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(kLabels + 8);
   draw_targets(c, p, width);
   ImGui::Dummy({0, c.style.px(2)});

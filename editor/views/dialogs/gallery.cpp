@@ -18,8 +18,8 @@ namespace weftlight::views {
 using base::mark, base::tr;
 using session::Settings, session::Step, session::Thumbnail, session::forget, session::found_cards,
     session::kThumbnailHeight, session::kThumbnailWidth, session::stepped, session::time_in_words;
-using ui::Colors, ui::blend, ui::fitted, ui::font_size, ui::hit_area, ui::key_pressed, ui::muted_text, ui::push_font,
-    ui::segmented, ui::tooltip, ui::with_alpha;
+using ui::Colors, ui::blend, ui::fitted, ui::font_size, ui::hit_area, ui::key_pressed, ui::keyboard_frame_shown,
+    ui::muted_text, ui::push_font, ui::segmented, ui::tooltip, ui::with_alpha;
 
 GalleryPictures::GalleryPictures(std::string cache_folder, std::function<void()> wake, int64_t now_ns)
     : now_ns_(now_ns), thumbnails_(std::move(cache_folder), std::move(wake)) {}
@@ -196,6 +196,7 @@ ClickedCard draw_cards(PanelContext& c, GalleryPrompt& p, const std::vector<Gall
 }
 
 void move_choice(GalleryPrompt& p, int count, int columns) {
+  if (keyboard_frame_shown()) return;  // they go through the controls
   const auto step = [&](ImGuiKey key, Step by) {
     if (!key_pressed(key)) return;
     p.chosen = stepped(p.chosen, count, columns, by);
@@ -216,7 +217,10 @@ void draw_head(PanelContext& c, GalleryPrompt& p, float width) {
   ImGui::SameLine(width - search + ImGui::GetStyle().WindowPadding.x);
   ImGui::SetNextItemWidth(search);
   if (ImGui::IsWindowAppearing() || std::exchange(p.focus, false)) ImGui::SetKeyboardFocusHere();
-  if (ImGui::InputTextWithHint("##typed", tr("Search by name or folder"), &p.typed))
+  // Up and down are for the cards: a field with a history keeps them from the keyboard's way through the controls.
+  const auto no_history = [](ImGuiInputTextCallbackData*) { return 0; };
+  if (ImGui::InputTextWithHint("##typed", tr("Search by name or folder"), &p.typed, ImGuiInputTextFlags_CallbackHistory,
+                               no_history))
     p.chosen = p.typed.empty() ? -1 : 0;
   c.map.add_item("gallery.typed");
   ImGui::Dummy({0, c.style.px(4)});

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
 #include "ui/icons.h"
@@ -17,8 +19,8 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::problem_of, base::tr;
 using print::NamedPart, print::Paper, print::PrintFormat, print::PrintOptions, print::SheetPicture, print::kPapers,
     print::kParts, print::picture_of_sheet;
-using ui::begin_combo, ui::begin_padded_child, ui::end_combo, ui::fitted, ui::hit_area, ui::icon_button, ui::row_label,
-    ui::segmented, ui::slider;
+using ui::begin_combo, ui::begin_list, ui::begin_padded_child, ui::end_combo, ui::fitted, ui::hit_area, ui::icon_button,
+    ui::row_label, ui::segmented, ui::slider;
 
 SheetPreview::SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake)
     : design_(std::move(design)), runner_(std::move(wake)) {}
@@ -55,6 +57,10 @@ const char* ending_of(PrintFormat format) {
   return kEndings[static_cast<int>(format)];
 }
 
+PrintPrompt::Button PrintPrompt::button(int pressed) const {
+  return static_cast<Button>(std::clamp(pressed + (has_printer ? 0 : 1), 0, 2));
+}
+
 namespace {
 
 constexpr float kPreviewWidth = 380, kPreviewHeight = 470, kColumn = 330;  // pixels at 96 dpi
@@ -82,7 +88,7 @@ void draw_sheet(PanelContext& c, const PrintPrompt& p, const PrintOptions& o) {
   if (problem.empty() && !p.preview->texture().empty()) dl->AddImage(p.preview->texture().id(), a, b);
   dl->AddRect(a, b, c.style.color.line_strong);
   ImGui::SetCursorScreenPos(a);
-  hit_area("sheet", size);
+  ImGui::Dummy(size);
   c.map.add_item("print.sheet");
   if (problem.empty() && last.sheets > 0 && last.sheet == std::min(p.sheet, last.sheets - 1) && !p.preview->busy())
     c.map.add_item("print.ready");
@@ -154,6 +160,31 @@ void draw_parts(PanelContext& c, PrintPrompt& p) {
   }
 }
 
+/// What of the draft, and which of its sheets.
+void draw_extent(PanelContext& c, PrintPrompt& p, float width) {
+  constexpr const char* kExtents[] = {mark("Whole draft"), mark("One repeat")};
+  row_label(c, tr("Extent"), tr("Grids and lists of one repeat; heddles, yarn and swatch are always of the whole"));
+  int extent = p.options.one_repeat ? 1 : 0;
+  segmented(c, "print.extent", kExtents, extent, width);
+  p.options.one_repeat = extent == 1;
+  const int sheets = std::max(1, p.preview->last().sheets);
+  row_label(c, tr("Sheets"), tr("The first and the last sheet to print"));
+  const auto field = [&](const char* id, int& value, int shown) {
+    ImGui::SetNextItemWidth(c.style.px(64));
+    ImGui::PushID(id);
+    if (ImGui::InputInt("##n", &shown, 0)) value = std::clamp(shown, 1, print::kMaxSheets);
+    ImGui::PopID();
+    c.map.add_item(id);
+  };
+  field("print.first", p.options.first_sheet, std::min(p.options.first_sheet, sheets));
+  ImGui::SameLine();
+  ImGui::TextUnformatted("\xE2\x80\x93");
+  ImGui::SameLine();
+  const int last = p.options.last_sheet;
+  field("print.last", p.options.last_sheet, last > 0 ? std::min(last, sheets) : sheets);
+  if (p.options.last_sheet == sheets) p.options.last_sheet = 0;  // follows the number of sheets
+}
+
 void draw_format(PanelContext& c, PrintPrompt& p, float width) {
   constexpr const char* kFormats[] = {"PDF", "SVG", "PNG"};
   row_label(c, tr("Format"), tr("A PDF holds all sheets; SVG and PNG are one file per sheet"));
@@ -177,16 +208,21 @@ DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p) {
   ImGui::EndGroup();
   ImGui::SameLine(0, c.style.px(20));
   ImGui::BeginGroup();
-  ImGui::BeginChild("choices", {c.style.px(kColumn), c.style.px(kPreviewHeight)});
+  begin_list("choices", {c.style.px(kColumn), c.style.px(kPreviewHeight)});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(112);
   draw_paper(c, p, width);
   draw_scale(c, p, width);
   ImGui::Dummy({0, c.style.px(4)});
   draw_parts(c, p);
   ImGui::Dummy({0, c.style.px(4)});
+  draw_extent(c, p, width);
+  ImGui::Dummy({0, c.style.px(4)});
   draw_format(c, p, width);
   ImGui::EndChild();
-  DialogResult result = dialog_result(draw_buttons(c, {mark("Save\xE2\x80\xA6"), mark("Cancel")}, true));
+  std::vector<std::string> buttons{mark("Save\xE2\x80\xA6"), mark("Cancel")};
+  if (p.has_printer) buttons.insert(buttons.begin(), mark("Print"));
+  const int pressed = draw_buttons(c, buttons, true);
+  DialogResult result = dialog_result(pressed, static_cast<int>(buttons.size()) - 1);
   ImGui::EndGroup();
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
   p.preview->ask(chosen_options(p), p.sheet,

@@ -56,7 +56,11 @@ struct PrintPrompt {
   bool own_scale = false;
   float cell_mm = 3;
   int sheet = 0;
+  bool has_printer = false;  // the system takes print jobs
   std::shared_ptr<SheetPreview> preview{};
+  enum class Button { kPrint, kSave, kCancel };
+  /// Meaning of the pressed button; without a printer there is none for it.
+  Button button(int pressed) const;
 };
 /// The options, from the choices of the dialog.
 print::PrintOptions chosen_options(const PrintPrompt& p);

@@ -21,7 +21,8 @@ using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::Assembly, design::Design, design::ThreadSection;
 using draft::Rgb, draft::System, draft::kMaxThreads;
 using session::Edit, session::MaybeEdit;
-using ui::fitted, ui::icon_button, ui::muted_text, ui::row_label, ui::segmented, ui::text_button, ui::with_alpha;
+using ui::begin_list, ui::fitted, ui::icon_button, ui::muted_text, ui::row_label, ui::segmented, ui::text_button,
+    ui::with_alpha;
 using weaves::OrderItem, weaves::OrderRow, weaves::assembled, weaves::assembled_threads, weaves::free_section_name,
     weaves::item_at, weaves::list_of, weaves::order_rows, weaves::order_text, weaves::read_order, weaves::section_name,
     weaves::section_of, weaves::with_section;
@@ -106,7 +107,7 @@ void draw_strip(const PanelContext& c, const Page& page, const ThreadSection& se
 }
 
 void draw_sections(PanelContext& c, Page& page) {
-  ImGui::BeginChild("sections", {c.style.px(kWidth), c.style.px(kSections)});
+  begin_list("sections", {c.style.px(kWidth), c.style.px(kSections)});
   int deleted = -1;
   for (size_t i = 0; i < page.assembly.sections.size(); ++i) {
     const ThreadSection& section = page.assembly.sections[i];
@@ -151,7 +152,7 @@ RowRequest draw_row(PanelContext& c, const OrderRow& row, int index, int& times)
   ImGui::SameLine(c.style.px(170));
   ImGui::SetNextItemWidth(c.style.px(90));
   ImGui::InputInt("##times", &times);
-  c.map.add_item("sections.times:" + number);
+  c.map.add_field("sections.times:" + number, field_of_number("##times"));
   times = std::clamp(times, 1, kMaxThreads);
   const auto button = [&](const char* id, const char* label, const char* tip, RowRequest to) {
     ImGui::SameLine(0, c.style.px(4));
@@ -195,7 +196,7 @@ void draw_order(PanelContext& c, Page& page) {
   page.changed |= ImGui::InputTextWithHint("##order", "A 4x, (B C) 3x, A", &page.assembly.order);
   c.map.add_item("sections.order");
   base::Result<std::vector<OrderItem>> order = read_order(page.assembly.order);
-  ImGui::BeginChild("order", {c.style.px(kWidth), c.style.px(kRows)});
+  begin_list("order", {c.style.px(kWidth), c.style.px(kRows)});
   if (order) {
     const std::vector<OrderRow> rows = order_rows(*order);
     RowRequest requested = RowRequest::kNone;

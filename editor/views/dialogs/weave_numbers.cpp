@@ -77,10 +77,8 @@ bool draw_weave_list(PanelContext& c, int& chosen, float width, float height) {
   for (int i = 0; i < static_cast<int>(weave_kinds().size()); ++i) {
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(i)];
     if (family != kind.family) muted_text(c, tr((family = kind.family).c_str()));
-    ImGui::PushID(kind.id);
-    if (ImGui::Selectable((std::string("  ") + tr(kind.name)).c_str(), i == chosen)) chosen = i;
-    ImGui::PopID();
-    c.map.add_item(std::string("weave:") + kind.id);
+    const std::string id = std::string("weave:") + kind.id;
+    if (list_row(c, id.c_str(), (std::string("  ") + tr(kind.name)).c_str(), i == chosen)) chosen = i;
   }
   ImGui::EndChild();
   ImGui::PopStyleVar(2);

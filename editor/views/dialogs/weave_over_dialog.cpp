@@ -15,7 +15,7 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr;
 using design::Design;
 using session::Edit, session::MaybeEdit;
-using ui::muted_text;
+using ui::begin_list, ui::muted_text;
 using weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::weave_kinds, weaves::with_weave;
 
 namespace {
@@ -46,7 +46,7 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
     changed = true;
   }
   ImGui::SameLine(0, c.style.px(16));
-  ImGui::BeginChild("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
+  begin_list("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
   muted_text(c, tr(kind_of(p).description));
   ImGui::PopTextWrapPos();
@@ -54,7 +54,10 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   if (changed) result.edit = preview_edit(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  muted_text(c, p.why);
+  if (!check_values(kind_of(p), p.use.values)) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
+  else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::TextUnformatted(p.why.c_str());
+  ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
   const DialogResult button = dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true));

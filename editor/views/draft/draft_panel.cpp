@@ -11,6 +11,7 @@
 #include "views/draft/drag_scroll.h"
 #include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
+#include "views/draft/leading_marks.h"
 #include "views/draft/select_input.h"
 #include "views/draft/selection_draw.h"
 #include "views/draft/thread_labels.h"
@@ -72,6 +73,16 @@ const char* paint_hint(GridId id) {
   }
 }
 
+/// Says how to use the grid; a pointer over a locked one says that it takes nothing.
+void tell_about(DraftContext& c, GridId id) {
+  const bool locked = c.select.tool != Tool::kSelect && is_locked(c, id);
+  if (locked) {
+    c.frame.hint = tr("Locked, because it follows. Unlock it by the padlock or in the Draft menu");
+    return ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
+  }
+  c.frame.hint = c.select.tool == Tool::kPaint ? paint_hint(id) : tool_hint(c.select.tool);
+}
+
 /// A click with the tool that types numbers.
 void place_cursor(DraftContext& c, const GridPane& pane, Cell at) {
   if (ImGui::IsItemActivated() && at.valid())
@@ -100,14 +111,16 @@ bool grid_input(DraftContext& c, const GridPane& pane) {
   const ImVec2 hand = hand_at(c.style);
   if (ImGui::IsItemHovered() || active) {
     c.frame.hover = {pane.id, active ? pane.nearest(hand) : pane.at(hand)};
-    c.frame.hint = c.select.tool == Tool::kPaint ? paint_hint(pane.id) : tool_hint(c.select.tool);
+    tell_about(c, pane.id);
   }
   use_tool(c, pane, hand);
   return active;
 }
 
 void zoom(DraftContext& c, const DraftLayout& l, float steps) {
-  const float pitch = zoomed_pitch(l.pitch, steps);
+  const Draft& d = c.design.draft;
+  const float smallest = std::min(l.pitch, smallest_pitch(c.view, d.ends(), d.picks()));
+  const float pitch = std::max(smallest, zoomed_pitch(l.pitch, steps));
   const ImVec2 at = ImGui::GetIO().MousePos;
   const float end = scroll_about(l.drawdown.x, std::clamp(at.x, l.drawdown.min().x, l.drawdown.max().x), pitch);
   const float pick = scroll_about(l.drawdown.y, std::clamp(at.y, l.drawdown.min().y, l.drawdown.max().y), pitch);
@@ -178,21 +191,26 @@ void scrollbar(DraftContext& c, const char* id, const Axis& axis, Scroll scroll,
   else ImGui::GetWindowDrawList()->AddRectFilled({min.x + r, at}, {max.x - r, at + grip}, color, r);
 }
 
-void scrollbars(DraftContext& c, const DraftLayout& l) {
+/// True if the pointer is on one of the drawdown's.
+bool scrollbars(DraftContext& c, const DraftLayout& l) {
+  bool hovered = false;
   const ImVec2 a = l.drawdown.min(), b = l.drawdown.max(), lift = l.lift.max(), shafts = l.threading.min();
   // On the side away from the threading.
   const float thick = c.style.px(9), below = l.threading_below ? a.y - 3 - thick : b.y + 3;
   if (l.scroll_ends)
     scrollbar(c, "scroll.ends", l.drawdown.x, &DraftView::scroll_end, {a.x, below}, {b.x, below + thick}, true);
+  hovered |= l.scroll_ends && (ImGui::IsItemHovered() || ImGui::IsItemActive());
   if (l.scroll_treadles)
     scrollbar(c, "scroll.treadles", l.lift.x, &DraftView::scroll_treadle, {l.lift.min().x, below},
               {lift.x, below + thick}, true);
   if (l.scroll_picks)
     scrollbar(c, "scroll.picks", l.drawdown.y, &DraftView::scroll_pick, {l.max.x - thick - 2, a.y}, {l.max.x - 2, b.y},
               false);
+  hovered |= l.scroll_picks && (ImGui::IsItemHovered() || ImGui::IsItemActive());
   if (l.scroll_shafts)
     scrollbar(c, "scroll.shafts", l.threading.y, &DraftView::scroll_shaft, {l.max.x - thick - 2, shafts.y},
               {l.max.x - 2, l.threading.max().y}, false);
+  return hovered;
 }
 
 /// A dot at end 1 and pick 1, where reading starts.
@@ -230,6 +248,7 @@ void draw_grids(ImDrawList* dl, DraftContext& c, const DraftLayout& l, DraftPict
   draw_long_floats(dl, c, l.drawdown);
   draw_differences(dl, c, l.drawdown);
   if (c.settings.show_repeat) draw_repeat(dl, c, l.drawdown);
+  draw_leading(dl, c, l);
 }
 
 }  // namespace
@@ -249,13 +268,14 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   }
   pressed |= choose_by_labels(c, l);
   if (pressed) pictures.held.hold(l, c.view);
-  scrollbars(c, l);
+  if (scrollbars(c, l)) pictures.minimap.call();
   navigate(c, l, pictures.held);
   if (scroll_with_drag(c, l)) pictures.held.let_scroll();
   ImDrawList* dl = ImGui::GetWindowDrawList();
   draw_grids(dl, c, l, pictures);
   draw_chosen(dl, c, l);
   draw_rulers(dl, c, l);
+  draw_locks(dl, c, l);
   draw_origin(dl, c, l);
   draw_shape(dl, c, l);
   draw_selection(dl, c, l);

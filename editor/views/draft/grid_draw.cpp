@@ -8,6 +8,7 @@
 #include "session/editing/paint.h"
 #include "ui/imgui_compat.h"
 #include "views/common/cell_image.h"
+#include "views/draft/leading_marks.h"
 
 namespace weftlight::views {
 
@@ -216,7 +217,8 @@ void draw_coverage(ImDrawList* dl, const DraftContext& c, const GridPane& p, boo
 void draw_bits(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   const ImVec2 a = p.min(), b = p.max();
   dl->PushClipRect(a, {b.x + 1, b.y + 1}, true);
-  dl->AddRectFilled(a, b, c.style.color.paper);
+  // A locked grid lies in the panel, as paper that cannot be written on.
+  dl->AddRectFilled(a, b, is_locked(c, p.id) ? c.style.color.panel : c.style.color.paper);
   draw_lines(dl, c, p);
   if (std::min(p.x.pitch, p.y.pitch) < 1) {
     draw_coverage(dl, c, p, p.x.pitch < p.y.pitch);
@@ -249,21 +251,41 @@ void draw_color_bar(ImDrawList* dl, const DraftContext& c, const GridPane& p, Sy
   dl->PopClipRect();
 }
 
+namespace {
+
+/// Strokes from corner to corner of the cells of a float: seen without its colour, too.
+void draw_hatch(ImDrawList* dl, const DraftContext& c, const GridPane& p, int end, int pick, int stop) {
+  constexpr float kHatchFrom = 5;  // pixels a cell
+  if (std::min(p.x.pitch, p.y.pitch) < kHatchFrom) return;
+  const float thick = p.x.pitch >= 12 ? 1.6f : 1.0f;
+  for (int i = pick; i < stop; ++i) {
+    const ImVec2 a{p.x.low(end), p.y.high(i)}, b{p.x.high(end), p.y.low(i)};
+    dl->AddLine({a.x + 1, a.y + 1}, {b.x + 1, b.y + 1}, with_alpha(c.style.color.paper, 0.8f), thick);
+    dl->AddLine(a, b, c.style.color.ink, thick);
+  }
+}
+
+}  // namespace
+
 void draw_long_floats(ImDrawList* dl, const DraftContext& c, const GridPane& p) {
   if (!c.show_floats || c.report == nullptr || c.report->revision != c.revision) return;
   const BitMatrix& marks = c.view.face == Face::kFront ? c.report->front : c.report->back;
   constexpr float kMinPitch = 1;  // pixels per cell; below, the tint would cover everything
   if (p.x.pitch < kMinPitch || marks.cols() != p.x.count || marks.rows() != p.y.count) return;
   const ImU32 tint = with_alpha(c.style.color.error, 0.55f);
+  dl->PushClipRect(p.min(), p.max(), true);
   for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) {
     for (int pick = p.y.first_visible(); pick < p.y.end_visible();) {
       int stop = pick;
       while (stop < p.y.end_visible() && marks.get(stop, end)) ++stop;
-      if (stop > pick)
+      if (stop > pick) {
         dl->AddRectFilled({p.x.low(end), low_of(p.y, pick, stop)}, {p.x.high(end), high_of(p.y, pick, stop)}, tint);
+        draw_hatch(dl, c, p, end, pick, stop);
+      }
       pick = stop + 1;
     }
   }
+  dl->PopClipRect();
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/text.h"
 #include "ui/widgets.h"
@@ -61,14 +62,29 @@ float scroll_at(const Axis& axis, float t) {
 
 }  // namespace
 
+/// True while it is shown, from the first move of the draft on.
+void Minimap::follow(const DraftContext& c, const DraftLayout& l) {
+  constexpr double kShownS = 2.5;
+  const Part now{l.pitch, l.drawdown.x.scroll, l.drawdown.y.scroll};
+  const double seconds = ImGui::GetTime();
+  const bool switched_on = c.settings.minimap && !std::exchange(wanted_, c.settings.minimap) && part_.pitch > 0;
+  const bool moved = part_.pitch > 0 && !(now == part_);
+  part_ = now;
+  if (std::exchange(called_, false) || moved || switched_on || on_) goes_at_s_ = seconds + kShownS;
+  if (goes_at_s_ >= 0 && seconds >= goes_at_s_) goes_at_s_ = -1;
+}
+
 void Minimap::apply_input(DraftContext& c, const DraftLayout& l) {
-  const std::optional<PixelRect> at = image_rect(c, l);
+  follow(c, l);
+  on_ = false;
+  const std::optional<PixelRect> at = goes_at_s_ < 0 ? std::nullopt : image_rect(c, l);
   if (!at) return;
   const float pad = c.style.px(kPad);
   ImGui::SetCursorScreenPos({at->min.x - pad, at->min.y - pad});
   hit_area("minimap", {at->width() + 2 * pad, at->height() + 2 * pad});
   c.map.add_item("minimap");
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = tr("Whole drawdown: click or drag to go there");
+  on_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  if (on_) c.frame.hint = tr("Whole drawdown: click or drag to go there");
   if (!ImGui::IsItemActive()) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float end = scroll_at(l.drawdown.x, (mouse.x - at->min.x) / at->width());
@@ -96,7 +112,7 @@ void Minimap::update(const DraftContext& c, int width, int height) {
 }
 
 void Minimap::draw(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
-  const std::optional<PixelRect> at = image_rect(c, l);
+  const std::optional<PixelRect> at = goes_at_s_ < 0 ? std::nullopt : image_rect(c, l);
   if (!at) return;
   update(c, static_cast<int>(at->width()), static_cast<int>(at->height()));
   if (texture_.empty()) return;

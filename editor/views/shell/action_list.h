@@ -14,8 +14,10 @@ namespace weftlight::views {
 
 using session::ActionItem;
 
-/// The row at the top: menus, toolbar, and the title in the middle. Returns the id of the chosen action or "".
-std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title);
+/// The row at the top: menus, toolbar, and the title in the middle. `open_first`: the keyboard opens the
+/// first menu. Returns the id of the chosen action or "".
+std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title,
+                          bool open_first = false);
 
 /// The items of an open menu, with submenus. Named `prefix` + id in the map.
 std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);

@@ -12,7 +12,7 @@
 
 namespace weftlight::views {
 
-using base::tr;
+using base::arg, base::fill, base::tr;
 using session::ActionItem;
 using ui::content_right, ui::key_pressed, ui::muted_text;
 
@@ -64,8 +64,20 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
     }
     ImGui::PopID();
   }
+  if (found.empty()) {
+    muted_text(c, fill(tr("No command matches \"{typed}\"."), arg("typed", palette.typed)));
+    c.map.add_item("commands.none");
+  }
   ImGui::EndChild();
   return run;
+}
+
+/// Why the chosen command cannot run now; empty if it can.
+std::string why_not_now(const std::vector<Match>& found, const CommandPalette& palette) {
+  if (found.empty()) return {};
+  const ActionItem& item = *found[static_cast<size_t>(palette.chosen)].item;
+  if (item.enabled) return {};
+  return item.on_selection ? tr("Needs a selection: S, then drag over a grid.") : tr("Nothing to do for it now.");
 }
 
 }  // namespace
@@ -108,15 +120,19 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
   const std::vector<Match> found = narrowed(items, palette.typed);
   move_choice(palette, static_cast<int>(found.size()));
   std::string run = draw_matches(c, found, palette);
-  if (enter && !found.empty() && found[static_cast<size_t>(palette.chosen)].item->enabled)
-    run = found[static_cast<size_t>(palette.chosen)].item->id;
+  const std::string why = why_not_now(found, palette);
+  if (!why.empty()) {
+    muted_text(c, why);
+    c.map.add_item("commands.why");
+  }
+  if (enter && !found.empty() && why.empty()) run = found[static_cast<size_t>(palette.chosen)].item->id;
   const bool leave = key_pressed(ImGuiKey_Escape) ||
                      (!palette.appearing && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows));
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
-  palette.appearing = false;
-  if (leave || enter || !run.empty()) palette = {};
+  palette.appearing = enter;  // what could not run leaves the field open
+  if (leave || !run.empty()) palette = {};
   return run;
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
 #include "ui/icons.h"
+#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
@@ -10,7 +12,7 @@ namespace weftlight::views {
 
 using base::tr;
 using session::ActionItem;
-using ui::icon_button;
+using ui::icon_button, ui::show_keyboard_frame;
 
 namespace {
 
@@ -27,8 +29,12 @@ bool draw_menu_item(const PanelContext& c, const ActionItem& item, const std::st
   return chosen;
 }
 
-std::string draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu) {
+std::string draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu, bool opens) {
   std::string chosen;
+  if (opens) {
+    ImGui::OpenPopup(tr(menu.c_str()));
+    show_keyboard_frame();
+  }
   const bool open = ImGui::BeginMenu(tr(menu.c_str()));
   c.map.add_item("menu:" + menu);
   if (!open) return chosen;
@@ -87,12 +93,13 @@ std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> i
   return chosen;
 }
 
-std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title) {
+std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title,
+                          bool open_first) {
   std::string chosen;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(8), c.style.px(9)});
   if (ImGui::BeginMainMenuBar()) {
     for (const std::string& menu : menus_of(items))
-      if (std::string id = draw_menu(c, items, menu); !id.empty()) chosen = id;
+      if (std::string id = draw_menu(c, items, menu, std::exchange(open_first, false)); !id.empty()) chosen = id;
     ImGui::Dummy({c.style.px(12), 0});
     if (std::string id = draw_toolbar(c, items); !id.empty()) chosen = id;
     draw_title(c, title, ImGui::GetCursorPosX());

@@ -17,7 +17,7 @@ using base::arg, base::fill, base::tr, base::tr_n;
 using draft::ShedControl;
 using session::SelectDrag, session::Tool, session::describe, session::selection_text, session::shape_text,
     session::typing_text;
-using ui::content_right, ui::fitted, ui::muted_text, ui::push_font, ui::text_button, ui::tooltip;
+using ui::content_right, ui::fitted, ui::muted_text, ui::push_font, ui::text_button, ui::tooltip, ui::with_alpha;
 using wif::Severity;
 
 namespace {
@@ -60,19 +60,44 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
-/// By priority: the shape being drawn, the active block or drag; with the select tool the message, then the selection;
-/// then the cell under the pointer.
-std::string status_text(const PanelContext& c, const SelectState& s, const DrawingState& drawing,
-                        const std::string& message) {
+/// By priority: the shape being drawn, the active block or drag; with the select tool the selection; then the cell
+/// under the pointer.
+std::string status_text(const PanelContext& c, const SelectState& s, const DrawingState& drawing) {
   const std::string selected = selection_text(s),
                     hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
   if (drawing.shape) return shape_text(*drawing.shape);
-  if (s.tool == Tool::kType && message.empty()) return typing_text(drawing.cursor, c.design, c.cells);
+  if (s.tool == Tool::kType) return typing_text(drawing.cursor, c.design, c.cells);
   if (s.held || s.drag != SelectDrag::kNone) return selected;
-  if (s.tool == Tool::kSelect && !message.empty()) return message;
   if (s.tool == Tool::kSelect && !selected.empty()) return selected;
-  if (!hover.empty() && message.empty() && *c.frame.hint != '\0') return hover + "    " + c.frame.hint;
-  return !hover.empty() ? hover : !message.empty() ? message : !selected.empty() ? selected : c.frame.hint;
+  if (!hover.empty() && *c.frame.hint != '\0') return hover + "    " + c.frame.hint;
+  return !hover.empty() ? hover : !selected.empty() ? selected : c.frame.hint;
+}
+
+/// A refusal is set off by its colour, on a ground of its own.
+void draw_message(const PanelContext& c, const StatusMessage& message, float room) {
+  const ImU32 color = message.refusal ? c.style.color.warn : c.style.color.accent;
+  const char* sign = message.refusal ? icon::kWarning : icon::kInfo;
+  const std::string text = fitted((c.style.font.icons ? std::string(sign) + "  " : "") + message.text, room);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(text.c_str());
+  const float pad = c.style.px(7), high = c.style.px(3);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x - pad, at.y - high}, {at.x + size.x + pad, at.y + size.y + high},
+                                            with_alpha(color, 0.13f), c.style.px(5));
+  ImGui::PushStyleColor(ImGuiCol_Text, message.refusal ? color : c.style.color.text);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  c.map.add_item(message.refusal ? "message.refusal" : "message");
+  tooltip(c, message.text.c_str());
+}
+
+/// The message first, then what is under the pointer as far as there is room.
+void draw_texts(const PanelContext& c, const std::string& now, const StatusMessage& message, float room) {
+  if (message.text.empty()) return ImGui::TextUnformatted(fitted(now, room).c_str());
+  const float left = ImGui::GetCursorPosX(), gap = c.style.px(20);
+  draw_message(c, message, room);
+  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x - left + gap;
+  if (now.empty() || room - used < c.style.px(80)) return;
+  ImGui::SameLine(left + used);
+  muted_text(c, fitted(now, room - used));
 }
 
 void draw_trouble(const PanelContext& c, const std::string& trouble, float room) {
@@ -99,13 +124,13 @@ std::string summary(const Draft& d) {
 }
 
 bool draw_status_bar(PanelContext& c, const SelectState& select, const DrawingState& drawing,
-                     const std::string& trouble, const std::string& message, std::span<const Diagnostic> remarks) {
+                     const std::string& trouble, const StatusMessage& message, std::span<const Diagnostic> remarks) {
   push_font(c.style.font.small);
   const float remark_room = remarks.empty() ? 0 : c.style.px(130), gap = c.style.px(16);
   const float right = content_right() - remark_room, room = std::max(0.0f, right - ImGui::GetCursorPosX());
   const std::string facts = summary(c.design.draft);
-  // The message comes first; the size of the draft is shown if there is room left.
-  if (trouble.empty()) ImGui::TextUnformatted(fitted(status_text(c, select, drawing, message), room).c_str());
+  // The size of the draft is shown if there is room left.
+  if (trouble.empty()) draw_texts(c, status_text(c, select, drawing), message, room);
   else draw_trouble(c, trouble, room);
   const float facts_x = right - ImGui::CalcTextSize(facts.c_str()).x;
   if (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + gap <= facts_x) {

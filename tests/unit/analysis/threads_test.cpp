@@ -13,7 +13,7 @@
 namespace weftlight::analysis {
 
 using design::Design, design::Yarn, design::matrix_of, design::treadled, design::with_count, design::yarn_presets;
-using draft::Draft, draft::blank_draft;
+using draft::BitMatrix, draft::Draft, draft::blank_draft;
 
 namespace {
 
@@ -53,6 +53,15 @@ TEST(Sett, IsHalfTheWrapsInPlainWeaveAndTwoThirdsInTwill) {
   EXPECT_DOUBLE_EQ(sett_per_cm(20, 1), 10);
   EXPECT_NEAR(sett_per_cm(20, 0.5), 13.333, 1e-3);
   EXPECT_EQ(wraps_per_cm(0), 0);
+}
+
+TEST(Sett, OfDoubleClothIsThatOfBothLayers) {
+  const BitMatrix plain = matrix_of({"10", "01"});
+  EXPECT_DOUBLE_EQ(firm_sett_per_cm(plain, weave_layers(plain), 20), 10);
+  // Two layers of plain weave, end by end and pick by pick: the upper ends are up while the lower layer is woven.
+  const BitMatrix both = matrix_of({"1000", "1110", "0010", "1011"});
+  ASSERT_EQ(weave_layers(both).size(), 2u);
+  EXPECT_DOUBLE_EQ(firm_sett_per_cm(both, weave_layers(both), 20), 20);
 }
 
 TEST(Yarn, WeighsAsItsCount) {

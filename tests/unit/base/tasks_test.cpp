@@ -249,7 +249,7 @@ Task hanging_task(const std::shared_ptr<Hanging>& it) {
         running.report(0.5f, "it goes on");
         return std::shared_ptr<Hanging>(it.get(), [it](Hanging* hanging) { hanging->ended.release(); });
       },
-      [it](const std::shared_ptr<Hanging>&) { it->taken = true; });
+      [it](const Result<std::shared_ptr<Hanging>>&) { it->taken = true; });
   made.kind = "hangs";
   made.may_be_left = true;
   return made;

@@ -220,6 +220,24 @@ TEST(Print, TheSwatchOfAnOpenClothShowsThePaper) {
   EXPECT_LT(red + blue, 0.75) << "half the room of a thread and more is a gap";
 }
 
+TEST(Print, OneRepeatAndARangeOfSheets) {
+  PrintOptions o;
+  o.cell_mm = 4;
+  o.parts = {true, false, false, false, false};
+  const Design d = overshot_design(480, 480);
+  const int all = printed(d, PrintFormat::kPdf, o)->sheets;
+  ASSERT_GT(all, 3);
+  o.first_sheet = 2, o.last_sheet = 3;
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, 2);
+  o.last_sheet = 0;
+  EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, all - 1);
+  o.first_sheet = all + 1;
+  EXPECT_NE(problem_of(printed(d, PrintFormat::kPdf, o)).find("there are no sheets"), std::string::npos);
+  o.first_sheet = 1;
+  o.one_repeat = true;
+  EXPECT_LT(printed(d, PrintFormat::kPdf, o)->sheets, all);
+}
+
 TEST(Print, SheetsOfSeveralFilesAreNumbered) {
   EXPECT_EQ(sheet_file("a/b.svg", 0, 1), "a/b.svg");
   EXPECT_EQ(sheet_file("a/b.svg", 2, 3), "a/b-3.svg");

@@ -78,6 +78,14 @@ TEST(Zoom, EveryZoomStepChangesThePitchAndCanBeReversed) {
   EXPECT_GT(zoomed_pitch(0.02f, -5), 0);
 }
 
+TEST(Zoom, SmallerCellsStopWhereTheyCanBeReadOrTheDraftIsSeenWhole) {
+  DraftView v;
+  v.pitch = 10;
+  v.seen_ends = v.seen_picks = 50;
+  EXPECT_EQ(smallest_pitch(v, 50, 50), 4) << "a small draft";
+  EXPECT_EQ(smallest_pitch(v, 1000, 50), 0.5f) << "500 pixels for 1000 ends";
+}
+
 TEST(Orbit, ZoomKeepsThePointUnderThePointer) {
   const Orbit start{0, 0, 1, 0.05f, -0.02f};
   const Orbit near_by = zoomed(start, 4, 0.2f, 0.1f);

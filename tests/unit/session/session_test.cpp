@@ -9,12 +9,13 @@
 
 #include "../scratch_fixture.h"
 #include "design/edits.h"
+#include "session/editing/selection_state.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {
 
 using design::Design, design::History, design::with_threading;
-using draft::blank_draft, draft::drawdown;
+using draft::BitGrid, draft::Selection, draft::blank_draft, draft::drawdown;
 using wif::Diagnostic, wif::write_new_wif;
 
 namespace {
@@ -105,6 +106,27 @@ TEST_F(SessionTest, EachDocumentHasItsOwnHistoryAndView) {
   EXPECT_TRUE(s->undo());
   EXPECT_TRUE(s->unsaved().empty());
   EXPECT_NE(one, two);
+}
+
+TEST_F(SessionTest, UndoAndRedoBringTheSelectionBack) {
+  const auto s = session();
+  SelectState& select = s->active().view.select;
+  ThreadChoice& chosen = s->active().view.chosen;
+  const Selection first{BitGrid::kThreading, 1, 3, 0, 2}, second{BitGrid::kTieup, 0, 2, 0, 2};
+  select_cells(select, first);
+  chosen.threads = {1, 2};
+  s->commit(paint(1), 0);
+  select_cells(select, second);
+  chosen.threads.clear();
+  s->commit(paint(2), 0);
+  select_cells(select, {});
+  ASSERT_TRUE(s->undo());
+  EXPECT_EQ(select.selected, second);
+  ASSERT_TRUE(s->undo());
+  EXPECT_EQ(select.selected, first);
+  EXPECT_EQ(chosen.threads, (std::vector<int>{1, 2}));
+  ASSERT_TRUE(s->redo());
+  EXPECT_EQ(select.selected, second);
 }
 
 TEST_F(SessionTest, RevisionsOfTwoDocumentsDiffer) {

@@ -99,7 +99,7 @@ TEST(Shapes, ALockedGridStaysWithAReason) {
   const MaybeEdit edit = finish_shape(v, d);
   ASSERT_TRUE(edit);
   EXPECT_EQ(edit->apply(d), d);
-  EXPECT_EQ(edit->why(d), "this follows the drawdown and is locked");
+  EXPECT_EQ(edit->why(d), "This follows the drawdown and is locked.");
 }
 
 TEST(Shapes, AFillCoversTheRegionOfEqualCells) {

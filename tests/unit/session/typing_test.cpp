@@ -158,7 +158,7 @@ TEST(Typing, NumbersToggleMarksInTheTieUpAndSpaceTogglesAnyCell) {
 TEST(Typing, ImpossibleNumbersAreReported) {
   Typist t(blank(6, 4));
   t.type("7");
-  EXPECT_EQ(t.view.select.notice, "There is no shaft 7: the last is 4");
+  EXPECT_EQ(t.view.select.refusal, "There is no shaft 7: the last is 4");
   EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
   EXPECT_EQ(t.steps, 0);
 }
@@ -171,7 +171,7 @@ TEST(Typing, ALockedGridStaysAndSoDoesTheCursor) {
   t.type("2");
   EXPECT_EQ(t.steps, 0);
   EXPECT_EQ(t.view.drawing.cursor.at.a, 0);
-  EXPECT_EQ(t.view.select.notice, "this follows the drawdown and is locked");
+  EXPECT_EQ(t.view.select.refusal, "This follows the drawdown and is locked.");
 }
 
 TEST(Typing, TheCursorFollowsADraftThatShrinksOrChangesShedControl) {

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stop_token>
 
 #include "../files/sheet.h"
 #include "../scratch.h"
@@ -177,6 +178,19 @@ TEST(TextureSet, OtherSetsAreNotReplaced) {
   EXPECT_FALSE(write_texture_set(scratch / "set", sample_design(), sheet(), namesake));
   namesake.force = true;
   EXPECT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), namesake)), "");
+}
+
+TEST(TextureSet, AStoppedExportIsCancelledAndKeepsTheOldSet) {
+  const Scratch scratch("stopped");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 32))),
+            "");
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = write_texture_set(scratch / "set", sample_design(), sheet(), options_for(targets::kGltf, 64),
+                                         {{}, source.get_token()});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, base::ErrorKind::kCancelled) << problem_of(stopped);
+  EXPECT_EQ(list_of(scratch / "set")["size_texels"][0], 32);
 }
 
 TEST(TextureSet, AFailedExportKeepsTheOldSet) {

@@ -118,6 +118,15 @@ TEST(WeaveTable, ANewDraftKeepsItsParametersUntilAnotherWeaveCoversIt) {
   EXPECT_EQ(with_weave(made.design, made.design.weaves[0])->design, made.design);
 }
 
+TEST(WeaveTable, ARatioThatCannotBeReadIsRefused) {
+  const WeaveKind& twill = *find_weave("twill");
+  EXPECT_TRUE(check_values(twill, {{"ratio", "3/1"}}));
+  EXPECT_NE(problem_of(check_values(twill, {{"ratio", "3/x"}})).find("'3/x' is no ratio"), std::string::npos);
+  EXPECT_TRUE(check_values(*find_weave("plain"), {}));
+  const Design before = new_draft(twill, {}, {8, 8}).design;
+  EXPECT_FALSE(with_weave(before, {"twill", {{"ratio", "3/x"}}, 0, 8, 0, 8})) << "mended in silence";
+}
+
 TEST(Satin, ChangingTheShaftsChangesTheStep) {
   const WeaveKind& satin = *find_weave("satin");
   const auto brought = [&](const char* shafts, const char* step) {
@@ -142,7 +151,7 @@ TEST(Text, RatiosProfilesAndSequences) {
   EXPECT_EQ(read_ratio("2/2"), (OverUnder{2, 2}));
   EXPECT_EQ(read_ratio("3 1-1,3"), (OverUnder{3, 1, 1, 3}));
   EXPECT_EQ(read_ratio("4"), (OverUnder{4, 4}));
-  EXPECT_TRUE(read_ratio("x").empty());
+  for (const char* refused : {"x", "3/x", "3/1/1", "2/0", "0", "1000/1000"}) EXPECT_TRUE(read_ratio(refused).empty());
   EXPECT_EQ(read_profile("A2 b CA"), (std::vector<int>{0, 0, 1, 2, 0}));
   EXPECT_EQ(read_sequence("1-3 2x(5 4) 3-1").value, (std::vector<int>{0, 1, 2, 4, 3, 4, 3, 2, 1, 0}));
   EXPECT_EQ(read_sequence("2(1 2(3))").value, (std::vector<int>{0, 2, 2, 0, 2, 2}));

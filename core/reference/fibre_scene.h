@@ -1,0 +1,73 @@
+#pragma once
+// The fibres of a patch of cloth as curves for ray tracing: each thread's plies, fibres, hairs and loops
+// (core/cloth/yarn_fibres.h), laid along the same centre lines and sections as the tubes. Cloth space, millimetres.
+//
+// Where a whole number of periods is no larger than the patch with its margins, the fibres repeat with them and the
+// cloth is infinite that way; otherwise it ends beyond the margins.
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "base/result.h"
+#include "cloth/cloth.h"
+#include "light/formulas.h"
+
+namespace weftlight::reference {
+
+using cloth::Cloth;
+
+struct FibreOptions {
+  glm::vec2 low_mm{0}, high_mm{8, 8};    // the patch that is seen
+  int64_t max_bytes = int64_t{2} << 30;  // more is refused before it is allocated
+  float raised = 0;                      // finish: hair that a nap has more (the cloth is laid out without it)
+  uint32_t seed = 1;
+};
+
+/// What the fibres of a patch are, and what they cost.
+struct FibreFigures {
+  glm::vec2 size_mm{0};  // of the cloth that is made, with its margins
+  int threads = 0;
+  int64_t fibres = 0, strays = 0;  // pieces of threads; hairs and loops
+  int64_t curves = 0;              // straight pieces of fibres
+  int64_t bytes = 0;               // estimated, while the scene is built: the most that it takes
+};
+FibreFigures fibre_figures(const Cloth& cloth, const FibreOptions& options);
+
+struct FibreHit {
+  float t = 0;
+  glm::vec3 centre;  // on the axis
+  glm::vec3 axis;    // unit
+  float radius_mm = 0;
+  float offset = 0;  // of the ray from the axis, in radii, towards cross(axis, -direction)
+  formulas::FibreOptics optics;
+};
+
+class FibreScene {
+ public:
+  /// An error if the patch needs more than max_bytes, with the figure.
+  static base::Result<std::unique_ptr<FibreScene>> build(const Cloth& cloth, const FibreOptions& options);
+  ~FibreScene();
+  FibreScene(const FibreScene&) = delete;
+  FibreScene& operator=(const FibreScene&) = delete;
+
+  /// Closest fibre along the ray from t_min on. False: the ray leaves the cloth.
+  bool intersect(glm::vec3 origin, glm::vec3 direction, float t_min, FibreHit& hit) const;
+  bool occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const;
+
+  const Cloth& cloth() const;
+  const FibreFigures& figures() const;
+  /// The most that was allocated while the scene was built.
+  int64_t peak_bytes() const;
+  /// All fibres lie between these heights; and those without the hairs.
+  float z_min() const;
+  float z_max() const;
+  float thickness_mm() const;
+
+ private:
+  FibreScene();
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace weftlight::reference

@@ -1,0 +1,57 @@
+#include "reference/thread_paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/layer_plan.h"
+#include "cloth/thickness.h"
+
+namespace weftlight::reference {
+
+using cloth::CentrePoint, cloth::CentreStep, cloth::centre_at, cloth::centre_lines, cloth::centre_step,
+    cloth::half_section, cloth::layer_count, cloth::layer_of, cloth::one_layer, cloth::tallest_half;
+
+namespace {
+
+constexpr float kThinnest_mm = 1e-5f;
+
+}  // namespace
+
+void ThreadPaths::compute_lines() {
+  layers_.clear(), lines_.clear();
+  for (int i = 0; i < layer_count(cloth_); ++i) {
+    layers_.push_back(one_layer(cloth_, i));
+    lines_.push_back(centre_lines(layers_.back()));
+  }
+}
+
+ThreadRing ThreadPaths::ring_at(System s, int thread, float along) const {
+  const float period = period_along(s);
+  const float wrapped = along - std::floor(along / period) * period;
+  const size_t layer = static_cast<size_t>(layer_of(cloth_, s, thread));
+  const Cloth& own = layers_[layer];
+  const int in_layer = thread - (s == System::kWarp ? own.first_end : own.first_pick);
+  const CentreStep step = centre_step(own, s, wrapped);
+  const CentrePoint p = centre_at(lines_[layer], s, in_layer, step);
+  return {along, p.height_mm, p.slope, glm::max(half_section(own, s, in_layer, step), glm::vec2(0.5f * kThinnest_mm))};
+}
+
+float ThreadPaths::widest(System s, int thread) const {
+  const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
+  return 0.5f * std::max({body.width_mm, body.unevenness > 0 ? body.spacing_mm : 0, kThinnest_mm});
+}
+
+float ThreadPaths::thickest(System s) const { return tallest_half(cloth_, s); }
+
+glm::vec3 axis_of(System s, float slope) {
+  return glm::normalize(s == System::kWarp ? glm::vec3(0, 1, slope) : glm::vec3(1, 0, slope));
+}
+glm::vec3 across_of(System s) { return s == System::kWarp ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0); }
+glm::vec3 up_of(System s, float slope) {
+  return glm::normalize(s == System::kWarp ? glm::vec3(0, -slope, 1) : glm::vec3(-slope, 0, 1));
+}
+glm::vec3 centre_of(System s, float centre_mm, const ThreadRing& r) {
+  return s == System::kWarp ? glm::vec3(centre_mm, r.along, r.z) : glm::vec3(r.along, centre_mm, r.z);
+}
+
+}  // namespace weftlight::reference

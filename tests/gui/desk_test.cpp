@@ -1,0 +1,216 @@
+// What the window tells a weaver: refusals, what leads and what follows.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+namespace {
+
+class DeskTest : public OnDisplay {
+ protected:
+  void click(const Window& w, const std::string& control) const {
+    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
+    display_.click(w.middle_of(control));
+  }
+  /// Runs an action by its name in the command palette.
+  void command(const Window& w, const std::string& words) const {
+    display_.key("ctrl+p");
+    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << words;
+    display_.type(words);
+    display_.key("Return");
+    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); })) << words;
+  }
+};
+
+TEST_F(DeskTest, ARefusalIsSeenBesideTheCellUnderThePointer) {
+  design::Design d = design_of(bytes_of(draft_));
+  d.loom.locked = true;
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("lock:drawdown"); }));
+  EXPECT_FALSE(w.has("lock:threading")) << "the threading leads";
+  const std::string before = w.live();
+  display_.click(w.cell("drawdown", 3, 2));
+  ASSERT_TRUE(comes_true([&] { return w.has("message.refusal"); })) << "the locked drawdown says nothing";
+  EXPECT_EQ(w.live(), before);
+  // The pointer rests on a cell, and goes to another: the message stands. It goes with an action after it was read.
+  display_.move(w.cell("drawdown", 6, 2));
+  std::this_thread::sleep_for(std::chrono::seconds(5));
+  EXPECT_TRUE(w.has("message.refusal"));
+  display_.click(w.middle_of("inspector:Yarns"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("message.refusal"); })) << "a read message stays";
+  // The padlock opens it.
+  ASSERT_NO_FATAL_FAILURE(click(w, "lock:drawdown"));
+  ASSERT_TRUE(comes_true([&] { return !design_of(w.live()).loom.locked; })) << "the padlock does not open";
+  const std::string open = w.live();
+  display_.click(w.cell("drawdown", 3, 2));
+  EXPECT_TRUE(comes_true([&] { return w.live() != open; })) << "the unlocked drawdown cannot be painted";
+}
+
+TEST_F(DeskTest, ASearchWithoutResultSaysSo) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu:Draft"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu.skeleton"));
+  display_.move(w.cell("drawdown", 3, 2));
+  EXPECT_TRUE(comes_true([&] { return w.has("message.refusal"); })) << "the cell under the pointer hides it";
+}
+
+TEST_F(DeskTest, ANewDraftIsMadeByKeyboardAlone) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:twill") && w.has("dialog:Create"); }));
+  ASSERT_FALSE(w.has("weave.steps")) << "the test needs a weave that the arrows leave";
+  display_.key("Down");
+  EXPECT_TRUE(comes_true([&] { return w.has("weave.ratio"); })) << "the arrows do not choose the next weave";
+  // Enter on a button presses that, not the first one.
+  display_.key("shift+Tab");
+  display_.key("shift+Tab");
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); })) << "Cancel has the keyboard";
+  EXPECT_EQ(design_of(w.live()).draft.ends(), 24);
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Create"); }));
+  display_.key("Down Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); })) << "Enter on a row is for the dialog";
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 64; }));
+}
+
+TEST_F(DeskTest, EscapeClosesTheListAndKeepsTheDialog) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+n");
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave:twill"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.direction"));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.direction:Z"); }));
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("weave.direction:Z"); })) << "the list stays";
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_TRUE(w.has("dialog:Create")) << "Escape threw the dialog away";
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
+}
+
+TEST_F(DeskTest, AltAndF10OpenTheMenus) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  for (const char* key : {"F10", "Alt_L"}) {
+    display_.key(key);
+    ASSERT_TRUE(comes_true([&] { return w.has("menu.new"); })) << key << " opens no menu";
+    display_.key("Right");
+    ASSERT_TRUE(comes_true([&] { return w.has("menu.undo") && !w.has("menu.new"); })) << "Right opens the next menu";
+    display_.key("Escape");
+    ASSERT_TRUE(comes_true([&] { return !w.has("menu.undo"); }));
+  }
+  // A submenu closes alone.
+  display_.key("F10 Right Right Right");
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.zoom_in"); }));
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("menu.zoom_in"); })) << "Enter runs the first item";
+}
+
+TEST_F(DeskTest, ARatioThatCannotBeReadMakesNoDraft) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  display_.key("ctrl+n");
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave:twill"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.ratio"));
+  display_.key("ctrl+a");
+  display_.type("3/x");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.refused"); })) << "3/x was mended in silence";
+  display_.click(w.middle_of("dialog:Create"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_TRUE(w.has("dialog:Create"));
+  EXPECT_EQ(w.live(), before);
+  display_.click(w.middle_of("weave.ratio"));
+  display_.key("ctrl+a");
+  display_.type("3/1");
+  ASSERT_TRUE(comes_true([&] { return !w.has("weave.refused"); }));
+  display_.click(w.middle_of("dialog:Create"));
+  EXPECT_TRUE(comes_true([&] { return w.live() != before && w.has("grazing"); })) << "its threads are shown flat";
+}
+
+TEST_F(DeskTest, ThePaletteSaysWhenNothingFitsAndWhatACommandNeeds) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("xyzzy");
+  EXPECT_TRUE(comes_true([&] { return w.has("commands.none"); }));
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); }));
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("rotate");
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return w.has("commands.why"); })) << "without a selection it cannot rotate";
+  EXPECT_TRUE(w.has("commands.typed")) << "it closed without a word";
+}
+
+TEST_F(DeskTest, TheViewsOfTheClothAreReachableInASmallWindow) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.resize(900, 600);
+  ASSERT_TRUE(comes_true([&] { return w.place_of("view").second.x < 560; }));
+  for (const char* control : {"views", "hanging:Drape", "hanging:Flat"})
+    EXPECT_TRUE(comes_true([&] { return w.has(control); })) << control;
+  ASSERT_NO_FATAL_FAILURE(click(w, "hanging:Flat"));
+  EXPECT_TRUE(comes_true([&] { return w.has("grazing"); }));
+}
+
+TEST_F(DeskTest, TheMapComesWithTheScrollAndGoes) {
+  put(draft_, straight_draft(400, 8));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.move(w.cell("drawdown", 3, 3));
+  for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
+  ASSERT_TRUE(comes_true([&] { return w.has("minimap"); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("minimap"); })) << "it hides the cells below it";
+}
+
+TEST_F(DeskTest, AnotherClothIsNotShownInPlaceOfTheOneToCome) {
+  design::Design d = design_of(straight_draft(900, 16));
+  unsigned seed = 1;
+  for (int end = 0; end < 900; ++end) {
+    for (int shaft = 0; shaft < 16; ++shaft) d.draft.threading.set(end, shaft, false);
+    d.draft.threading.set(end, static_cast<int>((seed = seed * 1664525u + 1013904223u) >> 28), true);
+  }
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("view.picture"); }));
+  display_.focus();
+  display_.key("f");
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.picture"); }))
+      << "the drape is shown under the camera of the swatch";
+  EXPECT_TRUE(comes_true([&] { return w.has("view.picture"); }));
+}
+
+TEST_F(DeskTest, PrintsOnTheSystemsPrinter) {
+  const std::filesystem::path programs = folder_ / "bin", job = folder_ / "job";
+  std::filesystem::create_directories(programs);
+  put(programs / "lp", "#!/bin/sh\nfor word; do last=$word; done\necho \"$@\" > " + job.string() +
+                           ".words\n/bin/cp \"$last\" " + job.string() + "\n");
+  std::filesystem::permissions(programs / "lp", std::filesystem::perms::owner_all);
+  Window w(display_, folder_, draft_, {"PATH=" + programs.string()});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+shift+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.extent:One repeat"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Print"));
+  ASSERT_TRUE(comes_true([&] { return w.has("message"); })) << "nothing is said";
+  EXPECT_TRUE(comes_true([&] { return bytes_of(job).starts_with("%PDF"); }));
+  EXPECT_NE(bytes_of(job.string() + ".words").find("media=A4"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weftlight::gui

@@ -105,7 +105,7 @@ float farthest_in(const Scene& scene, int width, int height) {
 TEST(FirstViews, ShowTheWholeCloth) {
   constexpr float kHem = 1.06f;  // of shirts and tunics, whose hem may touch the edge
   for (const auto& entry : std::filesystem::directory_iterator(presets_dir() + "/cloths")) {
-    const wif::WifRead read = wif::read_wif(read_file(entry.path().string()).bytes);
+    const wif::WifRead read = wif::read_wif(read_file(entry.path().string()).value_or(""));
     if (!read.file) continue;
     const std::string cloth = entry.path().stem().string();
     const bool mended = cloth == "tweed" || cloth == "ottoman";

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Design shipped(const fs::path& path) {
-  const WifRead read = read_wif(read_file(path.string()).bytes);
+  const WifRead read = read_wif(read_file(path.string()).value_or(""));
   if (!read.file) throw std::runtime_error(path.string() + ": no draft");
   return read.file->design;
 }

@@ -283,7 +283,7 @@ TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
   for (const Alpha alpha : {Alpha::kBlend, Alpha::kHashed}) {
     TextureSetOptions options = options_for(targets::kGodot, 32);
     options.alpha = alpha;
-    ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+    ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
     const std::string material = text_of(scratch / "set/sample.tres");
     EXPECT_NE(material.find("transparency = 4\n"), std::string::npos) << material;
     EXPECT_NE(material.find("path=\"sample_albedo.dds\""), std::string::npos) << material;
@@ -292,7 +292,7 @@ TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
   }
   TextureSetOptions all = options_for(targets::kGodot, 32);
   all.mips = MipContainer::kDds;
-  ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), all), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), all)), "");
   EXPECT_NE(text_of(scratch / "set/sample_back.tres").find("path=\"sample_back_normal.dds\""), std::string::npos);
 }
 
@@ -306,7 +306,7 @@ TEST(TextureSet, UnityMaterialsNameTheMipsThatTheSetHas) {
   for (const bool mips : {true, false}) {
     TextureSetOptions options = options_for(targets::kUnityUrp, 32);
     if (mips) options.mips = MipContainer::kDds;
-    ASSERT_EQ(write_texture_set(scratch / "set", sample_design(), sheet(), options), "");
+    ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
     const std::string image = std::string("sample_BaseMap") + (mips ? ".dds.meta" : ".png.meta");
     EXPECT_NE(text_of(scratch / "set/sample.mat").find(guid_in(image)), std::string::npos) << image;
     EXPECT_EQ(fs::exists(scratch / "set/sample_BaseMap.dds.meta"), mips);
@@ -322,7 +322,8 @@ Design fine_plain() {
 
 TEST(TextureSet, ConstantMapsAreFactorsOrSmall) {
   const Scratch scratch("constant");
-  ASSERT_EQ(write_texture_set(scratch / "gltf", fine_plain(), sheet(), options_for(targets::kGltf, 64)), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "gltf", fine_plain(), sheet(), options_for(targets::kGltf, 64))),
+            "");
   EXPECT_FALSE(fs::exists(scratch / "gltf/sample_sheen.png")) << "black, and no material names it";
   const json gltf = json::parse(text_of(scratch / "gltf/sample.gltf")), list = list_of(scratch / "gltf");
   EXPECT_EQ(list["factors"][0]["image"], "sample_anisotropy.png");
@@ -334,7 +335,7 @@ TEST(TextureSet, ConstantMapsAreFactorsOrSmall) {
   for (const json& image : gltf["images"]) EXPECT_TRUE(fs::exists(scratch / "gltf/" + image["uri"].get<std::string>()));
 
   TextureSetOptions options = options_for(targets::kBlender, 64);
-  ASSERT_EQ(write_texture_set(scratch / "blender", fine_plain(), sheet(), options), "");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "blender", fine_plain(), sheet(), options)), "");
   const base::Result<Image> metal = read_image(scratch / "blender/sample_metallic.png"),
                             color = read_image(scratch / "blender/sample_basecolor.png");
   ASSERT_TRUE(metal && color);

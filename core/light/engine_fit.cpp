@@ -275,9 +275,9 @@ Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
   float most_sheen = 1e-3f;
   for (const EngineTexel& t : texels.texels)
     most_sheen = std::max({most_sheen, t.material.sheen.r, t.material.sheen.g, t.material.sheen.b});
-  const bool plain = model.sheen == formulas::kSheenNone || model.sheen == formulas::kSheenNoneDisney;
-  // Without that of a dielectric the far field of open cloth is met as well, but no highlight is left to see from near.
-  return {{kMinBase, kMinBase, kMinBase, formulas::kEngineF0, model.grazing ? 0.0f : 1.0f, 0},
+  const bool fixed = model.most_f0 <= formulas::kEngineF0,
+             plain = model.sheen == formulas::kSheenNone || model.sheen == formulas::kSheenNoneDisney;
+  return {{kMinBase, kMinBase, kMinBase, fixed ? formulas::kEngineF0 : 0, model.grazing ? 0.0f : 1.0f, 0},
           {kMaxScale, kMaxScale, kMaxScale, model.most_f0, 1, plain ? 0 : std::min(kMaxScale, 1 / most_sheen)}};
 }
 

@@ -30,7 +30,8 @@ size_t edit_distance(std::string_view a, std::string_view b) {
 std::string closest_word(const std::string& typed, std::span<const std::string> words) {
   constexpr size_t kMaxDistance = 3;
   std::string closest;
-  size_t apart = std::min(kMaxDistance, typed.size() / 2) + 1;
+  const size_t dashes = std::min(typed.find_first_not_of('-'), typed.size());  // of an option
+  size_t apart = std::min(kMaxDistance, (typed.size() - dashes) / 2) + 1;
   for (const std::string& word : words) {
     const size_t letters = edit_distance(typed, word);
     if (letters < apart) apart = letters, closest = word;

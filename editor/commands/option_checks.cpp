@@ -50,7 +50,8 @@ std::optional<double> number_of(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || !std::isfinite(value)) return {};
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return {};
+  if (!std::isfinite(static_cast<float>(value))) return {};  // options hold floats
   return value;
 }
 

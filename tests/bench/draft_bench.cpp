@@ -140,9 +140,9 @@ void paint_a_crossing(benchmark::State& state) {
   BitMatrix cells = drawdown(design.draft);
   const bool up = !cells.get(size / 2, size / 3);
   for (auto _ : state) {
-    const Painted painted = painted_cell(design, size / 3, size / 2, up);
-    benchmark::DoNotOptimize(update_drawdown(cells, design.draft, painted.design.draft));
-    benchmark::DoNotOptimize(update_drawdown(cells, painted.design.draft, design.draft));
+    const Design painted = *painted_cell(design, size / 3, size / 2, up);
+    benchmark::DoNotOptimize(update_drawdown(cells, design.draft, painted.draft));
+    benchmark::DoNotOptimize(update_drawdown(cells, painted.draft, design.draft));
   }
 }
 BENCHMARK(paint_a_crossing)->Arg(2000)->Arg(10000)->Unit(benchmark::kMillisecond);

@@ -8,7 +8,6 @@
 
 using namespace weftlight::draft;
 using namespace weftlight::design;
-using namespace weftlight::weaves;
 using namespace weftlight::wif;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

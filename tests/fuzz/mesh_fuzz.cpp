@@ -13,6 +13,7 @@
 #include "require.h"
 
 using namespace weftlight::files;
+using weftlight::drape::Mesh, weftlight::drape::Vec3;
 
 namespace {
 

@@ -15,7 +15,6 @@
 using namespace weftlight;
 using namespace weftlight::draft;
 using namespace weftlight::design;
-using namespace weftlight::weaves;
 using namespace weftlight::wif;
 
 namespace {

@@ -9,7 +9,6 @@
 
 using namespace weftlight::draft;
 using namespace weftlight::design;
-using namespace weftlight::weaves;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<ThreadProperties> read =

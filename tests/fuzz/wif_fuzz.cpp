@@ -10,7 +10,6 @@
 
 using namespace weftlight::draft;
 using namespace weftlight::design;
-using namespace weftlight::weaves;
 using namespace weftlight::wif;
 
 namespace {

@@ -215,7 +215,7 @@ TEST(PaintedDrawdown, LeadingDrawdownChangesOneCrossingAlone) {
 TEST(PaintedDrawdown, ALockProtectsGridsThatFollow) {
   const Design d = with_lock(two_two_twill(8, 8), true);
   EXPECT_EQ(with_drawdown_cell(d, 0, 0, false), d);
-  EXPECT_EQ(problem_of(painted_cell(d, 0, 0, false)), "the drawdown follows and is locked");
+  EXPECT_EQ(problem_of(painted_cell(d, 0, 0, false)), "The drawdown follows and is locked.");
   EXPECT_NE(with_tieup(d, 0, 3, true), d);
   const Design free = with_lock(with_leading(two_two_twill(8, 8), Leading::kDrawdown), true);
   EXPECT_EQ(with_threading(free, 0, 3, true), free);

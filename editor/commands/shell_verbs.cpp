@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "commands/commands.h"
+#include "commands/option_checks.h"
 #include "commands/verbs.h"
 
 namespace weftlight::commands {
@@ -30,19 +31,15 @@ struct VerbFacts {
   std::vector<OptionFacts> options;
 };
 
-/// The words between the braces of "TEXT:{front,back}".
-std::vector<std::string> choices_in(const std::string& type) {
-  const size_t from = type.find('{'), to = type.find('}');
-  if (from == std::string::npos || to == std::string::npos) return {};
-  return CLI::detail::split(type.substr(from + 1, to - from - 1), ',');
-}
-
-/// "WxH" of "TEXT:WxH", "TEXT" of "TEXT", "front|back" of "TEXT:{front,back}".
-std::string value_in_words(const std::string& type) {
-  const std::vector<std::string> choices = choices_in(type);
-  if (!choices.empty()) return CLI::detail::join(choices, "|");
-  const size_t colon = type.find(':');
-  return colon == std::string::npos ? type : type.substr(colon + 1);
+/// The words of "front|back"; none where a part stands for something: "EV|auto", "FILE.hdr|FILE.exr".
+std::vector<std::string> choices_in(const std::string& value) {
+  const auto is_word = [](const std::string& part) {
+    return !part.empty() && std::all_of(part.begin(), part.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+  };
+  std::vector<std::string> parts = CLI::detail::split(value, '|');
+  return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), is_word) ? parts : std::vector<std::string>{};
 }
 
 OptionFacts facts_of(const CLI::Option& option) {
@@ -51,8 +48,9 @@ OptionFacts facts_of(const CLI::Option& option) {
   if (!option.get_snames().empty()) facts.short_name = option.get_snames()[0];
   if (facts.long_name.empty() && facts.short_name.empty()) facts.argument = option.get_name(true);
   facts.description = option.get_description();
-  const std::string type = option.get_type_name();
-  if (option.get_type_size() != 0) facts.value = value_in_words(type), facts.choices = choices_in(type);
+  std::string type = option.get_type_name();  // "TEXT:front|back"
+  if (const size_t colon = type.find(':'); colon != std::string::npos) type.erase(0, colon + 1);
+  if (option.get_type_size() != 0) facts.value = type, facts.choices = choices_in(type);
   facts.required = option.get_required();
   return facts;
 }
@@ -251,7 +249,7 @@ RunVerb add_completion(CLI::App& verb) {
   auto options = std::make_shared<CompletionOptions>();
   verb.add_option("shell", options->shell, tr("Shell that completes the commands"))
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+      ->check(one_of({"bash", "zsh", "fish"}));
   return [&verb, options] {
     const std::vector<VerbFacts> all = all_facts(*verb.get_parent());
     return print_text(options->shell == "bash"  ? bash_completion(all)

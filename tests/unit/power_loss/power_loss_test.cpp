@@ -197,7 +197,8 @@ TEST_F(PowerLoss, AnExportedSetHasWholeFilesAndStaysItsOwners) {
     }
     for (const auto& [name, bytes] : old_set) EXPECT_TRUE(now.contains(name)) << name;
     for (const auto& [name, bytes] : now) {
-      if (name == "texture_set.json") continue;  // for a while it lists the files of both
+      if (name == "texture_set.json") continue;                // for a while it lists the files of both
+      if (name.find(".part-") != std::string::npos) continue;  // of a write that was cut off: nothing reads it
       EXPECT_TRUE((old_set.contains(name) && bytes == old_set.at(name)) ||
                   (new_set.contains(name) && bytes == new_set.at(name)))
           << name << ", " << bytes.size() << " bytes";

@@ -45,7 +45,7 @@ class RecoveryTest : public ScratchTest {
 
   static std::vector<std::string> names(const std::vector<LeftWork>& left) {
     std::vector<std::string> found;
-    for (const LeftWork& one : left) found.push_back(one.note->name);
+    for (const LeftWork& one : left) found.push_back(one.note ? one.note->name : "");
     return found;
   }
 };

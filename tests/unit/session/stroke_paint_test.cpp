@@ -175,14 +175,16 @@ TEST_F(StrokeTest, PaintingNeverNeedsAWholeDrawdown) {
   for (const Leading leading : {Leading::kDrawdown, Leading::kThreading}) {
     open(twill(leading, kSize));
     BitMatrix wanted = cells();
+    int end = 100;
+    while (wanted.get(3000, end)) ++end;  // a crossing that painting changes
     bool enough = true;
     {
       const Scarce scarce(kDrawdown / 8);
       std::thread window([&] {
         try {
           ++stroke_;
-          commit(begin_stroke(view(), now(), GridId::kDrawdown, {100, 3000}, true, true));
-          for (int i = 1; i < 20; ++i) commit(go_on_with_stroke(view(), now(), {100 + i, 3000 + i}, true));
+          commit(begin_stroke(view(), now(), GridId::kDrawdown, {end, 3000}, true, true));
+          for (int i = 1; i < 20; ++i) commit(go_on_with_stroke(view(), now(), {end + i, 3000 + i}, true));
         } catch (const std::bad_alloc&) {
           enough = false;
         }
@@ -190,7 +192,7 @@ TEST_F(StrokeTest, PaintingNeverNeedsAWholeDrawdown) {
       window.join();
     }
     ASSERT_TRUE(enough) << "work on every crossing";
-    for (int i = 0; i < 20; ++i) wanted.set(3000 + i, 100 + i, true);
+    for (int i = 0; i < 20; ++i) wanted.set(3000 + i, end + i, true);
     if (leading == Leading::kDrawdown) {
       EXPECT_EQ(cells(), wanted);
     }

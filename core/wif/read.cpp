@@ -337,8 +337,8 @@ void read_head(const Reader& r, WifFile* info) {
 }
 
 bool is_usable(const WifText& text, Diagnostics& diagnostics) {
-  const auto refuse = [&](std::string what, std::string remedy) {
-    diagnostics.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, std::move(what), std::move(remedy));
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    diagnostics.add(Severity::kError, text.lines.empty() ? -1 : 0, {}, what, remedy);
     return false;
   };
   if (text.lines.empty()) return refuse(tr("the file is empty"), tr("choose a WIF file"));

@@ -16,7 +16,7 @@
 namespace weftlight::app {
 
 using base::tr;
-using commands::fail, commands::kDone, commands::print_problem, commands::refuse;
+using commands::fail, commands::kDone, commands::print_problem;
 using session::Settings, session::load_settings;
 
 namespace {

@@ -118,7 +118,7 @@ TEST_F(NoMemoryElsewhere, TheJournalHasEveryStroke) {
     for (int i = 0; i < 4; ++i) {
       const uint64_t document = journal.new_document();
       const std::string text = std::string(1000, 'a') + std::to_string(document);
-      journal.keep(document, {path("a.wif"), "a draft with a long name", {}}, [text] { return text; });
+      journal.keep(document, {path("a.wif"), "a draft with a long name", {}}, [text] { return std::string(text); });
       newest[document] = text;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(30));

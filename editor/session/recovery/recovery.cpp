@@ -85,6 +85,7 @@ FileLock make_session(const fs::path& folder, std::error_code& error) {
   for (int i = 0; i < kMaxTries; ++i) {
     fs::create_directories(making, error);
     if (!error) error = keep_to_user(making);
+    if (error == std::errc::no_such_file_or_directory) continue;  // cleared away meanwhile
     if (error) return lock;
     lock = FileLock::take((making / kLock).string());
     if (lock.answer() == platform::LockAnswer::kNoLocks) break;

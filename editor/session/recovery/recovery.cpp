@@ -78,7 +78,7 @@ std::error_code keep_to_user(const fs::path& folder) {
 /// A folder with its lock appears at once, under its own name: one without would be taken for that of a crashed
 /// session. Nobody is waited for. The lock is not held if that failed.
 FileLock make_session(const fs::path& folder, std::error_code& error) {
-  constexpr int kMaxTries = 10;  // another session may clear the folder away before it is locked
+  constexpr int kMaxTries = 200;  // another session may clear the folder away before it is locked
   if (fs::is_directory(folder, error)) return FileLock::take((folder / kLock).string());  // only its lock was removed
   const fs::path making = folder.string() + kMaking;
   FileLock lock;

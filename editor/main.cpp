@@ -4,6 +4,7 @@
 #include "base/caught.h"
 #include "base/resources.h"
 #include "commands/commands.h"
+#include "platform/crash_report.h"
 #include "platform/language.h"
 
 namespace weftlight {
@@ -15,6 +16,7 @@ int run(int argc, char** argv) {
     const commands::CommandLine line = commands::run_command_line(argc, argv);
     return line.open_editor ? app::run_editor(line.editor) : line.exit_code;
   } catch (...) {  // unsaved work is in the journal
+    platform::report_exception();
     std::fprintf(stderr, "weftlight: %s\n", base::words_of_thrown().c_str());
     return commands::kNotWritten;
   }

@@ -1,6 +1,9 @@
 // Flyaway fibres: how many there are for a yarn's fuzz, how long they are, and how they scatter light.
 // GLSL 3.30 and C++20.
 //
+//   flyaway.vert                                     fibres at the silhouettes of a cloth, as strips
+//   face_flyaway(), flyaway_at()                     fibres that lie over its face, for method `yarn`
+//
 // Fuzz of fraction f and optical depth d (lobes.glsl) covers f d of the area under it. Here the fraction gives the
 // number of fibres and the depth their length: number times length times width is the same coverage.
 //
@@ -52,4 +55,88 @@ FORMULA vec3 flyaway_key(vec3 colour, vec3 body, vec3 fibre, vec3 n, vec3 l, vec
 // Reflected fraction of the sky's mean radiance: half of the surroundings other than fibres is sky, half the cloth.
 FORMULA vec3 flyaway_sky(vec3 colour, vec3 body) {
   return flyaway_scattered(colour) * (0.5f + body * 0.5f) * (1.0f - kFlyawayCrowd);
+}
+
+// A fibre over the face of the cloth, as seen from above; mm.
+struct FaceFlyaway {
+  vec2 middle;    // from the corner of its cell
+  vec2 way;       // of its chord, unit
+  float reach;    // half its chord
+  float bend;     // lateral way of its ends, over the reach
+  float wave;
+  float height;   // over the highest threads, as a fraction of their height
+  float present;  // 0 to 1: there if the fraction of fuzz is larger
+};
+
+const float kFaceWidth = 0.013f;       // mm
+const float kFaceOpacity = 0.8f;       // of a clear fibre
+const float kMaxFaceFlyaways = 12.0f;  // in a cell
+const float kFaceFlyawaysPerMm2 = 1.5f * kFlyawaysPerMm2;  // they are thinner than drawn at the silhouette
+const float kFaceLight = 0.85f;        // of the light on them: threads and fibres around hide some
+const float kFaceFrom = 0.12f;         // yarns a pixel from which on fibres over the face are left to the fuzz
+const float kFaceTo = 0.3f;
+
+// Fraction of them that is drawn one by one.
+FORMULA float face_flyaways_drawn(float yarns) { return clamp((kFaceTo - yarns) / (kFaceTo - kFaceFrom), 0.0f, 1.0f); }
+
+// Side of the cells that hold them, for fuzz of this fraction and optical depth: as long as the fibres, or shorter where
+// these are many, which are shorter, too.
+FORMULA float face_cell(float fraction, float depth, float spacing) {
+  float crowded = sqrt(kMaxFaceFlyaways / max(flyaway_fraction(fraction) * kFaceFlyawaysPerMm2, 1.0e-3f));
+  return max(min(2.0f * kFlyawayLength * depth, crowded), 0.6f * spacing);
+}
+
+// Number of fibres that belong to a cell of this area; no more than kMaxFaceFlyaways are drawn.
+FORMULA float face_flyaways_in(float fraction, float area) { return flyaway_fraction(fraction) * kFaceFlyawaysPerMm2 * area; }
+
+// Fuzz that remains in the lobe where fibres over the face are drawn one by one.
+FORMULA float fuzz_left(float fraction, float area, float drawn) {
+  float shown = min(kMaxFaceFlyaways / max(face_flyaways_in(fraction, area), 1.0e-3f), 1.0f);
+  return fraction - flyaway_fraction(fraction) * shown * drawn;
+}
+
+FORMULA uint flyaway_bits(uint a, uint b) {
+  uint h = (a + 0x9E3779B9u) * 0x85EBCA6Bu + b;
+  h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+  h = (h ^ (h >> 12)) * 0x297A2D39u;
+  return h ^ (h >> 15);
+}
+
+// Fibre i of a cell; size: of the cell; length: mean.
+FORMULA FaceFlyaway face_flyaway(uint cell, uint i, vec2 size, float length) {
+  uint a = flyaway_bits(cell, i);
+  uint b = flyaway_bits(a, 1u);
+  uint c = flyaway_bits(a, 2u);
+  FaceFlyaway f;
+  f.middle = vec2(float(a & 0xFFFFu), float(a >> 16)) * 1.52587890625e-5f * size;
+  float turn = float(b & 0xFFFFu) * 9.587379924e-5f;
+  f.way = vec2(cos(turn), sin(turn));
+  // Lengths fall off exponentially; half the cell holds any.
+  float long_one = -log(1.0f - 0.98f * float(b >> 16) * 1.52587890625e-5f);
+  f.reach = min(0.5f * length * (0.3f + 0.7f * long_one), 0.45f * min(size.x, size.y));
+  f.bend = float(c & 0xFFu) / 127.5f - 1.0f;
+  f.wave = float((c >> 8) & 0xFFu) / 127.5f - 1.0f;
+  f.height = float((c >> 16) & 0xFFu) / 255.0f;
+  f.present = float(c >> 24) / 255.0f;
+  return f;
+}
+
+// Cover of a pixel by a fibre, at `p` from its cell's corner, and the tangent of the angle from its chord. dx, dy: sides
+// of the pixel. A fibre finer than the pixel is drawn as wide as it, and fainter.
+FORMULA vec2 flyaway_at(FaceFlyaway f, vec2 p, vec2 dx, vec2 dy) {
+  vec2 off = p - f.middle;
+  float u = dot(off, f.way) / f.reach;
+  if (abs(u) >= 1.0f) return vec2(0.0f);
+  float v = (off.y * f.way.x - off.x * f.way.y) / f.reach;
+  float slope = 0.5f * f.bend * u + 0.9f * f.wave * (u * u - 0.33f);
+  float aside = v - 0.25f * f.bend * (u * u - 0.5f) - 0.3f * f.wave * u * (u * u - 1.0f);
+  float lean = inversesqrt(1.0f + slope * slope);
+  vec2 normal = vec2(-f.way.y - slope * f.way.x, f.way.x - slope * f.way.y) * lean;
+  float pixel = max(length(vec2(dot(normal, dx), dot(normal, dy))), 1.0e-6f);
+  float width = kFaceWidth * (1.0f - 0.4f * u * u);
+  float drawn = max(width, pixel);
+  float cover = clamp(0.5f + (0.5f * drawn - abs(aside) * f.reach * lean) / pixel, 0.0f, 1.0f);
+  // Its ends go in between the threads.
+  float ends = 1.0f - u * u;
+  return vec2(kFaceOpacity * cover * width / drawn * min(3.0f * ends, 1.0f), slope);
 }

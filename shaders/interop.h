@@ -15,6 +15,9 @@ using glm::vec4;
 
 #define SH_COEFFICIENTS 9
 
+// Reflectance of the form under a drape: matt plaster, unobtrusive beside any cloth.
+#define FORM_REFLECTANCE vec3(0.46f, 0.44f, 0.415f)
+
 // Lights of an environment beside the key light.
 #define MORE_LIGHTS 3
 
@@ -22,12 +25,19 @@ using glm::vec4;
 // colour and pattern within a thread. Crossings are stored in square blocks of this many texels.
 #define THREAD_MAP_WIDTH 1024
 #define THREAD_HEAD_TEXELS 5
-#define THREAD_TEXELS 6
+#define THREAD_TEXELS 7
 #define THREAD_BODY 0
 #define THREAD_COLOR 1
 #define THREAD_PATTERN 2
 #define YARN_TEXELS 4
 #define CROSSING_BLOCK 4096
+
+// Cells along a thread in one texel of the drawdown that crossings are computed from (crossings.glsl): this many of its
+// own between margins on either side, 32 in all. Size of a layer of that map in texels, powers of two.
+#define STRIP_CELLS 22
+#define STRIP_MARGIN 5
+#define STRIP_MAP_WIDTH 1024
+#define STRIP_MAP_HEIGHT 4096
 
 // Nodes of the far-field response (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
 // lights from behind the cloth; bins of slope angles. View tables: for each face the visible fractions, the reflected

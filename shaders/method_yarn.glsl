@@ -5,6 +5,7 @@
 // Based on: Vogel 1979 (points on the light's disc); those in the pixel: lattice.glsl.
 
 #include "thread_fetch.glsl"
+#include "flyaway.glsl"
 
 #if defined(QUICK)
 const int kViewCells = 8;
@@ -34,9 +35,79 @@ vec3 light_sample(vec3 l, int i, float own) {
   return normalize(l + (a * cos(turn) + cross(l, a) * sin(turn)) * r);
 }
 
+// Colour of the thread that a flyaway fibre at `at` (mm) comes from; w: fuzz of its yarn, over the larger of both
+// systems, 0 between the threads.
+vec4 flyaway_root(int face, ThreadGrid g, vec2 at) {
+  vec2 tile = at / g.period;
+  float level = max(log2(float(textureSize(color_map, 0).x) * g.spacing / g.period.x) - 2.0, 0.0);
+  vec4 warp = textureLod(color_map, vec3(tile, float(face * 2)), level);
+  vec4 weft = textureLod(color_map, vec3(tile, float(face * 2 + 1)), level);
+  vec2 fraction = vec2(flyaway_fraction(cloth.systems[face * 2].yarn.fuzz), flyaway_fraction(cloth.systems[face * 2 + 1].yarn.fuzz));
+  vec4 top = warp.a > weft.a ? warp : weft;
+  float own = top.a < 0.02 ? 0.0 : warp.a > weft.a ? fraction.x : fraction.y;
+  return vec4(clamp(top.rgb / max(top.a, 0.02), 0.0, 1.0), own / max(max(fraction.x, fraction.y), 1.0e-6));
+}
+
+// How fibres over the face are laid out.
+struct FaceLayout {
+  float fuzz;    // larger fraction of both systems
+  float depth;
+  vec2 cells;    // in the period
+  vec2 size;     // of a cell, mm
+  float drawn;   // 0: none
+};
+
+FaceLayout face_layout(int face, ThreadGrid g, float yarns) {
+  YarnData warp = cloth.systems[face * 2].yarn;
+  YarnData weft = cloth.systems[face * 2 + 1].yarn;
+  FaceLayout a;
+  a.fuzz = max(warp.fuzz, weft.fuzz);
+  a.depth = max(warp.fuzz_depth, weft.fuzz_depth);
+  a.drawn = flyaway_fraction(a.fuzz) > 0.0 ? face_flyaways_drawn(yarns) : 0.0;
+  a.cells = max(floor(g.period / face_cell(a.fuzz, a.depth, g.spacing)), vec2(1.0));
+  a.size = g.period / a.cells;
+  return a;
+}
+
+// Flyaway fibres over the face of the cloth: radiance times cover, and cover.
+vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle, vec2 dx, vec2 dy) {
+  vec4 sum = vec4(0.0);
+  int count = int(ceil(min(face_flyaways_in(a.fuzz, a.size.x * a.size.y), kMaxFaceFlyaways)));
+  vec2 lean = x.v.xy / max(x.v.z, 0.2);
+  vec2 at = middle + lean * g.top;
+  vec2 corner = floor(at / a.size - 0.5);
+  int k = 0;
+  do {
+    vec2 own = corner + vec2(float(k & 1), float(k >> 1));
+    vec2 cell = own - a.cells * floor(own / a.cells);
+    uint seed = uint(cell.x) * 4099u + uint(cell.y);   // the same on both faces
+    int i = 0;
+    do {
+      FaceFlyaway f = face_flyaway(seed, uint(i), a.size, kFlyawayLength * a.depth);
+      vec2 found = flyaway_at(f, at - own * a.size + lean * (f.height * 0.6 * g.top), dx, dy);
+      if (found.x > 0.0) {
+        vec4 root = flyaway_root(side.face, g, own * a.size + f.middle);
+        if (f.present < root.w) {
+          vec3 body = root.rgb * (0.65 + 0.65 * f.height);
+          vec3 clear = sqrt(body * sqrt(body));   // between that of a fibre and of the yarn, which surrounds it
+          vec3 along = normalize(vec3(f.way + vec2(-f.way.y, f.way.x) * found.y, 0.3 * f.bend));
+          vec3 lit = x.key * flyaway_key(clear, body, along, vec3(0.0, 0.0, 1.0), x.l, x.v)
+                   + flyaway_sky(clear, body) * sky_diffuse(side.n) * side.sky;
+          float cover = found.x * a.drawn * (1.0 - sum.a);
+          sum += vec4(lit * (kFaceLight * cover), cover);
+        }
+      }
+      ++i;
+    } while (i < count);
+    ++k;
+  } while (k < 4);
+  return sum;
+}
+
 // One sample at `at`, of size dx by dy, all on the middle plane in mm; l: to a point of the light. Masking and
 // shadowing are by that point alone; shading is over the whole disc of the light and the whole area of the sample.
-void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2 at, vec2 dx, vec2 dy, vec3 l) {
+// faces: the fibres that are drawn over it and not in its lobes.
+void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, vec2 measured, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
   sums.cover += 1.0;
@@ -44,29 +115,29 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, vec2 measured, vec2
   float length_mm = hit.system == 0 ? g.period.y : g.period.x;
   ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
   ThreadTexture pattern = thread_pattern(hit.system, thread, g.side);
-  float sample_mm = sqrt(abs(dx.x * dy.y - dx.y * dy.x));
-  float across = sample_mm / (6.2831853 * pattern.radius_mm * max(abs(p.normal.z), 0.1));
-  float along = sample_mm / length_mm;
-  float cycles = max(pattern.fibres * across, abs(float(pattern.advance)) * along);
-  float ply_cycles = max(float(pattern.plies) * across, abs(float(pattern.ply_advance)) * along);
-  Texel texel = texture_at(pattern, texture_point(pattern, fract(p.along / length_mm), p.turn, cycles, contrast_left(ply_cycles)));
-  vec3 n = p.normal;
-  if (pattern.plies > 1) n = ply_normal(p, pattern, texel.ply, length_mm);
-  if (dot(n, x.v) <= 0.0) n = p.normal;
+  SurfaceFrame frame_at = SurfaceFrame(p.normal, p.axis, p.around);
+  vec2 size = sample_size(pattern, sqrt(abs(dx.x * dy.y - dx.y * dy.x)), p.normal.z, length_mm);
+  FibreDetail detail = fibre_detail(pattern, fract(p.along / length_mm), p.turn, size, length_mm);
+  Texel texel = detail.texel;
   vec4 dye = thread_dye(hit.system, thread);
   YarnLobes lobes = thread_lobes(int(dye.w), fibre_colour(texel, dye.rgb));
+  float relief = fibre_relief(lobes.slope_cov.z);
+  vec3 n = detail_normal(frame_at, pattern, detail, relief, length_mm, x.v);
+  lobes = detail_lobes(lobes, detail.resolved, relief);
+  lobes.fuzz = fuzz_left(lobes.fuzz, faces.size.x * faces.size.y, faces.drawn);
   float disc = current_light().w * current_light().w / 16.0;   // of the half vector's slopes
   float covered = x.l.z > 0.0 ? 1.0 : 0.0;
-  lobes = yarn_widen(lobes, slope_spread(p, pattern.fibre_tan, x.v, dx, dy) * covered + vec3(disc, 0.0, disc));
-  Reflected a = facet_radiance(lobes, n, 1.0, p.axis + p.around * pattern.fibre_tan, vec3(0.0), x.l, x.v);
-  a.key *= texel.groove;
+  lobes = yarn_widen(lobes, slope_spread(p, detail.fibre_tan, x.v, dx, dy) * covered + vec3(disc, 0.0, disc));
+  Reflected a = facet_radiance(lobes, n, 1.0, p.axis + p.around * detail.fibre_tan, vec3(0.0), x.l, x.v);
+  float light = texel.groove * detail_gain(pattern, detail, relief);
+  a.key *= light * ply_light(frame_at, pattern, detail, length_mm, l);
   // Light from behind first passes through this thread; every other one occludes it. On an overhanging side the thread
   // may occlude itself, too, so the ray starts a little above it.
   bool side = l.z < 0.0 && dot(p.normal, l) > 0.0;
   vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
   if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread)) a.key = vec3(0.0);
   sums.key += a.key;
-  float sky = texel.groove * (hit.system == 0 ? measured.x : measured.y);
+  float sky = light * (hit.system == 0 ? measured.x : measured.y);
   vec3 mirrored = reflect(-x.v, n);
   a.diffuse *= sky * facet_sky_visibility(n);
   a.glossy *= sky * mirrored_sky_visibility(mirrored);
@@ -89,21 +160,26 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   vec4 measured = view_table(side.face, 4, x.v);
   float own = pixel_noise();
+  FaceLayout faces = face_layout(side.face, g, f.yarns);
+  faces.drawn *= clamp(3.0 * x.v.z - 0.5, 0.0, 1.0);   // seen along the face they overlap, as the lobe's do
   // Where a pixel covers much of a yarn, equal samples would hit equal points of the weave in many pixels. So many
   // steps of R2 spread them over the whole pixel instead of along a line.
   float turn = 64.0 * own * clamp(f.yarns * 4.0 - 1.0, 0.0, 1.0);
   int i = 0;
   do {
     vec2 r = lattice_point(lattice, i, pass, turn);
-    add_sample(sums, g, x, measured.xy, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
+    add_sample(sums, g, x, faces, measured.xy, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
     ++i;
   } while (i < count);   // threads.glsl says why
-  if (sums.cover < 0.5) return vec4(0.0);
+  vec4 flyaways = vec4(0.0);
+  if (faces.drawn > 0.0) flyaways = face_flyaways(side, x, g, faces, middle, dx, dy);
+  if (sums.cover < 0.5) return vec4(flyaways.rgb / max(flyaways.a, 1.0e-4), flyaways.a);
   float scale = 1.0 / sums.cover;
   vec3 diffuse_from = sums.diffuse_from / max(sums.diffuse.r + sums.diffuse.g + sums.diffuse.b, 1.0e-6);
   vec3 glossy_from = sums.glossy_from / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6);
   glossy_from += vec3(x.v.xy * (measured.z * inversesqrt(max(dot(x.v.xy, x.v.xy), 1.0e-8))), measured.w);
   vec3 sky = sums.diffuse * sky_about(from_side(side, diffuse_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
   vec3 radiance = (x.key * sums.key + sky * side.sky) * scale;
-  return vec4(radiance, sums.cover / float(count));
+  float cover = sums.cover / float(count) * (1.0 - flyaways.a);
+  return vec4((radiance * cover + flyaways.rgb) / (cover + flyaways.a), cover + flyaways.a);
 }

@@ -45,6 +45,15 @@ FORMULA YarnLobes yarn_of(YarnData data, vec3 color) {
   return y;
 }
 
+// The lobes without the slopes of fibres that are seen one by one; resolved, relief: fibre_detail.glsl.
+FORMULA YarnLobes detail_lobes(YarnLobes y, vec2 resolved, float relief) {
+  YarnLobes narrow = y;
+  vec2 cov = vec2(y.slope_cov.x, y.slope_cov.z);
+  vec2 left = max(cov - resolved * relief * relief, cov * 0.2f);
+  narrow.slope_cov = vec3(left.x, y.slope_cov.y, left.y);
+  return narrow;
+}
+
 // Under a uniform sky.
 FORMULA Reflected facet_sky(YarnLobes y, LobeShared s, LobeSide o) {
   Reflected a;

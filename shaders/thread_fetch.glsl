@@ -1,7 +1,11 @@
 // GLSL only: fetches the threads from their map (thread_records.glsl) for threads.glsl.
 
 uniform usampler2D thread_map;
+#if defined(COMPUTED_CROSSINGS)
+uniform usampler2DArray crossing_map;   // strips of cells (core/render_data/thread_block.h)
+#else
 uniform sampler2DArray crossing_map;
+#endif
 
 #include "thread_records.glsl"
 
@@ -20,10 +24,23 @@ int thread_bin(int system, int bin) {
   return int(four[bin & 3]);
 }
 
+#if defined(COMPUTED_CROSSINGS)
+vec4 crossing_at(int end, int pick);
+
+uint thread_cells(int system, int thread, int crossing) {
+  ivec2 strips = (threads_head.count + STRIP_CELLS - 1) / STRIP_CELLS;   // along a pick, along an end
+  int strip = crossing / STRIP_CELLS;
+  int i = system == 1 ? thread * strips.x + strip : threads_head.count.y * strips.x + thread * strips.y + strip;
+  int row = i / STRIP_MAP_WIDTH;
+  ivec3 at = ivec3(i & (STRIP_MAP_WIDTH - 1), row & (STRIP_MAP_HEIGHT - 1), row / STRIP_MAP_HEIGHT);
+  return texelFetch(crossing_map, at, 0).x >> uint(crossing - strip * STRIP_CELLS);
+}
+#else
 vec4 crossing_at(int end, int pick) {
   int block = (pick / CROSSING_BLOCK) * threads_head.crossing_blocks + end / CROSSING_BLOCK;
   return texelFetch(crossing_map, ivec3(end & (CROSSING_BLOCK - 1), pick & (CROSSING_BLOCK - 1), block), 0);
 }
+#endif
 
 ThreadHead head_at(int i) {
   return thread_head(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3), thread_texel(i + 4));
@@ -32,6 +49,12 @@ ThreadHead head_at(int i) {
 ThreadGrid thread_layer(int layer, float side) { return grid_of(head_at(layer * THREAD_HEAD_TEXELS), side); }
 
 #include "threads.glsl"
+
+#if defined(COMPUTED_CROSSINGS)
+#include "crossings.glsl"
+
+vec4 crossing_at(int end, int pick) { return computed_crossing(grid_of(threads_head, 1.0), end, pick); }
+#endif
 
 // Call once a pixel, before everything else here.
 ThreadGrid thread_grid(int face) {
@@ -44,7 +67,7 @@ vec4 thread_dye(int system, int thread) { return record_color(thread_texel(recor
 
 ThreadTexture thread_pattern(int system, int thread, float side) {
   int i = record_at(system, thread) + THREAD_PATTERN;
-  return pattern_on(record_pattern(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3)), side);
+  return pattern_on(record_pattern(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3), thread_texel(i + 4)), side);
 }
 
 // Lobes of a yarn on a thread of this colour.

@@ -6,6 +6,7 @@
 
 #include "interop.h"
 #include "thread_texture.glsl"
+#include "fibre_detail.glsl"
 #include "thread_thickness.glsl"
 
 #ifndef FORMULA
@@ -123,7 +124,7 @@ FORMULA vec4 record_color(uvec4 a) {
 }
 
 // From THREAD_PATTERN.
-FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {
   ThreadTexture x;
   x.fibres = uintBitsToFloat(a.x);
   x.advance = int(a.y);
@@ -133,7 +134,7 @@ FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   x.ply_relief_mm = uintBitsToFloat(b.y);
   x.phase = uintBitsToFloat(b.z);
   x.ply_phase = uintBitsToFloat(b.w);
-  x.singles = int(c.x);
+  x.lane_advance = int(c.x);
   x.stray_advance = int(c.y);
   x.nodes = int(c.z);
   x.depth = uintBitsToFloat(c.w);
@@ -141,6 +142,10 @@ FORMULA ThreadTexture record_pattern(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
   x.radius_mm = uintBitsToFloat(d.y);
   x.seed = d.z;
   x.melange = uintBitsToFloat(d.w);
+  x.lanes = uintBitsToFloat(e.x);
+  x.disorder = uintBitsToFloat(e.y);
+  x.bundling = uintBitsToFloat(e.z);
+  x.convolution = uintBitsToFloat(e.w);
   return x;
 }
 
@@ -152,6 +157,7 @@ FORMULA ThreadTexture pattern_on(ThreadTexture x, float side) {
   x.fibre_tan *= side;
   x.ply_advance *= mirror;
   x.stray_advance *= mirror;
+  x.lane_advance *= mirror;
   return x;
 }
 

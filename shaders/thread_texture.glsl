@@ -34,7 +34,7 @@ struct ThreadTexture {
   float ply_relief_mm;   // depth of the furrow between plies
   float phase;
   float ply_phase;
-  int singles;        // single fibres that pass in one period along; 0: no twist
+  int lane_advance;   // like advance, of the single fibres in their ply
   int stray_advance;  // like advance, of the stray fibres
   int nodes;          // of the tone along one period
   float depth;
@@ -42,6 +42,11 @@ struct ThreadTexture {
   float radius_mm;
   uint seed;
   float melange;         // contrast of colour between neighbouring fibres
+  // Single fibres, for fibre_detail.glsl.
+  float lanes;           // once around
+  float disorder;        // 0 to 1: how unevenly they lie
+  float bundling;        // 0 to 1: how far they stay together in bundles
+  float convolution;     // slope along a fibre that turns about its own axis
 };
 
 // Position on the texture. `turn` counts grooves (fibres * angle / 2 pi + advance * s / length + wander).
@@ -140,12 +145,38 @@ FORMULA vec3 fibre_tint(Texel t, vec3 colour) {
 // Colour of a point on a thread of this colour.
 FORMULA vec3 fibre_colour(Texel t, vec3 colour) { return min(colour * fibre_tint(t, colour), vec3(1.0f)); }
 
-FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
+// The thread's own tone; grooves and plies at their mean.
+FORMULA Texel mean_texel(ThreadTexture x) {
   Texel made;
   made.tone = 1.0f + (kThreadTone * x.hairiness + kMelangeThread * x.melange) * (2.0f * unit_of(mix_bits(x.seed, 3u)) - 1.0f);
   made.hue = 0.0f;
   made.groove = 1.0f - 0.2f * x.depth;
   made.ply = 0.0f;
+  return made;
+}
+
+// With the tufts of a melange and the plies, within bounds.
+FORMULA Texel finished_texel(ThreadTexture x, TexturePoint p, Texel made) {
+  float tufts = x.melange > 0.0f ? x.melange * contrast_left(p.cycles / kTuft) : 0.0f;
+  if (tufts > 0.0f) {
+    vec2 tuft = tuft_at(x, p);
+    made.tone += kTuftTone * tufts * tuft.x;
+    made.hue = kTuftHue * x.melange * tufts * tuft.y;
+  }
+  if (x.plies > 1) {
+    float ply_turn = p.ply_turn + x.ply_phase;
+    made.ply = 2.0f * (ply_turn - floor(ply_turn)) - 1.0f;
+    float furrow = made.ply * made.ply * made.ply * made.ply * made.ply * made.ply;  // mean 1/7
+    made.groove *= 1.0f - x.depth * (1.0f / 7.0f + p.ply_fade * (furrow - 1.0f / 7.0f));
+    made.ply *= p.ply_fade;
+  }
+  made.tone = max(made.tone, 0.05f);
+  made.groove = clamp(made.groove, 0.0f, 1.0f);
+  return made;
+}
+
+FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
+  Texel made = mean_texel(x);
   float fade = contrast_left(p.cycles);
   if (fade > 0.0f) {
     float turn = p.turn + x.phase;
@@ -179,26 +210,12 @@ FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
       float index = floor(single);
       // The same fibre again after a period, so that the tile closes.
       int own = int(index);
-      if (x.singles > 0) own -= int(floor(index / float(x.singles))) * x.singles;
+      int singles = abs(x.advance) * kFibresABundle;
+      if (singles > 0) own -= int(floor(index / float(singles))) * singles;
       float rounded_off = 2.0f * (single - index) - 1.0f;  // darker towards its sides; the square's mean is 1/3
       float own_tone = fibre_value(x.seed ^ 0xC2B2AE35u, own, 0) - 0.5f;
       made.tone += fine * (0.06f + 0.3f * x.hairiness + 0.6f * x.melange) * (0.7f * own_tone + 1.0f / 3.0f - rounded_off * rounded_off);
     }
   }
-  float tufts = x.melange > 0.0f ? x.melange * contrast_left(p.cycles / kTuft) : 0.0f;
-  if (tufts > 0.0f) {
-    vec2 tuft = tuft_at(x, p);
-    made.tone += kTuftTone * tufts * tuft.x;
-    made.hue = kTuftHue * x.melange * tufts * tuft.y;
-  }
-  if (x.plies > 1) {
-    float ply_turn = p.ply_turn + x.ply_phase;
-    made.ply = 2.0f * (ply_turn - floor(ply_turn)) - 1.0f;
-    float furrow = made.ply * made.ply * made.ply * made.ply * made.ply * made.ply;  // mean 1/7
-    made.groove *= 1.0f - x.depth * (1.0f / 7.0f + p.ply_fade * (furrow - 1.0f / 7.0f));
-    made.ply *= p.ply_fade;
-  }
-  made.tone = max(made.tone, 0.05f);
-  made.groove = clamp(made.groove, 0.0f, 1.0f);
-  return made;
+  return finished_texel(x, p, made);
 }

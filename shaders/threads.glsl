@@ -142,16 +142,21 @@ FORMULA int thread_at(ThreadGrid g, int system, float at) {
 #endif
 }
 
-// 1 over a thread's half width and half height where it crosses thread `at` of the other system.
-FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
+// A thread's half width and half height where it crosses thread `at` of the other system.
+FORMULA vec2 section_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
   vec2 half_sizes = max(vec2(body.half_width, body.half_height), vec2(1.0e-6f));
 #if defined(SMOOTH_YARNS)
-  return 1.0f / half_sizes;
+  return half_sizes;
 #else
   int other = 1 - system;
   float f = thickness_factor(body.unevenness, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
-  return 1.0f / uneven_section(half_sizes, body.half_room, f);
+  return uneven_section(half_sizes, body.half_room, f);
 #endif
+}
+
+// 1 over these.
+FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
+  return 1.0f / section_at(g, system, thread, body, at);
 }
 
 FORMULA Strand strand_of(int thread, ThreadSection body, vec2 thin, vec2 next_thin, float base, float start, float step,
@@ -452,7 +457,9 @@ FORMULA vec3 slope_spread(ThreadPoint t, float tan_fibre, vec3 v, vec2 dx, vec2 
 
 // Normal with the relief of plies. ply: Texel.ply; length_mm: the thread's period.
 FORMULA vec3 ply_normal(ThreadPoint t, ThreadTexture x, float ply, float length_mm) {
-  float slant = 4.0f * x.ply_relief_mm * ply;
-  return normalize(t.normal + t.around * (slant * float(x.plies) / (6.2831853f * x.radius_mm))
-                            + t.axis * (slant * float(x.ply_advance) / length_mm));
+  SurfaceFrame f;
+  f.normal = t.normal;
+  f.axis = t.axis;
+  f.around = t.around;
+  return plied_normal(f, x, ply, length_mm);
 }

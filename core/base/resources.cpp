@@ -17,7 +17,7 @@ struct Resource {
 constexpr Resource kPresets{"presets", "WEFTLIGHT_PRESETS", "drafts"};
 constexpr Resource kShaders{"shaders", "WEFTLIGHT_SHADERS", "cloth.frag"};
 constexpr Resource kLanguages{"languages", "WEFTLIGHT_LANGUAGES", ""};  // which languages there are differs
-constexpr int kFoldersUp = 4;  // from build/release to the top of a source tree, and one to spare
+constexpr int kFoldersUp = 5;  // from lib/python3/dist-packages/weftlight to share
 
 std::string folder_of(const Resource& resource) {
   if (std::string set = platform::variable(resource.variable); !set.empty()) return set;
@@ -28,9 +28,11 @@ std::string folder_of(const Resource& resource) {
     return installed.lexically_normal().string();
   fs::path folder = program;
   for (int up = 0; up < kFoldersUp && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
-    if (!is_it(folder / resource.name)) continue;
-    const fs::path real = fs::canonical(folder / resource.name, error);  // a build folder holds links to the source
-    return (error ? folder / resource.name : real).string();
+    for (const fs::path& place : {folder / resource.name, folder / "share/weftlight" / resource.name}) {
+      if (!is_it(place)) continue;
+      const fs::path real = fs::canonical(place, error);  // a build folder holds links to the source
+      return (error ? place : real).string();
+    }
   }
   return (program / "../share/weftlight" / resource.name).lexically_normal().string();
 }

@@ -1,10 +1,5 @@
-// Heights of threads where they cross, and the curve between crossings.
-//
-// Based on: F. T. Peirce, The Geometry of Cloth Structure, 1937 (the crimp heights of warp and weft
-// add up to the sum of the two thicknesses), and N. Adabala, N. Magnenat-Thalmann, G. Fei, Real-time
-// Rendering of Woven Clothes, 2003, section 3.4 (a facet rises with its float's length up to a bound).
-// The curve: E. Catmull, R. Rom, A Class of Local Interpolating Splines, 1974, with tension; it bulges
-// between the crossings of a float, as a bent yarn does.
+// Heights of threads where they cross (shaders/crossing_height.glsl has the formulas), and the curve between crossings,
+// which bulges between the crossings of a float, as a bent yarn does (shaders/thread_curve.glsl).
 
 #include "cloth/centre_line.h"
 
@@ -19,28 +14,14 @@
 namespace weftlight::cloth {
 
 using draft::BitMatrix;
+using thread_formulas::bending_stiffness, thread_formulas::crimp_fraction, thread_formulas::longest_rise,
+    thread_formulas::rise_of;
 
 namespace {
-
-// An unconstrained float rises by at most this fraction of its thickness in an open cloth; touching neighbours hold it
-// down (no source; by eye against macro photographs of satin).
-constexpr float kRise = 0.36f;
-constexpr float kHeldByNeighbours = 0.45f;
-constexpr float kTension = 0.75f;  // 1: Catmull and Rom's spline; smaller values bulge less
-// Least fraction of the crimp that the stiffer system takes. Small, since a thick thread cannot bend around fine ones
-// that lie closer than its own radius.
-constexpr float kMinCrimpFraction = 0.02f;
 
 int wrap(int i, int n) {
   const int r = i % n;
   return r < 0 ? r + n : r;
-}
-
-/// Relative rise of a float at a crossing with `before` and `after` more crossings to its ends: 0 for a float of one,
-/// 1 far from the ends.
-float rise_of(int before, int after) {
-  const float a = static_cast<float>(before) + 0.5f, b = static_cast<float>(after) + 0.5f;
-  return 1.0f - std::exp(-1.1f * (a * b / (a + b) - 0.25f));
 }
 
 using RiseTable = std::array<float, (kFloatReach + 1) * (kFloatReach + 1)>;
@@ -60,15 +41,12 @@ struct ThreadFacts {
   float height = 0, stiffness = 0, rise = 0;
 };
 
-/// Bending stiffness over span cubed. Stiffness goes with the diameter squared, since the fibres of a spun yarn slide;
-/// for a solid rod it would be the fourth power.
 std::vector<ThreadFacts> facts(const std::vector<ThreadBody>& threads, int first, int last, float span_mm) {
   std::vector<ThreadFacts> out;
   for (int i = first; i < last; ++i) {
     const ThreadBody& t = threads[static_cast<size_t>(wrap(i, static_cast<int>(threads.size())))];
-    const float tightness = std::min(1.0f, t.width_mm / std::max(t.spacing_mm, 1e-6f));
-    out.push_back({t.height_mm, t.width_mm * t.height_mm / (span_mm * span_mm * span_mm),
-                   kRise * t.height_mm * (1.0f - kHeldByNeighbours * tightness)});
+    out.push_back({t.height_mm, bending_stiffness(t.width_mm, t.height_mm, span_mm),
+                   longest_rise(t.width_mm, t.height_mm, t.spacing_mm)});
   }
   return out;
 }
@@ -138,15 +116,13 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
       const ThreadFacts& w = warp[static_cast<size_t>(e)];
       const size_t at =
           static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) + static_cast<size_t>(e + kFloatReach);
-      const float sum = w.stiffness + f.stiffness;
-      const float crimp_fraction =
-          sum > 0.0f ? std::clamp(f.stiffness / sum, kMinCrimpFraction, 1.0f - kMinCrimpFraction) : 0.5f;
+      const float warp_part = crimp_fraction(w.stiffness, f.stiffness);
       const float apart = is_uneven ? half_section(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
                                           half_section(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
                                     : 0.5f * (w.height + f.height);
       const float side = cells.up[at] ? 1.0f : -1.0f;
-      lines.warp_mm[out] = side * (crimp_fraction * apart + w.rise * rise(at, cells.cols));
-      lines.weft_mm[out] = -side * ((1.0f - crimp_fraction) * apart + f.rise * rise(at, 1));
+      lines.warp_mm[out] = side * (warp_part * apart + w.rise * rise(at, cells.cols));
+      lines.weft_mm[out] = -side * ((1.0f - warp_part) * apart + f.rise * rise(at, 1));
     }
   }
   add_levels(lines, cloth);
@@ -182,10 +158,6 @@ CentreStep centre_step(const Cloth& cloth, System system, float s_mm) {
   step.h0 = gap(x0, x1), step.h1 = gap(x1, x2), step.h2 = gap(x2, x3);
   step.t = std::clamp((s - x1) / step.h1, 0.0f, 1.0f);
   return step;
-}
-
-float centre_slope(float before_mm, float after_mm, float distance_mm) {
-  return kTension * (after_mm - before_mm) / distance_mm;
 }
 
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step) {

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "cloth/cloth.h"
+#include "cloth/thread_texture.h"
 
 namespace weftlight::cloth {
 
 using draft::CellRect, draft::System;
 
-/// A float's height depends on its ends up to this many threads away; further away it has reached the bound of the
-/// weave's tightness. This limits what a changed cell can affect.
-inline constexpr int kFloatReach = 4;
+/// A float's height depends on its ends up to this many threads away. This limits what a changed cell can affect.
+inline constexpr int kFloatReach = thread_formulas::kFloatCells;
 
 struct CentrePoint {
   float height_mm = 0;
@@ -50,8 +50,7 @@ struct CentreStep {
 };
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm);
 
-/// Slope of a centre line at a crossing, from the heights of the crossings before and after and their distance.
-float centre_slope(float before_mm, float after_mm, float distance_mm);
+using thread_formulas::centre_slope;
 
 /// C1 curve through four heights around a step; inside a float it may rise above the crossings.
 CentrePoint centre_between(float z0, float z1, float z2, float z3, const CentreStep& step);

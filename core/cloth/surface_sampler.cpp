@@ -22,9 +22,6 @@ constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
 constexpr float kMinCover = 1e-6f;       // below it is rounding
 constexpr double kMaxSamples = 1 << 24;  // of one map; beyond, threads are sampled more sparsely
-// The squared slope of an ellipse has no finite mean up to its edge, so it is integrated to this fraction of the
-// radius.
-constexpr float kSteepest = 0.985f;
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
@@ -45,16 +42,6 @@ int thread_at(const std::vector<ThreadBody>& threads, float s_mm) {
 float section(float centre_mm, glm::vec2 half, float across_mm) {
   const float u = (across_mm - centre_mm) / half.x;
   return half.x > 0.0f ? half.y * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
-}
-
-/// Integral of the squared slope of a section between two positions.
-float squared_slopes(float centre_mm, glm::vec2 half, float from_mm, float to_mm) {
-  const float ratio = half.y / half.x;
-  const auto integral = [&](float mm) {
-    const float u = std::clamp((mm - centre_mm) / half.x, -kSteepest, kSteepest);
-    return std::atanh(u) - u;
-  };
-  return ratio * ratio * half.x * (integral(to_mm) - integral(from_mm));
 }
 
 glm::vec2 mean_half(const ThreadBody& body) { return {0.5f * body.width_mm, 0.5f * body.height_mm}; }
@@ -112,7 +99,7 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
   out.first = thread_at(threads, from_mm);
   for (int i = out.first, last = thread_at(threads, to_mm); i <= last; ++i) {
     const ThreadBody& body = threads[static_cast<size_t>(i)];
-    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, own + i, length));
+    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + i, length));
     const ThreadTexture& t = out.of.back();
     // At the ridge, where the grooves appear widest.
     const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
@@ -145,6 +132,8 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
   // One more crossing on each side than the curves read.
   lines_ = centre_lines(cloth, {columns_.front().thread - 2, columns_.back().thread + 4, rows_.front().thread - 2,
                                 rows_.back().thread + 4});
+  if (uneven_[0]) warp_sizes_ = crossing_sizes(System::kWarp);
+  if (uneven_[1]) weft_sizes_ = crossing_sizes(System::kWeft);
   weft_along_.resize(columns_.size());
   warp_along_.resize(static_cast<size_t>(columns_.back().thread - columns_.front().thread + 1));
 }
@@ -178,7 +167,7 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int 
   Across a;
   while (lowest + 1 < count && end_of(lowest) <= from) ++lowest;
   a.lowest = lowest;
-  float covered = 0, rise = 0, squares = 0;
+  float covered = 0, rise = 0;
   for (int t = lowest; t < count; ++t) {
     const ThreadBody& b = threads[static_cast<size_t>(t)];
     if (b.centre_mm - 0.5f * b.spacing_mm >= to) break;
@@ -187,12 +176,8 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int 
     if (hi <= lo) continue;
     covered += hi - lo;
     rise += section(b.centre_mm, half, hi) - section(b.centre_mm, half, lo);
-    squares += squared_slopes(b.centre_mm, half, lo, hi);
   }
-  if (covered > 1e-6f * step) {
-    a.slope = -rise / covered;
-    a.slope_spread = std::max(0.0f, squares / covered - a.slope * a.slope);
-  }
+  if (covered > 1e-6f * step) a.slope = -rise / covered;
   a.cover = unit_or_less(covered / step);
   a.thread = lowest;
   while (a.thread + 1 < count && end_of(a.thread) <= middle) ++a.thread;
@@ -216,6 +201,28 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int 
   a.cycles = cycles(texture.fibres, texture.advance);
   a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
   return a;
+}
+
+SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) const {
+  const bool warp = system == System::kWarp;
+  const auto& threads = threads_of(cloth_, system);
+  const std::vector<Across>& own = warp ? columns_ : rows_;
+  const float end_mm = warp ? static_cast<float>(x1_) * dx_mm_ : static_cast<float>(y1_) * dy_mm_;
+  const auto crossing = [&](int sample, float step) {
+    return centre_step(cloth_, system, (static_cast<float>(sample) + 0.5f) * step).crossing;
+  };
+  CrossingSizes out;
+  out.first_thread = own.front().lowest;
+  out.first = warp ? crossing(y0_, dy_mm_) : crossing(x0_, dx_mm_);
+  out.crossings = (warp ? crossing(y1_ - 1, dy_mm_) : crossing(x1_ - 1, dx_mm_)) + 2 - out.first;
+  for (int t = out.first_thread; t < static_cast<int>(threads.size()); ++t) {
+    const ThreadBody& body = threads[static_cast<size_t>(t)];
+    if (t > own.back().thread && body.centre_mm - 0.5f * body.spacing_mm >= end_mm) break;
+    out.even.push_back(body.unevenness > 0 ? glm::vec2(0) : half_section(cloth_, system, t, 0));
+    for (int c = 0; c < out.crossings; ++c)
+      out.over_size.push_back(1.0f / half_section(cloth_, system, t, out.first + c));
+  }
+  return out;
 }
 
 SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
@@ -268,7 +275,6 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
     along += slant * static_cast<float>(texture.ply_advance) / length;
   }
   s.groove = texel.groove;
-  s.slope_spread = a.slope_spread * l.lengthened * l.lengthened;
   const glm::vec3 colour = fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
   s.colour = {colour.r, colour.g, colour.b};
   s.thread = static_cast<uint32_t>(a.thread + (warp ? cloth_.first_end : cloth_.first_pick));
@@ -295,12 +301,11 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
   for (size_t i = 0; i < out.size(); ++i) {
     // Uneven threads have another width at each position along them.
     const Across column = uneven_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
-                                                 [&](int t) { return half_section(cloth_, System::kWarp, t, step); })
+                                                 [&](int t) { return warp_sizes_.at(t, step); })
                                      : columns_[i];
-    const Across across_row =
-        uneven_[1] ? across_at(System::kWeft, y, even_row.lowest,
-                               [&](int t) { return half_section(cloth_, System::kWeft, t, column_steps_[i]); })
-                   : even_row;
+    const Across across_row = uneven_[1] ? across_at(System::kWeft, y, even_row.lowest,
+                                                     [&](int t) { return weft_sizes_.at(t, column_steps_[i]); })
+                                         : even_row;
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
     const Along& pick = weft_along_[i];
     // Coverage of each system: where both are present, one is on top.

@@ -36,7 +36,6 @@ struct SurfaceSample {
   float height_mm = 0, cover = 0, groove = 1;
   Linear colour;
   Slope slope;
-  float slope_spread = 0;  // variance inside the sample of the slope across the thread
   Direction tangent;
   uint32_t thread = 0;
   uint8_t system = 0;
@@ -62,11 +61,10 @@ class SurfaceSampler {
   /// Position of a sample across the threads of one system.
   struct Across {
     int thread = 0;
-    float cover = 0;         // fraction of the sample's width that threads cover
-    float beyond_mm = 0;     // distance from the thread's edge, 0 inside
-    float height_mm = 0;     // of the section above the centre line
-    float slope = 0;         // -d height / d across, mean over the sample
-    float slope_spread = 0;  // its variance inside the sample
+    float cover = 0;      // fraction of the sample's width that threads cover
+    float beyond_mm = 0;  // distance from the thread's edge, 0 inside
+    float height_mm = 0;  // of the section above the centre line
+    float slope = 0;      // -d height / d across, mean over the sample
     float turn = 0, ply_turn = 0, cycles = 0, ply_fade = 1;
     int lowest = 0;  // first thread within the sample
   };
@@ -79,7 +77,22 @@ class SurfaceSampler {
     float blend = 0;
   };
 
+  /// Half sections of the threads of a window at its crossings, computed once since every sample reads several.
+  struct CrossingSizes {
+    int first_thread = 0, first = 0, crossings = 0;
+    std::vector<glm::vec2> even;       // by thread: its half section, or 0 if that is uneven
+    std::vector<glm::vec2> over_size;  // inverse, by thread, then by crossing
+    /// half_section() of a thread of the window.
+    glm::vec2 at(int thread, const CentreStep& step) const {
+      const int t = thread - first_thread;
+      if (even[static_cast<size_t>(t)].x > 0) return even[static_cast<size_t>(t)];
+      const glm::vec2* const here = &over_size[static_cast<size_t>(t * crossings + step.crossing - first)];
+      return 1.0f / (here[0] + (here[1] - here[0]) * step.t);
+    }
+  };
+
   std::vector<Across> across(System system, int first, int last) const;
+  CrossingSizes crossing_sizes(System system) const;
   /// sizes: half width and half height (mm) of a thread at this sample.
   template <class Sizes>
   Across across_at(System system, int sample, int lowest, const Sizes& sizes) const;
@@ -103,6 +116,7 @@ class SurfaceSampler {
   Textures warp_texture_, weft_texture_;
   std::vector<Across> columns_, rows_;
   bool uneven_[2];  // whether the system has threads of uneven thickness
+  CrossingSizes warp_sizes_, weft_sizes_;
   std::vector<CentreStep> column_steps_;
   CentreLines lines_;
   std::vector<Along> warp_along_;  // of the current row, by end of the window

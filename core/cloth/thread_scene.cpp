@@ -94,10 +94,10 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
   out.reserve(static_cast<size_t>(w.end1 - w.end0) * static_cast<size_t>(w.pick1 - w.pick0));
   for (int p = w.pick0; p < w.pick1; ++p) {
     const size_t j = static_cast<size_t>(p - w.pick0);
-    const float down = std::max(y[j + 2] - y[j], 2e-6f);
+    const float down = std::max(y[j + 2] - y[j], thread_formulas::kMinStep_mm);
     for (int e = w.end0; e < w.end1; ++e) {
       const size_t i = static_cast<size_t>(e - w.end0);
-      const float across = std::max(x[i + 2] - x[i], 2e-6f);
+      const float across = std::max(x[i + 2] - x[i], thread_formulas::kMinStep_mm);
       out.push_back({lines.at(System::kWarp, e, p),
                      centre_slope(lines.at(System::kWarp, e, p - 1), lines.at(System::kWarp, e, p + 1), down),
                      lines.at(System::kWeft, e, p),
@@ -135,6 +135,48 @@ float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings
     const float weft = std::abs(c.z) + pick * std::sqrt(1 + c.w * c.w) + 0.25f * std::abs(c.w) * between_ends;
     most = std::max(most, std::max(warp, weft));
   }
+  return std::clamp(most, 1e-5f, std::max(1e-5f, 3 * (end + pick)));
+}
+
+namespace {
+
+/// Of the threads of one system.
+struct Extremes {
+  float least_stiff = std::numeric_limits<float>::max(), most_stiff = 0;
+  float rise = 0;  // of the longest float
+  float least_room = std::numeric_limits<float>::max();
+};
+
+/// span_mm: mean spacing of the threads that they cross.
+Extremes extremes_of(const std::vector<ThreadBody>& threads, float span_mm) {
+  Extremes x;
+  for (const ThreadBody& t : threads) {
+    const float stiff = thread_formulas::bending_stiffness(t.width_mm, t.height_mm, span_mm);
+    x.least_stiff = std::min(x.least_stiff, stiff), x.most_stiff = std::max(x.most_stiff, stiff);
+    x.rise = std::max(x.rise, thread_formulas::longest_rise(t.width_mm, t.height_mm, t.spacing_mm));
+    x.least_room = std::min(x.least_room, t.spacing_mm);
+  }
+  return x;
+}
+
+/// Above a crossing of this height, if the ones before and after are as far below; `between`: the widest space there.
+float top_above(float height, float half, float least_room, float between) {
+  const float slope = centre_slope(-height, height, std::max(2 * least_room, thread_formulas::kMinStep_mm));
+  return height + half * std::sqrt(1 + slope * slope) + 0.25f * slope * between;
+}
+
+}  // namespace
+
+float highest_thread(const Cloth& cloth) {
+  if (cloth.ends.empty() || cloth.picks.empty()) return 1e-5f;
+  const float end = tallest_half(cloth, System::kWarp), pick = tallest_half(cloth, System::kWeft);
+  const Extremes warp = extremes_of(cloth.ends, cloth.depth_mm / static_cast<float>(cloth.picks.size())),
+                 weft = extremes_of(cloth.picks, cloth.width_mm / static_cast<float>(cloth.ends.size()));
+  using thread_formulas::crimp_fraction;
+  const float of_warp = crimp_fraction(warp.least_stiff, weft.most_stiff) * (end + pick) + warp.rise;
+  const float of_weft = (1 - crimp_fraction(warp.most_stiff, weft.least_stiff)) * (end + pick) + weft.rise;
+  const float most = std::max(top_above(of_warp, end, weft.least_room, widest_room(cloth.picks)),
+                              top_above(of_weft, pick, warp.least_room, widest_room(cloth.ends)));
   return std::clamp(most, 1e-5f, std::max(1e-5f, 3 * (end + pick)));
 }
 

@@ -29,6 +29,8 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& wind
 
 /// Bound of the heights of threads with these crossings, for a single-layer cloth.
 float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings);
+/// A bound for any weave of these threads, without looking at a crossing.
+float highest_thread(const Cloth& cloth);
 
 namespace thread_formulas {
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/fibre_facts.h"
+
 namespace weftlight::cloth {
 
 using cloth::thread_formulas::mix_bits, cloth::thread_formulas::unit_of;
-using design::Twist, design::clamped;
+using design::Twist, design::clamped, design::fibre_facts, design::fibre_radius_mm;
 
 namespace {
 
@@ -16,14 +18,32 @@ constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr float kToneLength = 14.0f;
 // A plied yarn is twisted against its singles, so its fibres lie nearly along the axis.
 constexpr float kFibreTwistInPly = -0.2f;
-constexpr float kPlyRelief = 0.14f;  // of the thread's height
-constexpr int kMaxTurns = 1 << 22;   // keeps phases exact in float
+constexpr float kPlyRelief = 0.14f;    // of the thread's height
+constexpr float kSpunBundling = 0.3f;  // of fibres that are not bound to each other
+constexpr int kMaxTurns = 1 << 22;     // keeps phases exact in float
 
 int rounded(float x) { return static_cast<int>(std::lround(std::clamp(x, -1.0f * kMaxTurns, 1.0f * kMaxTurns))); }
 
+/// Lanes of single fibres. In a ply they keep their twist against it.
+void set_single_fibres(ThreadTexture& t, const FibreFacts& facts, const Yarn& yarn) {
+  const float lane_mm = std::min(2 * fibre_radius_mm(facts), yarn.fibre_um * 1e-3f);
+  t.lanes = std::max(std::round(kTwoPi * t.radius_mm / lane_mm), t.fibres);
+  const float net = static_cast<float>(t.advance) / t.fibres * t.lanes;
+  const float ply = t.plies > 1 ? t.lanes * static_cast<float>(t.ply_advance) / static_cast<float>(t.plies) : 0.0f;
+  t.lane_advance = rounded(net - ply);
+  t.disorder = facts.disorder;
+  t.bundling = facts.in_bundle > 1 ? 1.0f : kSpunBundling;
+  t.convolution = std::min(facts.along_rad, 0.5f * yarn.lobes.along_width);
+}
+
 }  // namespace
 
-ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System system, int thread, float length_mm) {
+ThreadTexture thread_texture(const Yarn& yarn, const ThreadBody& body, System system, int thread, float length_mm) {
+  return thread_texture(yarn, fibre_facts(yarn), body, system, thread, length_mm);
+}
+
+ThreadTexture thread_texture(const Yarn& any, const FibreFacts& facts, const ThreadBody& body, System system,
+                             int thread, float length_mm) {
   using thread_formulas::mix_bits, thread_formulas::unit_of;
   const Yarn yarn = clamped(any);
   ThreadTexture t{};
@@ -43,7 +63,7 @@ ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System sys
   }
   t.advance = rounded(turns * t.fibres * (t.plies > 1 ? kFibreTwistInPly : 1.0f));
   t.fibre_tan = -kTwoPi * t.radius_mm * static_cast<float>(t.advance) / (t.fibres * std::max(length_mm, 1e-6f));
-  t.singles = std::abs(t.advance) * thread_formulas::kFibresABundle;
+  set_single_fibres(t, facts, yarn);
   t.stray_advance = -rounded(0.35f * static_cast<float>(t.advance) / thread_formulas::kStraySpacing);
   t.nodes = std::max(1, rounded(length_mm / (kToneLength * fibre_mm)));
   t.depth = yarn.groove_depth;
@@ -55,12 +75,19 @@ ThreadTexture thread_texture(const Yarn& any, const ThreadBody& body, System sys
   return t;
 }
 
+std::vector<FibreFacts> fibre_facts(const Cloth& cloth) {
+  std::vector<FibreFacts> out;
+  for (const Yarn& yarn : cloth.yarns) out.push_back(design::fibre_facts(yarn));
+  return out;
+}
+
 std::array<std::vector<ThreadTexture>, 2> thread_textures(const Cloth& cloth) {
-  const auto of = [&cloth](const std::vector<ThreadBody>& bodies, System system, float length_mm) {
+  const std::vector<FibreFacts> facts = fibre_facts(cloth);
+  const auto of = [&](const std::vector<ThreadBody>& bodies, System system, float length_mm) {
     std::vector<ThreadTexture> out;
     for (size_t i = 0; i < bodies.size(); ++i) {
-      out.push_back(thread_texture(cloth.yarns[static_cast<size_t>(bodies[i].yarn)], bodies[i], system,
-                                   static_cast<int>(i), length_mm));
+      const size_t yarn = static_cast<size_t>(bodies[i].yarn);
+      out.push_back(thread_texture(cloth.yarns[yarn], facts[yarn], bodies[i], system, static_cast<int>(i), length_mm));
     }
     return out;
   };

@@ -27,8 +27,8 @@ constexpr float kLongHairs = 0.1f;   // part of the hairs, of kLongHair times th
 constexpr float kLongHair = 3;
 constexpr float kLongestHair_mm = 6;
 constexpr float kLoop_mm = 0.55f;
-constexpr float kNapHair = 14;           // mm a mm that a raised finish pulls out
-constexpr int kMostInAThread = 1 << 22;  // beyond, the memory limit has refused long since
+constexpr float kNapHair = 14;          // mm a mm that a raised finish pulls out
+constexpr int kMaxInAThread = 1 << 22;  // beyond, the memory limit has refused long since
 
 /// Random numbers of one thread, one stream a purpose.
 class Dice {
@@ -54,11 +54,12 @@ float turns_per_mm(const Yarn& yarn, System system) {
   return sign * yarn.turns_per_m * 1e-3f;
 }
 
-/// A whole number of waves in the length, at least one if there are any.
-float whole_waves(float per_mm, float length_mm) {
-  if (!(length_mm > 0) || per_mm == 0) return 0;
-  const float waves = std::round(per_mm * length_mm);
-  return (waves != 0 ? waves : std::copysign(1.0f, per_mm)) / length_mm;
+/// Of a thread that repeats: a whole number of waves in its length, at least one if there are any.
+float fitted_waves(float per_mm, const FibreThread& thread) {
+  if (!(thread.length_mm > 0) || per_mm == 0) return 0;
+  if (!thread.repeats) return per_mm;
+  const float waves = std::round(per_mm * thread.length_mm);
+  return (waves != 0 ? waves : std::copysign(1.0f, per_mm)) / thread.length_mm;
 }
 
 /// Half sections of the plies: circles that touch, wider across where there is room for it.
@@ -73,13 +74,13 @@ YarnFibres twisted(const FibreThread& thread, const FibreFacts& facts) {
   YarnFibres yarn;
   yarn.plies = std::clamp(thread.yarn.plies, 1, 64);
   place_plies(yarn);
-  const float turns = whole_waves(turns_per_mm(thread.yarn, thread.system), thread.length_mm);
+  const float turns = fitted_waves(turns_per_mm(thread.yarn, thread.system), thread);
   yarn.ply_turns_per_mm = yarn.plies > 1 ? turns : 0;
-  yarn.fibre_turns_per_mm = yarn.plies > 1 ? -whole_waves(kSinglesOverPly * turns, thread.length_mm) : turns;
+  yarn.fibre_turns_per_mm = yarn.plies > 1 ? -fitted_waves(kSinglesOverPly * turns, thread) : turns;
   yarn.migration = facts.migration;
   const float turned = std::max(std::abs(yarn.fibre_turns_per_mm), 0.1f);
-  yarn.migrations_per_mm = whole_waves(facts.migrations * turned, thread.length_mm);
-  yarn.wander_per_mm = whole_waves(1 / kWanderWave_mm, thread.length_mm);
+  yarn.migrations_per_mm = fitted_waves(facts.migrations * turned, thread);
+  yarn.wander_per_mm = fitted_waves(1 / kWanderWave_mm, thread);
   return yarn;
 }
 
@@ -107,7 +108,7 @@ int fibres_in_ply(const FibreThread& thread, const FibreFacts& facts, const Yarn
   const double tex = static_cast<double>(tex_of(thread.yarn, thread.diameter_mm)) / yarn.plies;
   const double longer = longer_way(yarn, 0.5f * thread.diameter_mm);
   const double wanted = 10 * tex / (static_cast<double>(facts.fineness_dtex) * longer);
-  return static_cast<int>(std::clamp(std::round(wanted), 1.0, double{kMostInAThread}));
+  return static_cast<int>(std::clamp(std::round(wanted), 1.0, double{kMaxInAThread}));
 }
 
 /// Even places in the unit disc, polar: the i-th of n, moved by `jitter` mean distances.
@@ -183,7 +184,7 @@ float mean_hair_mm(const FibreThread& thread, const FibreFacts& facts) {
 
 int hair_count(const FibreThread& thread, const FibreFacts& facts) {
   const float wanted = hair_of(thread) * thread.length_mm / std::max(mean_hair_mm(thread, facts), 0.05f);
-  return static_cast<int>(std::clamp(std::round(wanted), 0.0f, float{kMostInAThread}));
+  return static_cast<int>(std::clamp(std::round(wanted), 0.0f, float{kMaxInAThread}));
 }
 
 void add_hairs(YarnFibres& yarn, const FibreThread& thread, const FibreFacts& facts) {
@@ -237,7 +238,7 @@ int fibre_count(const FibreThread& thread) {
   const FibreFacts facts = fibre_facts(thread.yarn);
   const YarnFibres yarn = twisted(thread, facts);
   return static_cast<int>(
-      std::min<int64_t>(int64_t{yarn.plies} * fibres_in_ply(thread, facts, yarn), int64_t{kMostInAThread}));
+      std::min<int64_t>(int64_t{yarn.plies} * fibres_in_ply(thread, facts, yarn), int64_t{kMaxInAThread}));
 }
 
 int stray_count(const FibreThread& thread) {

@@ -24,7 +24,8 @@ struct FibreThread {
   System system = System::kWarp;
   float width_mm = 0, height_mm = 0;  // of the flattened section
   float diameter_mm = 0;              // of the round thread, which the count goes with
-  float length_mm = 0;                // all waves along the thread have whole numbers in it
+  float length_mm = 0;
+  bool repeats = true;  // every length_mm: all waves along the thread have whole numbers in it
   uint32_t seed = 0;
   float raised = 0;  // finish: 0 to 1, more and longer hair
 };

@@ -1,18 +1,19 @@
 #pragma once
 // The Design: the one value that is edited and saved. Draft, yarns, finish, notes,
-// look, scene and loom. Drawdown, maps, meshes and pictures are derived from it, never stored in it.
+// plan of the cloth, look, scene and loom. Drawdown, maps, meshes and pictures are derived from it, never stored in it.
 
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "design/cloth_plan.h"
 #include "design/finish.h"
 #include "design/yarn.h"
 #include "draft/draft.h"
 
 namespace weftlight::design {
 
-using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::System, draft::Threads;
 
 /// Shading method (methods.h); kAuto chooses by the pixel footprint.
 enum class Method { kAuto, kFlat, kVrst03, kIrawan, kCloth, kRepeat, kCell, kYarn, kEngine, kReference };
@@ -48,12 +49,20 @@ struct Scene {
 /// the drawdown, from which threading and lifts are factored.
 enum class Leading { kThreading, kLiftplan, kDrawdown };
 
-/// How the draft is edited, and the limits of the loom.
+/// Dents of a reed: every end in one of its own, and as many empty ones as a sleying can have between them.
+inline constexpr int kMaxLoomDents = draft::kMaxThreads * kMaxSleyingDents;
+
+/// How the draft is edited, the limits of the loom, and the places kept at it.
 struct Loom {
   Leading leading = Leading::kThreading;
   bool locked = false;           // grids that follow cannot be painted
   int shafts = 0, treadles = 0;  // of the loom, 0..kMaxShafts; 0: unknown
   int next_pick = 0;             // woven next, 0..kMaxThreads
+  int next_end = 0;              // threaded next: those before it are in their heddles; 0..kMaxThreads
+  int next_dent = 0;             // sleyed next, 0..kMaxLoomDents
+  bool tabby_between = false;    // a tabby pick before each pattern pick
+  bool at_tabby = false;         // a tabby pick is woven before next_pick
+  bool second_tabby = false;     // it is, or the next one will be, the second of the two tabby sheds
   bool operator==(const Loom&) const = default;
 };
 
@@ -96,6 +105,7 @@ struct Design {
   Draft draft;
   std::vector<Yarn> yarns{Yarn{}};  // never empty; before finishing
   Finish finish;                    // finished(yarns, finish) are the yarns of the cloth
+  ClothPlan plan;
   Look look;
   Scene scene;
   Loom loom;
@@ -104,6 +114,9 @@ struct Design {
   Assembly warp_assembly, weft_assembly;
   bool operator==(const Design&) const = default;
 };
+
+/// Distance from thread to thread, in mm: the thread's own, otherwise its thickness, otherwise its yarn's.
+double spacing_of(const Design& design, System system, int thread);
 
 /// True when the draft is consistent and every thread's yarn exists.
 bool is_consistent(const Design& design);

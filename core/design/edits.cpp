@@ -154,7 +154,15 @@ Design with_new_palette_color(Design design, Rgb rgb) {
 }
 
 Design with_yarn(Design design, int yarn, const Yarn& value) {
-  if (within(yarn, static_cast<int>(design.yarns.size()))) design.yarns[yarn] = clamped(value);
+  if (!within(yarn, static_cast<int>(design.yarns.size()))) return design;
+  const std::string before = std::exchange(design.yarns[yarn], clamped(value)).name;
+  const std::string& name = design.yarns[yarn].name;
+  const bool of_others = std::ranges::count(design.yarns, before, &Yarn::name) > 0;
+  YarnPurchase bought = purchase_of(design.plan, before);
+  if (before == name || of_others || bought == YarnPurchase{before}) return design;
+  design.plan = with_purchase(std::move(design.plan), {before, 0, 0, 0});
+  bought.yarn = name;
+  design.plan = with_purchase(std::move(design.plan), std::move(bought));
   return design;
 }
 
@@ -179,6 +187,22 @@ Design with_size(Design design, int ends, int picks, int shafts, int treadles) {
   d.liftplan.resize(picks, shafts);
   resize_with_stripes(d.warp, ends, 0);
   resize_with_stripes(d.weft, picks, static_cast<int>(d.palette.size()) > 1 ? 1 : 0);
+  return design;
+}
+
+Design with_plan(Design design, ClothPlan plan) {
+  design.plan = clamped(std::move(plan));
+  return design;
+}
+
+Design with_sett(Design design, System system, double per_cm) {
+  std::vector<float>& spacing = design.draft.threads(system).spacing_mm;
+  double sum = 0;
+  for (size_t i = 0; i < spacing.size(); ++i) sum += spacing_of(design, system, static_cast<int>(i));
+  const double scale = 10.0 * static_cast<double>(spacing.size()) / (per_cm * sum);
+  if (!(std::isfinite(scale) && scale > 0)) return design;
+  for (size_t i = 0; i < spacing.size(); ++i)
+    spacing[i] = static_cast<float>(scale * spacing_of(design, system, static_cast<int>(i)));
   return design;
 }
 

@@ -10,7 +10,7 @@
 
 namespace weftlight::design {
 
-using draft::Rgb, draft::System, draft::kMaxShafts;
+using draft::Rgb, draft::kMaxShafts;
 
 /// `only`: the thread is first removed from its other shafts or treadles, as a weaver expects of a click.
 Design with_threading(Design design, int end, int shaft, bool on, bool only = true);
@@ -30,11 +30,16 @@ Design with_thread_thickness(Design design, System system, std::span<const int> 
 Design with_thread_spacing(Design design, System system, std::span<const int> threads, float mm);
 Design with_palette_color(Design design, int color, Rgb rgb);
 Design with_new_palette_color(Design design, Rgb rgb);
+/// How the yarn is bought stays with it when it gets another name.
 Design with_yarn(Design design, int yarn, const Yarn& value);
 Design with_new_yarn(Design design, const Yarn& value);
 /// New threads continue the stripes of the old ones (colour, yarn, spacing, thickness); new cells are empty. Counts are
 /// clamped to their limits; with more than kMaxCells crossings the design is unchanged.
 Design with_size(Design design, int ends, int picks, int shafts, int treadles);
+/// The plan of the cloth, every number within its limits.
+Design with_plan(Design design, ClothPlan plan);
+/// All threads of a system so much further apart, or closer, that there are `per_cm` of them in a cm, on average.
+Design with_sett(Design design, System system, double per_cm);
 /// Rising or sinking shed. The marks stay, so that front and back are exchanged.
 Design with_rising(Design design, bool rising);
 

@@ -1,6 +1,7 @@
 #pragma once
-// Undo: a list of immutable, labelled snapshots of the Design. One drag is one step: commits with the same stroke id
-// are merged. The saved mark is a position in the list.
+// Undo: a list of labelled steps of the Design, each kept as its difference from the one before: painted cells take a
+// few bytes, anything else both designs. One drag is one step: commits with the same stroke id are merged. The saved
+// mark is a position in the list.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace weftlight::design {
 
-/// Memory limit of all snapshots; beyond it the oldest steps are dropped, but never the last one.
+/// Memory limit of all steps; beyond it the oldest steps are dropped, but never the last one.
 inline constexpr size_t kMaxHistoryBytes = size_t{256} << 20;
 
 class History {
@@ -20,8 +21,8 @@ class History {
   /// `first` counts as saved.
   explicit History(Design first);
 
-  const Design& now() const { return *steps_[position_].design; }
-  std::shared_ptr<const Design> snapshot() const { return steps_[position_].design; }
+  const Design& now() const { return *now_; }
+  std::shared_ptr<const Design> snapshot() const { return now_; }
   /// A design equal to now() makes no step. A non-zero `stroke` replaces the step before if that has the same stroke.
   void commit(Design next, std::string label, uint64_t stroke = 0);
   bool can_undo() const { return position_ > 0; }
@@ -39,6 +40,8 @@ class History {
   /// Label of the step that undo would revert, or redo repeat; empty if there is none.
   std::string undo_label() const;
   std::string redo_label() const;
+  /// Memory of all steps, as kMaxHistoryBytes counts it.
+  size_t kept_bytes() const { return total_bytes_; }
   /// Names the present step for mark_saved().
   uint64_t mark() const { return steps_[position_].id; }
   void mark_saved() { mark_saved(mark()); }
@@ -49,16 +52,19 @@ class History {
   bool is_saved() const;
 
  private:
+  struct Change;
   struct Step {
-    std::shared_ptr<const Design> design;
+    std::shared_ptr<const Change> change;  // from the step before; null for the first
     std::string label;
     uint64_t stroke = 0;
     uint64_t id = 0;
     size_t bytes = 0;
   };
-  void drop_redo();
-  void drop_last();
+  std::shared_ptr<const Design> at(size_t step) const;
+  Step step_to(size_t before, const std::shared_ptr<const Design>& from, const std::shared_ptr<const Design>& to) const;
+  void drop_after(size_t step);
   void drop_oldest();
+  std::shared_ptr<const Design> now_;
   std::vector<Step> steps_;
   size_t position_ = 0, total_bytes_ = 0;
   uint64_t next_id_ = 1, saved_id_ = 0;

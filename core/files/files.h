@@ -6,6 +6,7 @@
 
 #include "base/resources.h"
 #include "base/result.h"
+#include "cloth/curves.h"
 #include "cloth/maps.h"
 #include "drape/mesh.h"
 
@@ -65,6 +66,10 @@ struct GltfMaterial {
 /// triangles are written twice, each side with its own material; otherwise the material is double sided.
 base::Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
                               const GltfMaterial* back = nullptr);
+
+/// Writes USD text (.usda): BasisCurves for each group, with width and colour, a material, and as primvars the thread
+/// and the twist. The stage is in millimetres, the face of the cloth towards +z.
+base::Result<void> write_curves(const std::string& path, const cloth::Curves& curves);
 
 /// Reads a shipped drape by name (presets/meshes/NAME.glb), or a file by path.
 base::Result<Mesh> load_drape(const std::string& name_or_path);

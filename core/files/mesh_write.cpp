@@ -5,6 +5,8 @@
 // millimetres to repeats by KHR_texture_transform.
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +17,6 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "base/files.h"
 #include "base/text.h"
@@ -23,7 +24,7 @@
 
 namespace weftlight::files {
 
-using base::ErrorKind, base::Result, base::cause_of, base::failure, base::fill, base::tr, base::write_file_atomically,
+using base::ErrorKind, base::Result, base::cause_of, base::failure, base::tr, base::write_file_atomically,
     base::write_through;
 using drape::Mesh, drape::Vec2, drape::Vec3;
 
@@ -37,9 +38,16 @@ constexpr int kFloat = 5126, kUint = 5125;                   // glTF component t
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;  // and buffer view targets
 constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
+/// An image in the buffer, after the mesh. It is read when it is written, since all together could be large.
+struct EmbeddedImage {
+  const GltfImage* image = nullptr;
+  size_t offset = 0, bytes = 0;
+};
+
 struct Document {
   json root;
-  Bytes binary;                                      // of the only buffer
+  Bytes binary;  // of the only buffer, without its images
+  std::vector<EmbeddedImage> embedded;
   bool embed = true;                                 // images inside the buffer; false: as files
   std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
   std::string stem, folder;
@@ -56,6 +64,7 @@ void pad(Bytes& bytes, unsigned char fill) {
 }
 
 int add_view(Document& doc, const void* data, size_t size, int target) {
+  assert(doc.embedded.empty());
   pad(doc.binary, 0);
   json view{{"buffer", 0}, {"byteOffset", doc.binary.size()}, {"byteLength", size}};
   if (target) view["target"] = target;
@@ -161,20 +170,31 @@ void add_mesh(Document& doc, const Mesh& mesh, const GltfMaterial* front, const 
   doc.root["scene"] = 0;
 }
 
-Bytes bytes_of(Document& doc, const GltfImage& image) {
-  if (image.file.empty()) return image.png;
-  std::ifstream in(std::filesystem::path(doc.folder) / image.file, std::ios::binary);
-  Bytes out{std::istreambuf_iterator<char>(in), {}};
-  if (out.empty()) doc.images = failure(ErrorKind::kInput, tr("cannot be read"), image.file);
-  return out;
+size_t padded(size_t size) { return (size + 3) / 4 * 4; }
+
+size_t buffer_size(const Document& doc) {
+  return padded(doc.embedded.empty() ? doc.binary.size() : doc.embedded.back().offset + doc.embedded.back().bytes);
+}
+
+/// A buffer view of the image.
+int embed(Document& doc, const GltfImage& image) {
+  std::error_code ec;
+  size_t bytes = image.png.size();
+  if (!image.file.empty()) {
+    const uintmax_t size = std::filesystem::file_size(std::filesystem::path(doc.folder) / image.file, ec);
+    bytes = ec ? 0 : static_cast<size_t>(size);
+  }
+  if (bytes == 0) doc.images = failure(ErrorKind::kInput, tr("cannot be read"), image.file);
+  doc.embedded.push_back({&image, buffer_size(doc), bytes});
+  doc.root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", doc.embedded.back().offset}, {"byteLength", bytes}});
+  return static_cast<int>(doc.root["bufferViews"].size()) - 1;
 }
 
 int add_image(Document& doc, const GltfMaterial& material, const std::string& what, const GltfImage& image) {
   json entry{{"name", what}};
   if (doc.embed) {
-    const Bytes png = bytes_of(doc, image);
     entry["mimeType"] = "image/png";
-    entry["bufferView"] = add_view(doc, png.data(), png.size(), 0);
+    entry["bufferView"] = embed(doc, image);
   } else if (!image.file.empty()) {
     entry["uri"] = image.file;
   } else {
@@ -293,34 +313,51 @@ Result<void> check_mesh(const Mesh& mesh, const std::string& path) {
 
 std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-/// Writes the pieces one after the other; joined in memory they could be large.
-Result<void> write_pieces(const std::string& path, std::initializer_list<std::span<const unsigned char>> pieces) {
-  return write_through(path, [&](const std::string& beside) {
-    std::FILE* file = std::fopen(beside.c_str(), "wb");
-    bool whole = file != nullptr;
-    for (const auto& piece : pieces) whole = whole && std::fwrite(piece.data(), 1, piece.size(), file) == piece.size();
-    const int error = errno;
-    whole = file && std::fclose(file) == 0 && whole;
-    return base::written_unless(whole ? std::string{} : cause_of(error));
-  });
+bool put(std::FILE* file, const void* data, size_t size) { return std::fwrite(data, 1, size, file) == size; }
+
+/// The image, from the file in `folder` if it has one, and zeros to a multiple of four bytes.
+bool put_image(std::FILE* file, const EmbeddedImage& embedded, const std::string& folder) {
+  const GltfImage& image = *embedded.image;
+  size_t written = 0;
+  if (image.file.empty()) {
+    if (!put(file, image.png.data(), image.png.size())) return false;
+    written = image.png.size();
+  } else {
+    std::ifstream in(std::filesystem::path(folder) / image.file, std::ios::binary);
+    std::vector<char> part(1 << 18);
+    while (in.read(part.data(), static_cast<std::streamsize>(part.size())), in.gcount() > 0) {
+      if (!put(file, part.data(), static_cast<size_t>(in.gcount()))) return false;
+      written += static_cast<size_t>(in.gcount());
+    }
+  }
+  constexpr std::array<unsigned char, 4> kZeros{};
+  return written == embedded.bytes && put(file, kZeros.data(), padded(written) - written);
 }
 
 Result<void> write_glb(const std::string& path, Document& doc) {
   pad(doc.binary, 0);
-  doc.root["buffers"] = json::array({{{"byteLength", doc.binary.size()}}});
+  const size_t buffer = buffer_size(doc);
+  doc.root["buffers"] = json::array({{{"byteLength", buffer}}});
   const std::string text = doc.root.dump();
-  Bytes head(text.begin(), text.end());
+  Bytes start{'g', 'l', 'T', 'F'}, head(text.begin(), text.end());
   pad(head, ' ');
-  const uint64_t total = 12 + 8 + head.size() + 8 + doc.binary.size();
+  const uint64_t total = 12 + 8 + head.size() + 8 + buffer;
   if (total > std::numeric_limits<uint32_t>::max())
     return failure(ErrorKind::kOutput, tr("a .glb cannot be larger than 4 GB; export smaller textures"), path);
-  Bytes start{'g', 'l', 'T', 'F'}, between;
   for (uint32_t v : {uint32_t{2}, static_cast<uint32_t>(total), static_cast<uint32_t>(head.size()), kJsonChunk}) {
     append_u32(start, v);
   }
-  append_u32(between, static_cast<uint32_t>(doc.binary.size()));
-  append_u32(between, kBinChunk);
-  return write_pieces(path, {start, head, between, doc.binary});
+  start.insert(start.end(), head.begin(), head.end());
+  append_u32(start, static_cast<uint32_t>(buffer));
+  append_u32(start, kBinChunk);
+  return write_through(path, [&](const std::string& beside) {
+    std::FILE* file = std::fopen(beside.c_str(), "wb");
+    bool whole = file && put(file, start.data(), start.size()) && put(file, doc.binary.data(), doc.binary.size());
+    for (const EmbeddedImage& image : doc.embedded) whole = whole && put_image(file, image, doc.folder);
+    const int error = errno;
+    whole = file && std::fclose(file) == 0 && whole;
+    return base::written_unless(whole ? std::string{} : cause_of(error != 0 ? error : EIO));
+  });
 }
 
 /// Writes the other files first, so that the .gltf never refers to a missing file.

@@ -93,23 +93,21 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   const auto p = scene_.thread_point(hit.system, hit.strand, hit.at);
   const ThreadTexture& pattern = patterns_[system][thread];
   const float mm = std::sqrt(std::abs(side.x.x * side.y.y - side.x.y * side.y.x));
-  const float across = mm / (2 * std::numbers::pi_v<float> * pattern.radius_mm * std::max(std::abs(p.normal.z), 0.1f));
-  const float along = mm / length(system), period_fraction = p.along / length(system);
-  const float cycles = std::max(pattern.fibres * across, std::abs(static_cast<float>(pattern.advance)) * along);
-  const float ply =
-      std::max(static_cast<float>(pattern.plies) * across, std::abs(static_cast<float>(pattern.ply_advance)) * along);
-  const auto texel = thread_formulas::texture_at(
-      pattern, thread_formulas::texture_point(pattern, period_fraction - std::floor(period_fraction), p.turn, cycles,
-                                              thread_formulas::contrast_left(ply)));
-  glm::vec3 n = p.normal;
-  if (pattern.plies > 1) n = scene_.ply_normal(p, pattern, texel.ply, length(system));
-  if (glm::dot(n, v) <= 0) n = p.normal;
+  const float period_fraction = p.along / length(system);
+  const thread_formulas::SurfaceFrame frame{p.normal, p.axis, p.around};
+  const auto detail = thread_formulas::fibre_detail(
+      pattern, period_fraction - std::floor(period_fraction), p.turn,
+      thread_formulas::sample_size(pattern, mm, p.normal.z, length(system)), length(system));
+  const float relief = thread_formulas::fibre_relief(lobes_[system][thread].slope_cov.z);
+  const glm::vec3 n = thread_formulas::detail_normal(frame, pattern, detail, relief, length(system), v);
   const formulas::YarnLobes lobes =
-      formulas::yarn_widen(lobes_[system][thread], scene_.slope_spread(p, pattern.fibre_tan, v, side.x, side.y));
-  const float radiance = channel_mean(
-      formulas::facet_radiance(lobes, n, 1, p.axis + p.around * pattern.fibre_tan, glm::vec3(0), l, v).key);
+      formulas::yarn_widen(formulas::detail_lobes(lobes_[system][thread], detail.resolved, relief),
+                           scene_.slope_spread(p, detail.fibre_tan, v, side.x, side.y));
+  const float radiance =
+      channel_mean(formulas::facet_radiance(lobes, n, 1, p.axis + p.around * detail.fibre_tan, glm::vec3(0), l, v).key);
   if (radiance <= 0 || scene_.threads_block(grid_, hit.at, l, kLightCells, hit.system, hit.strand.thread)) return 0;
-  return radiance * texel.groove;
+  const float light = detail.texel.groove * thread_formulas::detail_gain(pattern, detail, relief);
+  return radiance * light * thread_formulas::ply_light(frame, pattern, detail, length(system), l);
 }
 
 using Errors = std::array<float, kErrorLattices>;

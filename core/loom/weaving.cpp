@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "loom/tabby.h"
 
 namespace weftlight::loom {
 
@@ -15,9 +16,19 @@ PickRange clipped(const PickRange& s, int picks) {
   return in.first < in.end ? in : PickRange{0, picks};
 }
 
-/// Raises the shafts of the next pick.
+/// The shafts that rise for the tabby pick, or for the next pick; nothing if the protocol has no room for them.
+std::optional<uint32_t> wanted_shafts(const WeavingSetup& w, const WeavingState& state) {
+  const std::optional<TabbySheds> sheds = state.at_tabby ? tabby_sheds(w.draft) : std::nullopt;
+  if (!sheds) return raised_shafts(w.draft, w.lifts, state.next_pick);
+  if (w.draft.shafts > kMaxLoomShafts) return {};
+  uint32_t shafts = 0;
+  for (const int shaft : state.second_tabby ? sheds->second : sheds->first) shafts |= uint32_t{1} << shaft;
+  return shafts;
+}
+
+/// Raises the shafts of the tabby pick, or of the next pick.
 LoomReply raised(const WeavingSetup& w, WeavingState state) {
-  const std::optional<uint32_t> shafts = raised_shafts(w.draft, w.lifts, state.next_pick);
+  const std::optional<uint32_t> shafts = wanted_shafts(w, state);
   if (!shafts)
     return {state,
             {},
@@ -29,13 +40,28 @@ LoomReply raised(const WeavingSetup& w, WeavingState state) {
 
 }  // namespace
 
-WeavingState advanced(WeavingState state, const PickRange& range, int picks) {
+WeavingState advanced(WeavingState state, const PickRange& range, int picks, bool tabby_between) {
   const PickRange s = clipped(range, picks);
   if (s.first >= s.end) return state;
+  const bool was_tabby = state.at_tabby;
   state = moved_to_pick(state, s, picks, state.next_pick);
   const int step = state.weaving ? 1 : -1, count = s.end - s.first;
-  state.next_pick = s.first + (state.next_pick - s.first + step + count) % count;
+  if (was_tabby && !state.weaving && !tabby_between) return state;  // it was asked for by mistake
   state.woven += step;
+  const auto go = [&] { state.next_pick = s.first + (state.next_pick - s.first + step + count) % count; };
+  if (state.weaving) {
+    if (was_tabby) {
+      state.second_tabby = !state.second_tabby;
+    } else {
+      go();
+      state.at_tabby = tabby_between;
+    }
+  } else if (was_tabby || !tabby_between) {
+    go();
+  } else {
+    state.at_tabby = true;
+    state.second_tabby = !state.second_tabby;
+  }
   return state;
 }
 
@@ -43,6 +69,7 @@ WeavingState moved_to_pick(WeavingState state, const PickRange& range, int picks
   const PickRange s = clipped(range, picks);
   state.next_pick = s.first < s.end ? std::clamp(pick, s.first, s.end - 1) : 0;
   state.waiting = false;
+  state.at_tabby = false;
   return state;
 }
 
@@ -50,14 +77,14 @@ LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomR
   switch (report.kind) {
     case LoomReport::kPickWanted:
       // The request confirms that the pick on its way was woven; at the first request there is none.
-      return raised(w, state.waiting ? advanced(state, w.range, w.lifts.rows()) : state);
+      return raised(w, state.waiting ? advanced(state, w.range, w.lifts.rows(), w.tabby_between) : state);
     case LoomReport::kDirection: {
       WeavingState next_state = state;
       next_state.weaving = report.on;
       return {next_state, {}, {}};
     }
     case LoomReport::kShaftsRaised: {
-      const std::optional<uint32_t> wanted = raised_shafts(w.draft, w.lifts, state.next_pick);
+      const std::optional<uint32_t> wanted = wanted_shafts(w, state);
       const bool other = state.waiting && wanted && *wanted != report.shafts;
       return {state, {}, other ? tr("the loom has raised other shafts than were sent") : ""};
     }
@@ -78,8 +105,23 @@ LoomReply on_connected(const WeavingSetup& w, const WeavingState& state) {
 LoomReply step_by_hand(const WeavingSetup& w, const WeavingState& state, bool forwards) {
   WeavingState next_state = state;
   next_state.weaving = forwards;
-  LoomReply next = raised(w, state.waiting || !forwards ? advanced(next_state, w.range, w.lifts.rows()) : next_state);
-  if (next_state.weaving != state.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
+  if (state.waiting || !forwards) next_state = advanced(next_state, w.range, w.lifts.rows(), w.tabby_between);
+  LoomReply next = raised(w, next_state);
+  if (forwards != state.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
+  return next;
+}
+
+LoomReply insert_tabby(const WeavingSetup& w, const WeavingState& state, bool connected) {
+  if (!tabby_sheds(w.draft))
+    return {state, {}, tr("This threading has no tabby: odd and even ends share a shaft, or all are on the same ones")};
+  WeavingState next_state = state;
+  if (state.at_tabby) next_state.second_tabby = !state.second_tabby;
+  next_state.at_tabby = true;
+  next_state.weaving = true;
+  next_state.waiting = false;
+  if (!connected) return {next_state, {}, {}};
+  LoomReply next = raised(w, next_state);
+  if (!state.weaving) next.send.insert(0, direction_command(w.protocol, true));
   return next;
 }
 

@@ -22,12 +22,15 @@ struct WeavingState {
   int64_t woven = 0;     // picks so far, less those that were unwoven
   bool weaving = true;   // false: unweaving
   bool waiting = false;  // its shafts were sent
+  // A tabby pick comes before next_pick; it is, or the next one will be, the second of the two tabby sheds.
+  bool at_tabby = false, second_tabby = false;
   bool operator==(const WeavingState&) const = default;
 };
 
-/// The state after a pick of `range` was woven or unwoven.
-WeavingState advanced(WeavingState state, const PickRange& range, int picks);
-/// The state with `pick` (clamped to `range`) next and nothing sent.
+/// The state after a pick of `range` was woven or unwoven. `tabby_between`: a tabby pick comes before each pattern
+/// pick, by turns of either shed. Without it, a step back from a tabby pick leaves that out.
+WeavingState advanced(WeavingState state, const PickRange& range, int picks, bool tabby_between = false);
+/// The state with `pick` (clamped to `range`) next, no tabby before it, and nothing sent.
 WeavingState moved_to_pick(WeavingState state, const PickRange& range, int picks, int pick);
 
 /// The state after a message from the loom, and what to send back.
@@ -41,11 +44,15 @@ struct WeavingSetup {
   const BitMatrix& lifts;  // of the draft
   PickRange range;
   Protocol protocol = Protocol::kPlain;
+  bool tabby_between = false;
 };
 LoomReply reply_to(const WeavingSetup& weaving, const WeavingState& state, const LoomReport& report);
 /// What to send after each new connection: the direction, and the shafts of a pick that was sent but not confirmed.
 LoomReply on_connected(const WeavingSetup& weaving, const WeavingState& state);
 /// A step by key or click, as if the loom had asked: for a Toika or a treadle loom, which report nothing.
 LoomReply step_by_hand(const WeavingSetup& weaving, const WeavingState& state, bool forwards);
+/// A tabby pick now, before next_pick, which stays where it is. At a tabby pick, the other shed instead. A remark if
+/// the threading has no tabby.
+LoomReply insert_tabby(const WeavingSetup& weaving, const WeavingState& state, bool connected);
 
 }  // namespace weftlight::loom

@@ -5,7 +5,7 @@
 
 namespace weftlight::platform {
 
-/// The folder of the running program's file; empty if the system does not tell.
+/// The folder of the program's file, or of the module's that holds this code; empty if the system does not tell.
 std::string program_folder();
 /// The user's home; empty if there is none.
 std::string home_folder();

@@ -8,9 +8,7 @@
 #include <optional>
 #include <thread>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <fcntl.h>
-#endif
+#include "platform/keep_from_children.h"
 
 namespace weftlight::platform {
 namespace {
@@ -20,14 +18,6 @@ using Endpoints = std::vector<asio::ip::tcp::endpoint>;
 
 constexpr milliseconds kSendTimeout{1000};
 constexpr size_t kMaxLookups = 8;  // threads that wait for name servers at the same time
-
-/// A program that is started meanwhile must not hold the line open.
-template <class Stream>
-void keep_from_children([[maybe_unused]] Stream& stream) {
-#if defined(FD_CLOEXEC)
-  ::fcntl(stream.native_handle(), F_SETFD, FD_CLOEXEC);
-#endif
-}
 
 struct Step {
   bool ended = false;
@@ -99,7 +89,7 @@ LineConnected connected_to(const Endpoints& endpoints, milliseconds wait, const 
     asio::ip::tcp::socket socket(*io);
     socket.open(endpoint.protocol(), why);
     if (why) continue;
-    keep_from_children(socket);
+    keep_from_children(socket.native_handle());
     const Step step =
         run_step(*io, socket, wait, stop, [&](auto then) { socket.async_connect(endpoint, std::move(then)); });
     why = timed_out(step) ? std::make_error_code(std::errc::timed_out) : step.error;
@@ -126,7 +116,7 @@ LineConnected connect_serial(const SerialAddress& to, const std::stop_token& sto
   std::error_code error;
   port.open(to.port, error);
   if (error) return none(problem_of_port(error));
-  keep_from_children(port);
+  keep_from_children(port.native_handle());
   using Set = asio::serial_port_base;
   port.set_option(Set::baud_rate(static_cast<unsigned>(to.baud)), error);
   if (!error) port.set_option(Set::character_size(8), error);

@@ -1,36 +1,24 @@
-// Lists for the loom: threading, treadling, heddles, yarn; and a swatch at actual size.
+// Lists for the loom: the planned cloth, threading, treadling; and a swatch at actual size.
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "analysis/threads.h"
 #include "base/text.h"
+#include "print/lines.h"
 #include "print/page.h"
 
 namespace weftlight::print {
 
-using analysis::ClothPlan, analysis::LoomUse, analysis::YarnNeed, analysis::YarnReport, analysis::loom_use,
-    analysis::yarn_report;
-using base::arg, base::fill, base::tr, base::tr_n;
+using analysis::cloth_measures;
+using base::tr;
 using design::Design;
-using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::System, draft::Threads, draft::drawdown;
+using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::Threads, draft::drawdown;
 
 namespace {
 
 constexpr double kLine = 4.4, kSize = 3;  // line spacing and font size, mm
 constexpr int kMaxLines = 4000;           // of one list; a longer one is cut, with a remark
-
-/// One entry of a line, with a colour chip if it has a colour.
-struct Word {
-  std::string text;
-  int color = -1;  // in the palette; -1: none
-};
-struct Line {
-  std::string head;  // at the left; a heading if there are no words
-  std::vector<Word> words;
-  bool heading() const { return words.empty() && !head.empty(); }
-};
 
 std::string marks_of(const BitMatrix& m, int row) {
   std::string text;
@@ -71,40 +59,16 @@ void list_colors(std::vector<Line>& out, const char* title, const Threads& threa
   }
 }
 
-void list_heddles(std::vector<Line>& out, const LoomUse& use) {
-  out.push_back({tr("Heddles"), {}});
-  for (size_t s = 0; s < use.heddles.size(); ++s)
-    out.push_back({fill(tr("Shaft {number}"), arg("number", s + 1)), {{std::to_string(use.heddles[s]), -1}}});
-  int sum = 0;
-  for (const int heddles : use.heddles) sum += heddles;
-  out.push_back({tr("Total"), {{std::to_string(sum), -1}}});
-  if (use.unthreaded_ends > 0) out.push_back({tr("On no shaft"), {{std::to_string(use.unthreaded_ends), -1}}});
-}
-
-void list_yarn(std::vector<Line>& out, const Design& design, const ClothPlan& plan) {
-  const YarnReport r = yarn_report(design, plan);
-  out.push_back({tr("Yarn"), {}});
-  for (const YarnNeed& need : r.needs)
-    out.push_back({need.system == System::kWarp ? tr("Warp") : tr("Weft"),
-                   {{fill(tr("{length:.1f} m"), arg("length", need.length_m)), need.color},
-                    {fill(tr("{weight:.1f} g"), arg("weight", need.weight_g)), -1},
-                    {design.yarns[static_cast<size_t>(need.yarn)].name, -1}}});
-  if (r.cost >= 0) out.push_back({tr("Cost"), {{fill("{cost:.2f}", arg("cost", r.cost)), -1}}});
-  out.push_back({tr("On the loom"),
-                 {{fill(tr_n("{count} end", "{count} ends", r.ends), arg("count", r.ends)), -1},
-                  {fill(tr("{width:.1f} cm wide"), arg("width", r.loom_width_mm / 10)), -1},
-                  {fill(tr("warp {length:.2f} m long"), arg("length", r.warp_length_mm / 1000)), -1}}});
-  out.push_back({tr("Sett"),
-                 {{fill(tr("{sett:.1f} ends/cm"), arg("sett", r.ends_per_cm)), -1},
-                  {fill(tr("{sett:.1f} picks/cm"), arg("sett", r.picks_per_cm)), -1}}});
-}
-
 std::vector<Line> lines_of(const Design& design, const Draft& d, const PrintOptions& options) {
   const PrintParts& parts = options.parts;
   std::vector<Line> out;
   constexpr int kGroup = 10;
-  if (parts.heddles) list_heddles(out, loom_use(design.draft));
-  if (parts.yarn) list_yarn(out, design, options.plan);
+  const PlannedCloth cloth{design, cloth_measures(design), options.units};
+  if (parts.plan) list_plan(out, cloth);
+  if (parts.plan) list_warp_order(out, cloth);
+  if (parts.heddles) list_heddles(out, cloth);
+  if (parts.yarn) list_yarn(out, cloth);
+  if (parts.plan) list_sleyings(out, cloth);
   if (!parts.lists) return out;
   list_rows(out, tr("Threading, shaft of each end"), d.threading, kGroup);
   list_colors(out, tr("Warp colours"), d.warp);
@@ -132,7 +96,8 @@ void draw_line(const Pen& pen, const Design& design, const Line& line, double x,
       pen.frame(at, y - kSize * 0.75, kSize * 0.8, kSize * 0.8, 0.08, kMuted);
       at += kSize * 0.8 + 0.8;
     }
-    at += std::max(pen.text(at, y, kSize, word.text) + 2, word.color >= 0 ? 3.5 : 6.0);
+    const double wide = std::max(pen.text(at, y, kSize, word.text) + 2, word.color >= 0 ? 3.5 : 6.0);
+    at += line.pitch_mm > 0 ? line.pitch_mm : wide;
   }
 }
 

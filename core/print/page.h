@@ -46,7 +46,7 @@ using Sheet = std::function<void(const Pen&)>;
 
 /// The sheets with the grids of the draft; if there are too many, none and `why`.
 base::Result<std::vector<Sheet>> draft_sheets(const Design& design, const PrintOptions& options);
-/// Lists of `listed`, a part of the design or all of it; heddles, yarn and swatch.
+/// Lists of `listed`, a part of the design or all of it; plan, heddles and yarn of the planned cloth; swatch.
 std::vector<Sheet> list_sheets(const Design& design, const Design& listed, const PrintOptions& options);
 
 /// The front of the cloth, seen perpendicularly, each thread shaded as a cylinder, end 1 and pick 1 where the options

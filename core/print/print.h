@@ -1,19 +1,19 @@
 #pragma once
 // A draft on paper: title, threading, tie-up, treadling and drawdown over as many sheets as the scale takes, then
-// lists for the loom (threading, treadling, heddles), yarn, and a swatch at actual size.
+// lists for the loom (plan, threading, treadling, heddles), yarn, and a swatch at actual size.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "analysis/threads.h"
+#include "analysis/units.h"
 #include "base/mark.h"
 #include "base/result.h"
 #include "design/design.h"
 
 namespace weftlight::print {
 
-using analysis::ClothPlan;
+using analysis::Units;
 using design::Design;
 
 struct Paper {
@@ -37,6 +37,7 @@ struct PrintParts {
   bool heddles = true;  // per shaft
   bool yarn = true;     // lengths, weights, sett
   bool swatch = true;   // at actual size
+  bool plan = true;     // size, sett, reed, warping, sleying table
   bool operator==(const PrintParts&) const = default;
 };
 
@@ -49,7 +50,8 @@ inline constexpr NamedPart kParts[] = {{"draft", base::mark("Draft and drawdown"
                                        {"lists", base::mark("Threading and treadling lists"), &PrintParts::lists},
                                        {"heddles", base::mark("Heddles on each shaft"), &PrintParts::heddles},
                                        {"yarn", base::mark("Yarn: lengths, weights, sett"), &PrintParts::yarn},
-                                       {"swatch", base::mark("Swatch, actual size"), &PrintParts::swatch}};
+                                       {"swatch", base::mark("Swatch, actual size"), &PrintParts::swatch},
+                                       {"plan", base::mark("Plan: size, sett, reed, warping"), &PrintParts::plan}};
 
 struct PrintOptions {
   Paper paper = kA4;
@@ -60,10 +62,10 @@ struct PrintOptions {
   bool threading_below = false;  // below the drawdown
   double png_dpi = 150;
   PrintParts parts{};
-  bool one_repeat = false;              // grids and lists of one repeat; heddles, yarn and swatch are of the whole
+  bool one_repeat = false;              // grids and lists of one repeat; all else is of the whole cloth
   int first_sheet = 1, last_sheet = 0;  // what printed() makes of all sheets; 0: to the last
-  ClothPlan plan{};                     // of the cloth, for the yarn list
-  std::string name{};                   // title of a draft without one; empty: "Draft"
+  Units units = Units::kMetric;
+  std::string name{};  // title of a draft without one; empty: "Draft"
   bool operator==(const PrintOptions&) const = default;
 };
 inline constexpr double kMinCell_mm = 1.6;  // of a fitted scale

@@ -63,13 +63,13 @@ void list_threads(FibrePlan& plan, const ThreadPaths& paths, System s, const Fib
       const ThreadBody& body = paths.threads(s)[i];
       if (!(body.width_mm > 0) || !(body.height_mm > 0)) continue;
       const float centre = body.centre_mm + static_cast<float>(r) * period,
-                  reach = paths.widest(s, static_cast<int>(i));
+                  reach = plan.cut ? 0 : paths.widest(s, static_cast<int>(i));
       const float outside = std::max(low - centre, centre - high);
       if (outside > reach + (repeats ? kHairReach_mm : 0)) continue;
       PlannedThread t;
       t.system = s, t.thread = static_cast<int>(i), t.centre_mm = centre, t.core = outside <= reach;
       t.made_for = thread_of(paths, s, t.thread, copies > 0 ? (r % copies + copies) % copies : r, options);
-      t.made_for.length_mm = length;
+      t.made_for.length_mm = length, t.made_for.repeats = !plan.cut;
       const float step = std::min(crossing, fibre_step_mm(t.made_for.yarn));
       t.points = static_cast<int>(std::ceil((length + 2 * plan.pad_mm) / step)) + 1;
       plan.threads.push_back(std::move(t));
@@ -105,6 +105,15 @@ FibrePlan plan_fibres(const ThreadPaths& paths, const FibreOptions& options) {
   plan.low = {u.low, v.low}, plan.high = {u.high, v.high};
   plan.repeats[0] = u.repeats, plan.repeats[1] = v.repeats;
   plan.pad_mm = 0.5f * thickness;
+  for (const System s : {System::kWarp, System::kWeft}) list_threads(plan, paths, s, options);
+  count(plan);
+  return plan;
+}
+
+FibrePlan plan_cut_patch(const ThreadPaths& paths, const FibreOptions& options) {
+  FibrePlan plan;
+  plan.cut = true;
+  plan.low = options.low_mm, plan.high = options.high_mm;
   for (const System s : {System::kWarp, System::kWeft}) list_threads(plan, paths, s, options);
   count(plan);
   return plan;

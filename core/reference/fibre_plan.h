@@ -31,6 +31,7 @@ struct PlannedThread {
 struct FibrePlan {
   glm::vec2 low{0}, high{0};         // of what is made, with margins
   bool repeats[2] = {false, false};  // along u, along v
+  bool cut = false;                  // along the edges of the patch
   float pad_mm = 0;                  // how far fibres run beyond both ends
   std::vector<PlannedThread> threads;
   FibreFigures figures;
@@ -40,8 +41,10 @@ struct FibrePlan {
   bool repeats_along(System s) const { return repeats[s == System::kWarp ? 1 : 0]; }
 };
 
-/// Hairs and loops are counted roughly.
+/// For a picture: with margins, so that no ray of the patch sees an edge. Hairs and loops are counted roughly.
 FibrePlan plan_fibres(const ThreadPaths& paths, const FibreOptions& options);
+/// As if cut out along the edges of the patch: the threads whose centre lines lie in it, from edge to edge.
+FibrePlan plan_cut_patch(const ThreadPaths& paths, const FibreOptions& options);
 
 /// The most memory that these fibres, strays and curves take while they are made.
 int64_t bytes_of(const FibreFigures& figures);

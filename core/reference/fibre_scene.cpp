@@ -4,26 +4,23 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "base/loops.h"
 #include "base/text.h"
 #include "reference/embree.h"
 #include "reference/fibre_plan.h"
+#include "reference/thread_curves.h"
 #include "reference/tiles.h"
 
 namespace weftlight::reference {
 
 using base::ErrorKind, base::arg, base::failure, base::fill, base::for_each_job, base::tr;
-using cloth::PlyFibre, cloth::StrayFibre, cloth::YarnFibres, cloth::fibre_place, cloth::yarn_fibres;
-using draft::System;
+using cloth::PlyFibre;
 
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kPi = std::numbers::pi_v<float>;
 
 /// One fibre, hair or loop: from its first piece to the next strand's.
 struct Strand {
@@ -45,38 +42,11 @@ bool meter(void* user, ssize_t bytes, bool) {
   return true;
 }
 
-/// A stray fibre and the copy of the patch, along the thread, that it stands in.
-struct PlacedStray {
-  StrayFibre fibre;
-  float shift_mm = 0;
-};
-
-/// A planned thread with its fibres, and where its points and pieces begin in the buffers.
+/// The fibres of a thread, and where their points and pieces begin in the buffers.
 struct BuiltThread {
-  const PlannedThread* plan = nullptr;
-  YarnFibres fibres;
-  std::vector<PlacedStray> strays;
+  ThreadFibres made;
   size_t first_vertex = 0, first_piece = 0, first_strand = 0;
   size_t vertices = 0, pieces = 0, strands = 0;
-};
-
-int pieces_of(const StrayFibre& stray) { return stray.loop ? kLoopPieces : kHairPieces; }
-
-/// The section of a thread as a frame: position of a point of its unit disc.
-struct Frame {
-  glm::vec3 centre, across, up, axis;
-  glm::vec2 radii;
-  Frame(System s, float centre_mm, const ThreadRing& ring)
-      : centre(centre_of(s, centre_mm, ring)),
-        across(across_of(s)),
-        up(up_of(s, ring.slope)),
-        axis(axis_of(s, ring.slope)),
-        radii(ring.radii) {}
-  /// A fibre of this radius stays inside.
-  glm::vec3 at(glm::vec2 p, float radius) const {
-    const glm::vec2 inside = glm::max(radii - radius, glm::vec2(0));
-    return centre + across * (inside.x * p.x) + up * (inside.y * p.y);
-  }
 };
 
 struct Heights {
@@ -123,7 +93,6 @@ struct FibreScene::Parts {
   void list_optics();
   Strand strand_of(const PlannedThread& plan, size_t piece, float tone) const;
   void fill_thread(const BuiltThread& built, glm::vec4* vertices, uint32_t* indices, Heights& core, Heights& all);
-  void fill_stray(const BuiltThread& built, const PlacedStray& stray, glm::vec4* out) const;
   glm::vec3 tangent_at(uint32_t piece, float u) const;
   void read_hit(const RTCRayHit& ray, glm::vec3 position, glm::vec3 direction, FibreHit& hit) const;
 };
@@ -131,26 +100,16 @@ struct FibreScene::Parts {
 std::vector<BuiltThread> FibreScene::Parts::make_threads() const {
   std::vector<BuiltThread> all(plan.threads.size());
   for_each_job(static_cast<int>(all.size()), 0, [&](int i) {
-    BuiltThread& built = all[static_cast<size_t>(i)];
-    built.plan = &plan.threads[static_cast<size_t>(i)];
-    built.fibres = yarn_fibres(built.plan->made_for);
-    if (!built.plan->core) built.fibres.fibres.clear();
-    const System s = built.plan->system;
-    const float length = plan.length(s), reach = kHairReach_mm;
-    const int copies = plan.repeats_along(s) ? static_cast<int>(std::ceil(reach / length)) : 0;
-    for (const StrayFibre& stray : built.fibres.strays)
-      for (int c = -copies; c <= copies; ++c) {
-        const float shift = static_cast<float>(c) * length, at = stray.start_mm + shift;
-        if (at > -reach && at < length + reach) built.strays.push_back({stray, shift});
-      }
+    all[static_cast<size_t>(i)].made = thread_fibres(plan, plan.threads[static_cast<size_t>(i)]);
   });
   size_t vertex = 0, piece = 0, strand = 0;
   for (BuiltThread& built : all) {
     built.first_vertex = vertex, built.first_piece = piece, built.first_strand = strand;
-    const size_t points = static_cast<size_t>(built.plan->points), fibres = built.fibres.fibres.size();
-    built.strands = fibres + built.strays.size();
+    const ThreadFibres& made = built.made;
+    const size_t points = static_cast<size_t>(made.plan->points), fibres = made.yarn.fibres.size();
+    built.strands = fibres + made.strays.size();
     built.pieces = fibres * (points - 1);
-    for (const PlacedStray& stray : built.strays) built.pieces += static_cast<size_t>(pieces_of(stray.fibre));
+    for (const PlacedStray& stray : made.strays) built.pieces += static_cast<size_t>(pieces_of(stray.fibre));
     built.vertices = built.pieces + built.strands;
     vertex += built.vertices, piece += built.pieces, strand += built.strands;
   }
@@ -177,71 +136,26 @@ Strand FibreScene::Parts::strand_of(const PlannedThread& thread, size_t piece, f
           metallic ? colour : formulas::fibre_absorption(colour, o.across)};
 }
 
-/// A hair grows straight from the surface and bends; a loop bulges out of the thread between two points of it.
-void FibreScene::Parts::fill_stray(const BuiltThread& built, const PlacedStray& placed, glm::vec4* out) const {
-  const PlannedThread& thread = *built.plan;
-  const StrayFibre& stray = placed.fibre;
-  const float start = plan.start(thread.system) + stray.start_mm + placed.shift_mm;
-  const int pieces = pieces_of(stray);
-  if (stray.loop) {
-    for (int k = 0; k <= pieces; ++k) {
-      const float t = static_cast<float>(k) / static_cast<float>(pieces), along = stray.length_mm * t;
-      const Frame f(thread.system, thread.centre_mm, paths.ring_at(thread.system, thread.thread, start + along));
-      const float turn = stray.turn_rad + 2 * kPi * along * built.fibres.ply_turns_per_mm;
-      const glm::vec2 way(std::cos(turn), std::sin(turn));
-      const float out_mm = stray.reach_mm * std::sin(kPi * t);
-      out[k] = glm::vec4(f.at(way, stray.radius_mm) + (f.across * way.x + f.up * way.y) * out_mm, stray.radius_mm);
-    }
-    return;
-  }
-  const Frame f(thread.system, thread.centre_mm, paths.ring_at(thread.system, thread.thread, start));
-  glm::vec3 p = f.at(0.9f * glm::vec2(std::cos(stray.turn_rad), std::sin(stray.turn_rad)), stray.radius_mm);
-  const auto world = [&f](glm::vec3 v) { return f.across * v.x + f.up * v.y + f.axis * v.z; };
-  glm::vec3 direction = world(stray.lean);
-  const glm::vec3 bend = world(stray.bend);
-  const float step = stray.length_mm / static_cast<float>(pieces);
-  for (int k = 0; k <= pieces; ++k) {
-    // It tapers to its end.
-    out[k] = glm::vec4(p, stray.radius_mm * (1 - 0.4f * static_cast<float>(k) / static_cast<float>(pieces)));
-    direction = glm::normalize(direction + glm::cross(bend, direction) * step);
-    p += direction * step;
-  }
-}
-
 void FibreScene::Parts::fill_thread(const BuiltThread& built, glm::vec4* vertex, uint32_t* index, Heights& core,
                                     Heights& all) {
-  const PlannedThread& thread = *built.plan;
-  const System s = thread.system;
-  const int points = thread.points;
+  const PlannedThread& thread = *built.made.plan;
+  const ThreadCurves curves(paths, plan, built.made);
   vertex += built.first_vertex, index += built.first_piece;
   size_t next_vertex = built.first_vertex, piece = built.first_piece, strand = built.first_strand;
-  const auto add = [&](int pieces, float tone) {
+  const auto add = [&](int pieces, float tone, Heights& heights) {
     strands[strand++] = strand_of(thread, piece, tone);
     for (int k = 0; k < pieces; ++k) *index++ = static_cast<uint32_t>(next_vertex++);
-    ++next_vertex, piece += static_cast<size_t>(pieces);
+    for (int k = 0; k <= pieces; ++k) heights.add(vertex[k].z, vertex[k].w);
+    ++next_vertex, piece += static_cast<size_t>(pieces), vertex += pieces + 1;
   };
-  const float step = (plan.length(s) + 2 * plan.pad_mm) / static_cast<float>(points - 1);
-  std::vector<Frame> frames;
-  if (!built.fibres.fibres.empty())
-    for (int k = 0; k < points; ++k)
-      frames.emplace_back(s, thread.centre_mm,
-                          paths.ring_at(s, thread.thread, plan.start(s) - plan.pad_mm + step * static_cast<float>(k)));
-  for (const PlyFibre& fibre : built.fibres.fibres) {
-    for (int k = 0; k < points; ++k) {
-      const glm::vec2 place = fibre_place(built.fibres, fibre, step * static_cast<float>(k) - plan.pad_mm);
-      const glm::vec3 p = frames[static_cast<size_t>(k)].at(place, fibre.radius_mm);
-      *vertex++ = glm::vec4(p, fibre.radius_mm);
-      core.add(p.z, fibre.radius_mm);
-    }
-    add(points - 1, fibre.tone);
+  for (const PlyFibre& fibre : built.made.yarn.fibres) {
+    curves.fibre(fibre, vertex);
+    add(thread.points - 1, fibre.tone, core);
   }
   all.add(core);
-  for (const PlacedStray& stray : built.strays) {
-    const int pieces = pieces_of(stray.fibre);
-    fill_stray(built, stray, vertex);
-    for (int k = 0; k <= pieces; ++k) all.add(vertex[k].z, vertex[k].w);
-    vertex += pieces + 1;
-    add(pieces, stray.fibre.tone);
+  for (const PlacedStray& stray : built.made.strays) {
+    curves.stray(stray, vertex);
+    add(pieces_of(stray.fibre), stray.fibre.tone, all);
   }
 }
 
@@ -250,7 +164,7 @@ void FibreScene::Parts::count(const std::vector<BuiltThread>& threads) {
   FibreFigures& f = plan.figures;
   f.fibres = f.strays = f.curves = 0;
   for (const BuiltThread& t : threads) {
-    f.fibres += static_cast<int64_t>(t.fibres.fibres.size()), f.strays += static_cast<int64_t>(t.strays.size());
+    f.fibres += static_cast<int64_t>(t.made.yarn.fibres.size()), f.strays += static_cast<int64_t>(t.made.strays.size());
     f.curves += static_cast<int64_t>(t.pieces);
   }
   f.bytes = bytes_of(f);
@@ -361,13 +275,8 @@ float FibreScene::thickness_mm() const { return parts_->thickness; }
 
 bool FibreScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, FibreHit& hit) const {
   return walk_tiles(parts_->tiling, origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
-    RTCRayHit ray{};
-    ray.ray.org_x = local.x, ray.ray.org_y = local.y, ray.ray.org_z = local.z;
-    ray.ray.dir_x = direction.x, ray.ray.dir_y = direction.y, ray.ray.dir_z = direction.z;
-    ray.ray.tnear = t_near, ray.ray.tfar = t_far, ray.ray.mask = ~0u;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    trace_ray(parts_->scene, ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    RTCRayHit ray;
+    if (!closest_hit(parts_->scene, ray_between(local, direction, t_near, t_far), ray)) return false;
     parts_->read_hit(ray, local, direction, hit);
     hit.centre += origin - local;
     return true;
@@ -376,12 +285,7 @@ bool FibreScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, F
 
 bool FibreScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
   return walk_tiles(parts_->tiling, origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
-    RTCRay ray{};
-    ray.org_x = local.x, ray.org_y = local.y, ray.org_z = local.z;
-    ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-    ray.tnear = t_near, ray.tfar = t_far, ray.mask = ~0u;
-    trace_shadow(parts_->scene, ray);
-    return ray.tfar < 0;
+    return hits_any(parts_->scene, ray_between(local, direction, t_near, t_far));
   });
 }
 

@@ -1,7 +1,6 @@
 #include "reference/mesh_scene.h"
 
 #include <cstring>
-#include <limits>
 
 #include "base/text.h"
 #include "reference/embree.h"
@@ -10,18 +9,6 @@ namespace weftlight::reference {
 
 using base::ErrorKind, base::failure, base::tr;
 using drape::Vec2, drape::Vec3;
-
-namespace {
-
-RTCRay ray_of(glm::vec3 origin, glm::vec3 direction, float t_min) {
-  RTCRay ray{};
-  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
-  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-  ray.tnear = t_min, ray.tfar = std::numeric_limits<float>::infinity(), ray.mask = ~0u;
-  return ray;
-}
-
-}  // namespace
 
 struct MeshScene::Parts {
   Mesh mesh;
@@ -64,11 +51,8 @@ base::Result<std::unique_ptr<MeshScene>> MeshScene::build(const Mesh& mesh) {
 }
 
 bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, MeshHit& hit) const {
-  RTCRayHit ray{};
-  ray.ray = ray_of(origin, direction, t_min);
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  trace_ray(parts_->scene, ray);
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  RTCRayHit ray;
+  if (!closest_hit(parts_->scene, ray_between(origin, direction, t_min, kEndless), ray)) return false;
   const Mesh& mesh = parts_->mesh;
   const uint32_t* corner = &mesh.index[size_t{3} * ray.hit.primID];
   const float u = ray.hit.u, v = ray.hit.v, w = 1 - u - v;
@@ -86,10 +70,8 @@ bool MeshScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Me
   return true;
 }
 
-bool MeshScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
-  RTCRay ray = ray_of(origin, direction, t_min);
-  trace_shadow(parts_->scene, ray);
-  return ray.tfar < 0;
+bool MeshScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min, float t_max) const {
+  return hits_any(parts_->scene, ray_between(origin, direction, t_min, t_max));
 }
 
 }  // namespace weftlight::reference

@@ -2,6 +2,7 @@
 // The draped mesh as a ray-tracing scene: intersections with the cloth, and the cloth's frame there. World space, mm.
 
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 
 #include "base/result.h"
@@ -22,13 +23,15 @@ struct MeshHit {
 
 class MeshScene {
  public:
+  static constexpr float kEndless = std::numeric_limits<float>::infinity();
   static base::Result<std::unique_ptr<MeshScene>> build(const Mesh& mesh);
   ~MeshScene();
   MeshScene(const MeshScene&) = delete;
   MeshScene& operator=(const MeshScene&) = delete;
 
   bool intersect(glm::vec3 origin, glm::vec3 direction, float t_min, MeshHit& hit) const;
-  bool occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const;
+  /// Whether the ray hits the mesh between t_min and t_max.
+  bool occluded(glm::vec3 origin, glm::vec3 direction, float t_min, float t_max = kEndless) const;
 
  private:
   MeshScene();

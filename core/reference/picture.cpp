@@ -56,17 +56,21 @@ void lean_to(MeshHit& hit, glm::vec3 direction) {
   hit.warp = glm::cross(hit.normal, hit.weft);
 }
 
-/// One sample of the radiance along a ray through the flat cloth.
-using TraceRay = std::function<PathSample(glm::vec3, glm::vec3, const Surroundings&, RandomStream&)>;
+/// One sample of the radiance along a ray through the flat cloth; last, its size on the cloth in mm.
+using TraceRay = std::function<PathSample(glm::vec3, glm::vec3, const Surroundings&, RandomStream&, float)>;
+
+/// Samples of a pixel of the finest preview (shaders/lattice.glsl): fibres are resolved as it resolves them.
+constexpr float kSamplesOfAPixel = 34;
 
 TraceRay ray_among(const ClothTracer& tracer, int bounces) {
-  return [&tracer, bounces](glm::vec3 origin, glm::vec3 direction, const Surroundings& around, RandomStream& random) {
-    return tracer.trace(origin, direction, 0, around, random, bounces);
+  return [&tracer, bounces](glm::vec3 origin, glm::vec3 direction, const Surroundings& around, RandomStream& random,
+                            float sample_mm) {
+    return tracer.trace(origin, direction, 0, around, random, bounces, sample_mm);
   };
 }
 
 TraceRay ray_among(const FibreTracer& tracer) {
-  return [&tracer](glm::vec3 origin, glm::vec3 direction, const Surroundings& around, RandomStream& random) {
+  return [&tracer](glm::vec3 origin, glm::vec3 direction, const Surroundings& around, RandomStream& random, float) {
     return tracer.trace(origin, direction, 0, around, random);
   };
 }
@@ -78,32 +82,57 @@ glm::vec3 ray_through(const DrapePicture& picture, glm::vec2 p) {
   return glm::normalize(glm::vec3(far) / far.w - picture.eye);
 }
 
+/// Angle of a pixel in the middle of the picture.
+float pixel_angle(const DrapePicture& picture) {
+  const glm::vec2 middle = 0.5f * glm::vec2(picture.width, picture.height);
+  return glm::length(ray_through(picture, middle + glm::vec2(0, 1)) - ray_through(picture, middle));
+}
+
 struct DrapeTrace {
   const TraceRay& trace_ray;
   const MeshScene& cloth;
   const MeshScene* body;
   const DrapePicture& picture;
   float thickness;
+  float pixel_angle;
 
   /// The back is seen in the front's (u, v), each thread at its own place: only z changes sign.
   glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, l.y, -l.z); }
 
-  Surroundings around(const MeshHit& hit, const LightSample& light) const {
+  /// Radiance that the body sends on from the sky to where a ray hit it.
+  glm::vec3 sent_by_body(const MeshHit& hit, glm::vec3 direction, RandomStream& sampler) const {
+    const glm::vec3 normal = glm::dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal;
+    const glm::vec3 from = hit.position + normal * thickness, towards = cosine_direction(normal, sampler);
+    if (cloth.occluded(from, towards, 0) || body->occluded(from, towards, 0)) return glm::vec3(0);
+    return picture.body_reflectance * picture.sky(towards);
+  }
+
+  glm::vec3 sky_from(glm::vec3 from, glm::vec3 direction, RandomStream& sampler) const {
+    MeshHit hit;
+    const bool stopped = body && body->intersect(from, direction, 0, hit);
+    if (cloth.occluded(from, direction, thickness, stopped ? hit.t : MeshScene::kEndless)) return glm::vec3(0);
+    return stopped ? sent_by_body(hit, direction, sampler) : picture.sky(direction);
+  }
+
+  /// `sampler`: of the sample, for as long as the surroundings are asked.
+  Surroundings around(const MeshHit& hit, const LightSample& light, RandomStream& sampler) const {
     const LocalFrame frame{hit};
     Surroundings s;
     s.light_towards = face(frame.to(light.towards));
     s.light_radius_rad = light.radius_rad;
     s.light_irradiance = light.irradiance;
     // Nearby threads are occluders in the tubes; the mesh occludes from one thickness on.
-    const auto hidden_in = [this, frame, &hit](glm::vec3 local) {
-      const glm::vec3 world = frame.from(face(local));
-      const glm::vec3 from = hit.position + hit.normal * (glm::dot(world, hit.normal) > 0 ? thickness : -thickness);
+    const auto start = [this, &hit](glm::vec3 world) {
+      return hit.position + hit.normal * (glm::dot(world, hit.normal) > 0 ? thickness : -thickness);
+    };
+    s.hidden = [this, frame, start](glm::vec3 local) {
+      const glm::vec3 world = frame.from(face(local)), from = start(world);
       return cloth.occluded(from, world, thickness) || (body && body->occluded(from, world, 0));
     };
-    s.hidden = hidden_in;
     if (picture.sky) {
-      s.sky = [this, frame, hidden_in](glm::vec3 local) {
-        return hidden_in(local) ? glm::vec3(0) : picture.sky(frame.from(face(local)));
+      s.sky = [this, frame, start, &sampler](glm::vec3 local) {
+        const glm::vec3 world = frame.from(face(local));
+        return sky_from(start(world), world, sampler);
       };
     }
     return s;
@@ -126,7 +155,9 @@ struct DrapeTrace {
       const glm::vec3 at(hit.uv_mm, 0);
       // Enters the cloth above the point, but at grazing views no further away than the surface is locally flat.
       const PathSample traced =
-          trace_ray(at - local * (kEnterThicknesses * thickness), local, around(hit, light), sampler);
+          trace_ray(at - local * (kEnterThicknesses * thickness), local, around(hit, light, sampler), sampler,
+                    pixel_angle * hit.t /
+                        std::sqrt(kSamplesOfAPixel * std::max(std::abs(glm::dot(hit.normal, direction)), 0.1f)));
       if (traced.hit) return glm::vec4(traced.radiance, 1);
       t_min = hit.t + thickness;
     }
@@ -161,6 +192,10 @@ TracedImage trace_flat_pixels(const TraceRay& trace_ray, float thickness, const 
                               const Progress& progress) {
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
+  const glm::vec2 across = picture.step_x_mm, down = picture.step_y_mm;
+  const float sample_mm = picture.fibre_detail
+                              ? std::sqrt(std::abs(across.x * down.y - across.y * down.x) / kSamplesOfAPixel)
+                              : kCoarseSample_mm;
   each_row(picture.height, 0, {}, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
       RandomStream sampler(seed_of(x, y, picture.width) + picture.seed * 0xD1B54A32D192ED03u);
@@ -171,7 +206,7 @@ TracedImage trace_flat_pixels(const TraceRay& trace_ray, float thickness, const 
         const glm::vec2 at = picture.corner_mm + p.x * picture.step_x_mm + p.y * picture.step_y_mm;
         const float away = 2 * thickness / std::max(picture.view.z, 1e-4f);
         const PathSample traced =
-            trace_ray(glm::vec3(at, 0) + picture.view * away, -picture.view, picture.around, sampler);
+            trace_ray(glm::vec3(at, 0) + picture.view * away, -picture.view, picture.around, sampler, sample_mm);
         sum += glm::vec4(traced.radiance, traced.hit ? 1.0f : 0.0f);
       }
       image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
@@ -187,14 +222,16 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
                         const DrapePicture& picture, const Progress& progress) {
   const ClothTracer tracer(tubes);
   const TraceRay trace_ray = ray_among(tracer, picture.bounces);
-  return trace_pixels({trace_ray, cloth, body, picture, tubes.z_max() - tubes.z_min()}, picture, progress);
+  return trace_pixels({trace_ray, cloth, body, picture, tubes.z_max() - tubes.z_min(), pixel_angle(picture)}, picture,
+                      progress);
 }
 
 TracedImage trace_drape(const FibreScene& fibres, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress) {
   const FibreTracer tracer(fibres);
   const TraceRay trace_ray = ray_among(tracer);
-  return trace_pixels({trace_ray, cloth, body, picture, fibres.thickness_mm()}, picture, progress);
+  return trace_pixels({trace_ray, cloth, body, picture, fibres.thickness_mm(), pixel_angle(picture)}, picture,
+                      progress);
 }
 
 SeenPatch seen_patch(const MeshScene& cloth, const MeshScene* body, const DrapePicture& picture) {

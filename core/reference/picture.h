@@ -39,6 +39,7 @@ struct DrapePicture {
   glm::vec3 light_irradiance{3.14159265f};
   std::function<LightSample(RandomStream&)> light;  // a light for each sample; empty: the one above
   std::function<glm::vec3(glm::vec3)> sky;          // radiance by world direction; empty: black
+  glm::vec3 body_reflectance{0};                    // of the sky's light; the key light is not sent on
   bool front = true;                                // the front of the mesh shows the front of the cloth
   int first_sample = 0;  // index of the first sample of each pixel, so that passes can be averaged
   int threads = 0;       // 0: all cores
@@ -68,6 +69,9 @@ struct FlatPicture {
   glm::vec3 view{0, 0, 1};  // unit, towards the eye, cloth space
   Surroundings around;
   uint64_t seed = 0;  // different seeds give independent samples
+  // Single fibres on the tubes, as a preview with pixels of this size resolves them; otherwise they stay in the lobes,
+  // as for a mean over the cloth.
+  bool fibre_detail = false;
 };
 TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress);
 TracedImage trace_flat(const FibreScene& fibres, const FlatPicture& picture, const Progress& progress);

@@ -11,12 +11,21 @@ namespace weftlight::reference {
 
 namespace thread_formulas = cloth::thread_formulas;
 
-using cloth::Cloth, cloth::Texel, cloth::ThreadBody, cloth::texture_at, cloth::thread_textures;
+using cloth::Cloth, cloth::FibreDetail, cloth::Texel, cloth::ThreadBody, cloth::fibre_detail, cloth::texture_at,
+    cloth::thread_textures;
 using design::Yarn;
 using draft::System;
 using light::yarn_lobes;
 
 namespace {
+
+/// What the maps hold of a thread's surface, bundles and the relief of plies, resolved by each ray; no single fibre.
+FibreDetail detail_of_maps(const cloth::ThreadTexture& texture, float fraction, float turn) {
+  FibreDetail detail{};
+  detail.texel = texture_at(texture, thread_formulas::texture_point(texture, fraction, turn, 0, 1));
+  detail.fibre_tan = texture.fibre_tan;
+  return detail;
+}
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -31,6 +40,14 @@ struct ClothTracer::Point {
   formulas::LobeSide out;
   glm::vec3 local_out{0};
   float groove = 1;
+  thread_formulas::SurfaceFrame surface;
+  const ThreadTexture* texture = nullptr;
+  FibreDetail detail;
+  float length_mm = 1;
+  /// Light from a direction that the next ply of the thread leaves.
+  float among_plies(glm::vec3 towards) const {
+    return thread_formulas::ply_light(surface, *texture, detail, length_mm, towards);
+  }
   System system = System::kWarp;
   int thread = 0;
 };
@@ -39,7 +56,7 @@ ClothTracer::ClothTracer(const TubeScene& tubes) : tubes_(tubes), textures_(thre
   ray_epsilon_mm_ = 2e-4f * std::max(tubes.z_max() - tubes.z_min(), 1e-4f);
 }
 
-ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) const {
+ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from, float sample_mm) const {
   const Cloth& cloth = tubes_.cloth();
   const bool warp = hit.system == System::kWarp;
   const size_t index = static_cast<size_t>(hit.thread);
@@ -48,8 +65,14 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   const float length = warp ? cloth.depth_mm : cloth.width_mm;
 
   // Texture turns count from the top of the section towards +across (core/cloth/surface_sampler.cpp).
-  const float turn = 0.25f - hit.around_rad / (2 * kPi), fraction = hit.along_mm / length;
-  const Texel texel = texture_at(texture, thread_formulas::texture_point(texture, fraction, turn, 0, 1));
+  const float turn = 0.25f - hit.around_rad / (2 * kPi), periods = hit.along_mm / length;
+  const float fraction = periods - std::floor(periods);
+  const FibreDetail detail =
+      sample_mm < kCoarseSample_mm
+          ? fibre_detail(texture, fraction, turn,
+                         thread_formulas::sample_size(texture, sample_mm, hit.normal.z, length), length)
+          : detail_of_maps(texture, fraction, turn);
+  const Texel& texel = detail.texel;
 
   Point p;
   p.position = hit.position;
@@ -58,19 +81,18 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from) con
   p.groove = texel.groove;
   const glm::vec3 across = warp ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 around = glm::normalize(across - hit.normal * glm::dot(across, hit.normal) + hit.axis * 1e-6f);
-  glm::vec3 normal = hit.normal;
-  if (texture.plies > 1) {
-    const float slant = 4 * texture.ply_relief_mm * texel.ply;
-    normal =
-        glm::normalize(normal + around * (slant * static_cast<float>(texture.plies) / (2 * kPi * texture.radius_mm)) +
-                       hit.axis * (slant * static_cast<float>(texture.ply_advance) / length));
-  }
   p.smooth = glm::dot(hit.normal, from) >= 0 ? hit.normal : -hit.normal;
-  if (glm::dot(normal, from) <= 0) normal = p.smooth;
-  p.frame = formulas::lobe_frame(normal, hit.axis + around * texture.fibre_tan);
   const Yarn& yarn = cloth.yarns[static_cast<size_t>(body.yarn)];
   const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
   p.lobes = yarn_lobes(yarn.lobes, {colour.r, colour.g, colour.b});
+  const float relief = thread_formulas::fibre_relief(p.lobes.slope_cov.z);
+  const glm::vec3 normal =
+      thread_formulas::detail_normal({p.smooth, hit.axis, around}, texture, detail, relief, length, from);
+  p.groove *= thread_formulas::detail_gain(texture, detail, relief);
+  p.surface = {p.smooth, hit.axis, around};
+  p.texture = &texture, p.detail = detail, p.length_mm = length;
+  p.frame = formulas::lobe_frame(normal, hit.axis + around * detail.fibre_tan);
+  p.lobes = formulas::detail_lobes(p.lobes, detail.resolved, relief);
   p.shared = formulas::lobe_shared(p.lobes);
   p.local_out = formulas::lobe_local(p.frame, from);
   p.out = formulas::lobe_side(p.lobes, p.shared, p.local_out);
@@ -104,18 +126,18 @@ glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Random
   }
   if (f.x + f.y + f.z <= 0) return glm::vec3(0);
   if (shadowed(p, towards) || (around.hidden && around.hidden(towards))) return glm::vec3(0);
-  return f * around.light_irradiance * (std::abs(local.z) * p.groove);
+  return f * around.light_irradiance * (std::abs(local.z) * p.groove * p.among_plies(towards));
 }
 
 PathSample ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
-                              RandomStream& sampler, int bounces) const {
+                              RandomStream& sampler, int bounces, float sample_mm) const {
   PathSample traced;
   TubeHit hit;
   if (!tubes_.intersect(origin, direction, t_min, hit)) return traced;
   traced.hit = true;
   glm::vec3 weight(1);
   for (int depth = 0;; ++depth) {
-    const Point p = point_of(hit, -direction);
+    const Point p = point_of(hit, -direction, depth == 0 ? sample_mm : kCoarseSample_mm);
     traced.radiance += weight * direct(p, around, sampler);
     if (depth == bounces && !around.sky) return traced;
     // Cosine-weighted: f cos / pdf = pi f.
@@ -127,7 +149,7 @@ PathSample ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min
               (kPi * p.groove);
     const glm::vec3 from = p.position + p.smooth * ray_epsilon_mm_;
     if (!tubes_.intersect(from, direction, 0, hit)) {
-      if (around.sky) traced.radiance += weight * around.sky(direction);
+      if (around.sky) traced.radiance += weight * around.sky(direction) * p.among_plies(direction);
       return traced;
     }
     if (depth == bounces) return traced;

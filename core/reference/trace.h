@@ -33,16 +33,20 @@ struct PathSample {
   bool hit = false;  // false: the ray went through a gap
 };
 
+/// No single fibre is resolved.
+inline constexpr float kCoarseSample_mm = 1e6f;
+
 class ClothTracer {
  public:
   explicit ClothTracer(const TubeScene& tubes);
-  /// One sample of the radiance along a ray. `bounces`: indirect light between threads, 0 for none.
+  /// One sample of the radiance along a ray. `bounces`: indirect light between threads, 0 for none. sample_mm: its
+  /// size on the cloth, which decides whether fibres are seen one by one (shaders/fibre_detail.glsl).
   PathSample trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
-                   RandomStream& sampler, int bounces) const;
+                   RandomStream& sampler, int bounces, float sample_mm = kCoarseSample_mm) const;
 
  private:
   struct Point;
-  Point point_of(const TubeHit& hit, glm::vec3 from) const;
+  Point point_of(const TubeHit& hit, glm::vec3 from, float sample_mm) const;
   glm::vec3 direct(const Point& point, const Surroundings& around, RandomStream& sampler) const;
   bool shadowed(const Point& point, glm::vec3 towards) const;
 

@@ -224,13 +224,8 @@ const Cloth& TubeScene::cloth() const { return parts_->paths.cloth(); }
 
 bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, TubeHit& hit) const {
   return walk_tiles(parts_->tiling(), origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
-    RTCRayHit ray{};
-    ray.ray.org_x = local.x, ray.ray.org_y = local.y, ray.ray.org_z = local.z;
-    ray.ray.dir_x = direction.x, ray.ray.dir_y = direction.y, ray.ray.dir_z = direction.z;
-    ray.ray.tnear = t_near, ray.ray.tfar = t_far, ray.ray.mask = ~0u;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    trace_ray(parts_->scene, ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    RTCRayHit ray;
+    if (!closest_hit(parts_->scene, ray_between(local, direction, t_near, t_far), ray)) return false;
     hit.t = ray.ray.tfar;
     hit.position = origin + direction * hit.t;
     parts_->read_hit(ray, hit);
@@ -240,12 +235,7 @@ bool TubeScene::intersect(glm::vec3 origin, glm::vec3 direction, float t_min, Tu
 
 bool TubeScene::occluded(glm::vec3 origin, glm::vec3 direction, float t_min) const {
   return walk_tiles(parts_->tiling(), origin, direction, t_min, [&](glm::vec3 local, float t_near, float t_far) {
-    RTCRay ray{};
-    ray.org_x = local.x, ray.org_y = local.y, ray.org_z = local.z;
-    ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-    ray.tnear = t_near, ray.tfar = t_far, ray.mask = ~0u;
-    trace_shadow(parts_->scene, ray);
-    return ray.tfar < 0;
+    return hits_any(parts_->scene, ray_between(local, direction, t_near, t_far));
   });
 }
 

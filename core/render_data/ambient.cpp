@@ -9,12 +9,13 @@
 
 #include "base/loops.h"
 #include "reference/mesh_scene.h"
+#include "shaders/interop.h"
 
 namespace weftlight::render_data {
 
 using base::for_each_job;
 using drape::Vec3, drape::body_mesh;
-using reference::MeshScene;
+using reference::MeshHit, reference::MeshScene;
 using scene::bounds_of;
 
 namespace {
@@ -23,32 +24,35 @@ constexpr int kDirections = 64, kFewDirections = 16,
               kFirstDirections = 6;  // a vertex; for meshes of many vertices; for a first picture
 constexpr size_t kManyVertices = 100'000;
 constexpr int kGroundSize = 96;
+constexpr float kClothSends = 0.2f;   // to the body under it: what cloth of a middle tone reflects
 constexpr float kGroundReach = 2.2f;  // half width of the ground's map in bounding radii
 
-/// Occluders of the sky: cloth and body. None without a ray tracer.
-class Occluders {
+/// A mesh that hides the sky, and sends on what its own vertices see of it.
+class Occluder {
  public:
-  Occluders(const Mesh& cloth, const Mesh& body, float lift_mm) : lift_mm_(lift_mm) {
-    for (const Mesh* mesh : {&cloth, &body}) {
-      if (auto scene = MeshScene::build(*mesh)) scenes_.push_back(std::move(*scene));
-    }
+  Occluder(const Mesh& mesh, float reflectance)
+      : mesh_(mesh), scene_(MeshScene::build(mesh).value_or(nullptr)), reflectance_(reflectance) {}
+  /// Of each vertex; kept by the caller. Until then nothing is sent on.
+  void use_sky(const std::vector<SkyVisibility>& sky) { sky_ = &sky; }
+  bool sends() const { return sky_ != nullptr; }
+  bool sends_to(glm::vec3 from, glm::vec3 along, float t_min) const { return sends() && hides(from, along, t_min); }
+  bool hides(glm::vec3 from, glm::vec3 along, float t_min, float t_max = MeshScene::kEndless) const {
+    return scene_ && scene_->occluded(from, along, t_min, t_max);
   }
-  /// Fraction of the cosine-weighted sky about n.
-  float sky_visibility(glm::vec3 p, glm::vec3 n, const std::vector<glm::vec3>& directions) const {
-    const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 t = glm::normalize(glm::cross(helper, n)), b = glm::cross(n, t), from = p + n * lift_mm_;
-    int open = 0;
-    for (const glm::vec3& d : directions) {
-      const glm::vec3 along = t * d.x + b * d.y + n * d.z;
-      open += std::none_of(scenes_.begin(), scenes_.end(),
-                           [&](const auto& scene) { return scene->occluded(from, along, lift_mm_); });
-    }
-    return static_cast<float>(open) / static_cast<float>(directions.size());
+  bool hit_by(glm::vec3 from, glm::vec3 along, float t_min, MeshHit& hit) const {
+    return scene_ && scene_->intersect(from, along, t_min, hit);
+  }
+  float sent_from(const MeshHit& hit) const {
+    const uint32_t* corner = &mesh_.index[size_t{3} * hit.triangle];
+    const auto side = hit.front ? &SkyVisibility::front : &SkyVisibility::back;
+    return reflectance_ * ((*sky_)[corner[0]].*side + (*sky_)[corner[1]].*side + (*sky_)[corner[2]].*side) / 3;
   }
 
  private:
-  std::vector<std::unique_ptr<MeshScene>> scenes_;
-  float lift_mm_;  // ray offset over the flat triangles of a curved surface
+  const Mesh& mesh_;
+  std::unique_ptr<MeshScene> scene_;
+  float reflectance_;
+  const std::vector<SkyVisibility>* sky_ = nullptr;
 };
 
 /// Directions about +z, cosine-weighted (a Fibonacci spiral on the disc).
@@ -61,6 +65,48 @@ std::vector<glm::vec3> cosine_directions(int count) {
   }
   return d;
 }
+
+/// Cloth and body. None without a ray tracer.
+class Occluders {
+ public:
+  Occluders(const Mesh& cloth, const Mesh& body, float lift_mm)
+      : cloth_(cloth, kClothSends), body_(body, mean_of(form_reflectance())), lift_mm_(lift_mm) {}
+  Occluder& cloth() { return cloth_; }
+  Occluder& body() { return body_; }
+  /// Fraction of the cosine-weighted sky about n, with what the body sends on.
+  float sky_visibility(glm::vec3 p, glm::vec3 n, const std::vector<glm::vec3>& directions) const {
+    const glm::vec3 helper = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 t = glm::normalize(glm::cross(helper, n)), b = glm::cross(n, t), from = p + n * lift_mm_;
+    // Light that is sent on is looked for only where one of them is right in front, and by fewer rays: it is dim there,
+    // and the closest hit costs more than any.
+    const bool faced = body_.sends_to(from, n, lift_mm_) || cloth_.sends_to(from, n, lift_mm_);
+    const std::vector<glm::vec3>& used = faced && faced_.size() < directions.size() ? faced_ : directions;
+    float open = 0;
+    for (const glm::vec3& d : used) {
+      const glm::vec3 along = t * d.x + b * d.y + n * d.z;
+      open += faced ? light_along(from, along) : hidden(from, along) ? 0.0f : 1.0f;
+    }
+    return open / static_cast<float>(used.size());
+  }
+
+ private:
+  static float mean_of(glm::vec3 c) { return (c.r + c.g + c.b) / 3; }
+  bool hidden(glm::vec3 from, glm::vec3 along) const {
+    return cloth_.hides(from, along, lift_mm_) || body_.hides(from, along, lift_mm_);
+  }
+  float light_along(glm::vec3 from, glm::vec3 along) const {
+    MeshHit on_body, on_cloth;
+    const bool body = body_.hit_by(from, along, lift_mm_, on_body);
+    if (cloth_.hides(from, along, lift_mm_, body ? on_body.t : MeshScene::kEndless))
+      return cloth_.sends() && cloth_.hit_by(from, along, lift_mm_, on_cloth) ? cloth_.sent_from(on_cloth) : 0.0f;
+    if (!body) return 1;
+    return body_.sends() ? body_.sent_from(on_body) : 0.0f;
+  }
+
+  Occluder cloth_, body_;
+  std::vector<glm::vec3> faced_ = cosine_directions(kFewDirections);
+  float lift_mm_;  // ray offset over the flat triangles of a curved surface
+};
 
 /// Averages over neighbours, to hide the noise of the few directions.
 void smooth(std::vector<SkyVisibility>& sky, const Mesh& mesh) {
@@ -124,12 +170,29 @@ std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
 
 }  // namespace
 
-Mesh form_under(const std::string& drape, const Bounds& cloth) {
-  constexpr float kThinner = 0.005f;  // of the cloth's radius
+glm::vec3 form_reflectance() {
+  using glm::vec3;
+  return FORM_REFLECTANCE;
+}
+
+Mesh form_under(const std::string& drape, const Mesh& cloth) {
+  // Of the cloth's radius: how much thinner, how far off the cloth lies, and how far below its upper edge the form
+  // fills it, so that nobody looks down between the two.
+  constexpr float kThinner = 0.005f, kOver = 0.02f, kFilled = 0.03f;
   Mesh form = body_mesh(drape);
-  const float thinner = kThinner * cloth.radius();
-  for (size_t i = 0; i < form.position_mm.size(); ++i)
-    for (size_t k = 0; k < 3; ++k) form.position_mm[i][k] -= thinner * form.normal[i][k];
+  const float radius = bounds_of(cloth).radius(), thinner = kThinner * radius;
+  const Occluder over(cloth, 0);
+  for (size_t i = 0; i < form.position_mm.size(); ++i) {
+    const glm::vec3 normal = form.normal[i], at = glm::vec3(form.position_mm[i]) - thinner * normal;
+    const auto covered = [&](glm::vec3 p, MeshHit& hit) {
+      return over.hit_by(p, normal, 0, hit) && hit.t < kOver * radius;
+    };
+    MeshHit hit, above;
+    if (!covered(at, hit)) continue;
+    const bool at_edge = !covered(at + glm::vec3(0, kFilled * radius, 0), above);
+    const glm::vec3 moved = at_edge ? at + normal * std::max(hit.t - thinner, 0.0f) : at;
+    form.position_mm[i] = {moved.x, moved.y, moved.z};
+  }
   return form;
 }
 
@@ -138,7 +201,7 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   out.mesh = mesh;
   out.bounds = bounds_of(mesh);
   if (mesh.position_mm.empty()) return out;
-  out.body = form_under(mesh.name, out.bounds);
+  out.body = form_under(mesh.name, out.mesh);
   Bounds all = out.bounds;
   if (!out.body.position_mm.empty()) {
     const Bounds body = bounds_of(out.body);
@@ -147,14 +210,18 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   // Shipped drapes stand on y = 0, others on their lowest point, with a small gap so that a flat cloth does not
   // z-fight the ground.
   out.ground_mm = out.body.position_mm.empty() ? all.low.y - 0.002f * out.bounds.radius() : std::min(0.0f, all.low.y);
-  const Occluders occluders(out.mesh, out.body, 0.002f * out.bounds.radius());
-  out.sky = sky_of(out.mesh, occluders, true, rays);
-  out.body_sky = sky_of(out.body, occluders, false, rays);
+  Occluders occluders(out.mesh, out.body, 0.002f * out.bounds.radius());
   fill_ground(out, occluders, rays);
+  // What is sent on is a mean over many vertices, for which few rays do.
+  const std::vector<SkyVisibility> body_sky = sky_of(out.body, occluders, false, SkyRays::kFew);
+  if (!out.body.position_mm.empty()) occluders.body().use_sky(body_sky);
+  out.sky = sky_of(out.mesh, occluders, true, rays);
+  occluders.cloth().use_sky(out.sky);
+  out.body_sky = rays == SkyRays::kFew ? body_sky : sky_of(out.body, occluders, false, rays);
   constexpr size_t kMaxTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMaxTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);
-  out.body_fine = simplify(out.body, 0.002f);
+  out.body_fine = simplify(out.body, 0.001f);
   return out;
 }
 

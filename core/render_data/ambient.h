@@ -1,6 +1,8 @@
 #pragma once
 // Sky visibility of each vertex of the cloth (both sides) and of the body, and of each point of the ground: ambient
-// occlusion in folds and the contact shadow. By rays; deterministic, for the worker thread.
+// occlusion in folds and the contact shadow. Where cloth faces the body, what the body sends on of the sky's light
+// counts as sky, so that the inside of a waistband or collar is not black. By rays; deterministic, for the worker
+// thread.
 
 #include <cstdint>
 #include <string>
@@ -14,7 +16,8 @@ namespace weftlight::render_data {
 using drape::Mesh;
 using scene::Bounds;
 
-/// Visible fraction of the cosine-weighted sky, 0..1, on the side of the normal and on the other.
+/// Visible fraction of the cosine-weighted sky, with what the body sends on of it, 0..1, on the side of the normal and
+/// on the other.
 struct SkyVisibility {
   float front = 1, back = 1;
 };
@@ -37,8 +40,11 @@ struct PreparedMesh {
 enum class SkyRays { kFew, kAll };
 PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays = SkyRays::kAll);
 
-/// The form under a shipped drape, slightly thinner than the one that the cloth was draped on, so that it never shows
-/// through; for renderer and ray tracer. Empty for other meshes. `cloth`: the drape's bounds.
-Mesh form_under(const std::string& drape, const Bounds& cloth);
+/// Reflectance of the form (FORM_REFLECTANCE of interop.h).
+glm::vec3 form_reflectance();
+
+/// The form under a shipped drape, where cloth lies over it slightly thinner than the one that it was draped on, so
+/// that it never shows through; for renderer and ray tracer. Empty for other meshes. `cloth`: the drape.
+Mesh form_under(const std::string& drape, const Mesh& cloth);
 
 }  // namespace weftlight::render_data

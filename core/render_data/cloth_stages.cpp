@@ -161,6 +161,20 @@ base::Result<Outcome> update_cube_maps(StageWork& work, Change) {
   return {};
 }
 
+namespace {
+
+/// Of the threads whose cells changed.
+base::Result<Outcome> update_strips(StageWork& work, const Cloth& cloth, const CellRect& painted) {
+  StageData& data = work.data;
+  for (StripPatch& patch : cell_strips(cloth.up, painted)) {
+    std::ranges::copy(patch.strips, data.packed.strips.begin() + static_cast<std::ptrdiff_t>(patch.first));
+    work.result.patches.strips.push_back(std::move(patch));
+  }
+  return Outcome{Change::kPart};
+}
+
+}  // namespace
+
 base::Result<Outcome> update_crossings(StageWork& work, Change input) {
   StageData& data = work.data;
   PackedCloth& packed = data.packed;
@@ -168,6 +182,7 @@ base::Result<Outcome> update_crossings(StageWork& work, Change input) {
   const CellRect painted = std::exchange(data.painted, {});
   const CellRect all{0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())};
   if (input == Change::kPart) {
+    if (!packed.strips.empty()) return update_strips(work, cloth, data.period == Period::kRepeat ? all : painted);
     if (packed.crossings.empty()) return Outcome{Change::kNone};
     const CellRect cells = data.period == Period::kRepeat ? all : touched_crossings(cloth, painted);
     const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
@@ -178,8 +193,12 @@ base::Result<Outcome> update_crossings(StageWork& work, Change input) {
     return Outcome{Change::kPart};
   }
   packed.ends = all.end1, packed.picks = all.pick1;
-  packed.crossings.clear();
-  if (int64_t{packed.ends} * packed.picks > kMaxCrossings) return {};
+  packed.crossings = {}, packed.strips = {};
+  if (int64_t{packed.ends} * packed.picks > kMaxCrossings) {
+    data.top_mm = highest_thread(cloth);
+    packed.strips = cell_strips(cloth.up);
+    return {};
+  }
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, all);
   data.top_mm = cloth.layers.empty() ? highest_thread(cloth, crossings) : 0;
   packed.crossings = packed_crossings(crossings);

@@ -56,7 +56,7 @@ base::Result<Outcome> update_response(StageWork& work, Change) {
 
 base::Result<Outcome> update_thread_errors(StageWork& work, Change) {
   PackedCloth& packed = work.data.packed;
-  packed.lobes.errors = packed.crossings.empty() ? ThreadErrors{} : thread_errors(work.face(Face::kFront).cloth);
+  packed.lobes.errors = packed.has_threads() ? thread_errors(work.face(Face::kFront).cloth) : ThreadErrors{};
   return {};
 }
 
@@ -78,7 +78,7 @@ base::Result<Outcome> update_engine_block(StageWork& work, Change) {
 base::Result<Outcome> update_thread_records(StageWork& work, Change) {
   PackedCloth& packed = work.data.packed;
   packed.lobes.threads.clear();
-  if (!packed.crossings.empty()) packed.lobes.threads = thread_records(work.face(Face::kFront).cloth, work.data.top_mm);
+  if (packed.has_threads()) packed.lobes.threads = thread_records(work.face(Face::kFront).cloth, work.data.top_mm);
   return {};
 }
 

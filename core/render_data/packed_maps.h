@@ -79,7 +79,7 @@ struct ResponseTables {
 struct ClothLobes {
   interop::ClothData data{};
   ResponseTables response;
-  // The threads (thread_block.h), whole rows of THREAD_MAP_WIDTH texels; empty if there are too many.
+  // The threads (thread_block.h), whole rows of THREAD_MAP_WIDTH texels.
   std::vector<glm::uvec4> threads;
   ThreadErrors errors;  // fit the LOD table to this cloth
   bool operator==(const ClothLobes&) const = default;
@@ -90,10 +90,13 @@ struct PackedCloth {
   float width_mm = 0, depth_mm = 0;
   float mean_spacing_mm = 0;  // of both systems: the unit of "yarns a pixel"
   PackedFace front, back;
-  // Crossings of the front (thread_block.h); empty if there are too many.
+  // Crossings of the front, or, if there are too many of them, its cells (thread_block.h).
   int ends = 0, picks = 0;
   std::vector<HalfCrossing> crossings;
+  std::vector<uint32_t> strips;
   ClothLobes lobes;
+
+  bool has_threads() const { return !crossings.empty() || !strips.empty(); }
 };
 
 /// A rectangle of one level of one texture of one face.
@@ -111,10 +114,17 @@ struct CrossingPatch {
   std::vector<HalfCrossing> texels;
 };
 
+/// Strips of cells, from `first` on among all.
+struct StripPatch {
+  size_t first = 0;
+  std::vector<uint32_t> strips;
+};
+
 struct ClothPatches {
   std::vector<PackedPatch> maps;
   std::vector<CrossingPatch> crossings;
-  bool empty() const { return maps.empty() && crossings.empty(); }
+  std::vector<StripPatch> strips;
+  bool empty() const { return maps.empty() && crossings.empty() && strips.empty(); }
 };
 
 /// Light directions of vrst03's boolean shadow maps: kShadowAzimuths at each of these elevations.

@@ -75,7 +75,7 @@ Result<void> ReferenceScene::update_drape(const Design& design) {
   if (!read) return failed(read);
   mesh_ = std::move(*read);
   bounds_ = bounds_of(mesh_);
-  const Mesh form = form_under(design.scene.mesh, bounds_);
+  const Mesh form = form_under(design.scene.mesh, mesh_);
   body_ = nullptr;
   if (!form.index.empty()) body_ = MeshScene::build(form).value_or(nullptr);
   auto drape = MeshScene::build(mesh_);
@@ -122,6 +122,7 @@ DrapePicture ReferenceScene::picture_of(const ReferenceView& view) const {
     picture.light_irradiance = light.lights[0].irradiance;
     picture.sky = [sky = light.sky](glm::vec3 d) { return sky_radiance(sky, d); };
   }
+  picture.body_reflectance = form_reflectance();
   picture.front = view.front == Face::kFront;
   return picture;
 }

@@ -104,8 +104,8 @@ constexpr auto kClothStages = std::to_array<Stage>({
 
 // The scene around the cloth, on its own way.
 constexpr auto kSceneStages = std::to_array<Stage>({
-    {kMesh, "mesh", {kDrape}, update_mesh},
     {kLightRig, "lights", {kLights}, update_lights},
+    {kMesh, "mesh", {kDrape}, update_mesh},
 });
 
 // A stage reads what stands above it.
@@ -149,11 +149,21 @@ StageResult Stages::update(std::shared_ptr<const Design> design, Effort effort, 
 
   StageWork work{input_, effort, data_, result_};
   bool cloth = false, scene = false, preview_only = false;  // finished, or stopped before
+  // A single picture whose drape or light cannot be read does not wait for its cloth.
+  bool no_scene = false;
+  std::stop_source given_up;
+  const std::stop_callback asked(watch.stop, [&given_up] { given_up.request_stop(); });
+  const StageWatch cloth_watch{given_up.get_token(), watch.starts};
   for_each_job(2, [&](int job) {
-    if (job == 0) scene = keys_.run(kSceneStages, work, effort, watch);
-    else cloth = (preview_only = preview(effort)) || keys_.run(kClothStages, work, effort, watch);
+    if (job == 0) {
+      scene = keys_.run(kSceneStages, work, effort, watch);
+      no_scene = effort == Effort::kOnce && !keys_.made(kSceneStages);
+      if (no_scene) given_up.request_stop();
+    } else {
+      cloth = (preview_only = preview(effort)) || keys_.run(kClothStages, work, effort, cloth_watch);
+    }
   });
-  if (!cloth || !scene) {
+  if ((!cloth || !scene) && !no_scene) {
     StageResult nothing;
     nothing.stopped = true;
     return nothing;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <glm/gtc/packing.hpp>
 
+#include "base/loops.h"
 #include "cloth/centre_line.h"
 #include "cloth/thread_scene.h"
 #include "light/yarn_lobes.h"
@@ -13,9 +14,10 @@ namespace weftlight::render_data {
 
 namespace thread_formulas = cloth::thread_formulas;
 
+using base::for_each_job;
 using cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
     cloth::thread_tables, cloth::thread_texture;
-using design::Yarn;
+using design::FibreFacts, design::Yarn;
 using draft::System;
 using light::yarn_data;
 
@@ -32,14 +34,15 @@ void append_threads(std::vector<glm::uvec4>& to, const Cloth& cloth, System syst
                     const std::vector<glm::uvec4>& bodies) {
   const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
   const float length_mm = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
+  const std::vector<FibreFacts> facts = cloth::fibre_facts(cloth);
   for (size_t i = 0; i < threads.size(); ++i) {
     const ThreadBody& body = threads[i];
+    const size_t yarn = static_cast<size_t>(body.yarn);
     ThreadRecord record{};
     record.body = bodies[i];
     record.color = {body.colour.r, body.colour.g, body.colour.b};
     record.yarn = body.yarn;
-    record.pattern =
-        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, static_cast<int>(i), length_mm);
+    record.pattern = thread_texture(cloth.yarns[yarn], facts[yarn], body, system, static_cast<int>(i), length_mm);
     append(to, record);
   }
 }
@@ -116,6 +119,98 @@ std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossin
   for (const glm::vec4& c : crossings)
     out.push_back({glm::packHalf1x16(c.x), glm::packHalf1x16(c.y), glm::packHalf1x16(c.z), glm::packHalf1x16(c.w)});
   return out;
+}
+
+namespace {
+
+constexpr int kStripBits = STRIP_CELLS + 2 * STRIP_MARGIN;
+static_assert(kStripBits == 32 && STRIP_MARGIN > kFloatReach);
+
+int strips_of(int cells) { return (cells + STRIP_CELLS - 1) / STRIP_CELLS; }
+
+int wrap(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
+/// Strips along a pick.
+void fill_pick(const BitMatrix& up, int pick, uint32_t* to) {
+  const auto words = up.row(pick);
+  const int n = up.cols();
+  for (int k = 0; k < strips_of(n); ++k) {
+    const int first = k * STRIP_CELLS - STRIP_MARGIN;
+    uint32_t strip = 0;
+    if (first >= 0 && first + kStripBits <= n) {
+      const size_t word = static_cast<size_t>(first) / 64;
+      const int shift = first % 64;
+      uint64_t bits = words[word] >> shift;
+      if (shift > kStripBits) bits |= words[word + 1] << (64 - shift);
+      strip = static_cast<uint32_t>(bits);
+    } else {
+      for (int bit = 0; bit < kStripBits; ++bit) {
+        const int e = wrap(first + bit, n);
+        strip |= static_cast<uint32_t>((words[static_cast<size_t>(e) / 64] >> (e % 64)) & 1u) << bit;
+      }
+    }
+    to[k] = strip;
+  }
+}
+
+/// Strip k along each of the ends [end0, end1), `stride` apart.
+void fill_ends(const BitMatrix& up, int k, int end0, int end1, uint32_t* to, size_t stride) {
+  std::vector<uint32_t> strips(static_cast<size_t>(end1 - end0), 0);
+  for (int bit = 0; bit < kStripBits; ++bit) {
+    const auto words = up.row(wrap(k * STRIP_CELLS - STRIP_MARGIN + bit, up.rows()));
+    for (int e = end0; e < end1; ++e) {
+      const uint64_t cell = (words[static_cast<size_t>(e) / 64] >> (e % 64)) & 1u;
+      strips[static_cast<size_t>(e - end0)] |= static_cast<uint32_t>(cell) << bit;
+    }
+  }
+  for (size_t i = 0; i < strips.size(); ++i) to[i * stride] = strips[i];
+}
+
+void fill_picks(const BitMatrix& up, int pick0, int pick1, uint32_t* to) {
+  const size_t stride = static_cast<size_t>(strips_of(up.cols()));
+  constexpr int kPicks = 64;  // of a job
+  for_each_job((pick1 - pick0 + kPicks - 1) / kPicks, [&](int job) {
+    const int first = pick0 + job * kPicks;
+    for (int p = first; p < std::min(first + kPicks, pick1); ++p)
+      fill_pick(up, p, to + static_cast<size_t>(p - pick0) * stride);
+  });
+}
+
+void fill_ends(const BitMatrix& up, int end0, int end1, uint32_t* to) {
+  const int strips = strips_of(up.rows());
+  for_each_job(strips, [&](int k) { fill_ends(up, k, end0, end1, to + k, static_cast<size_t>(strips)); });
+}
+
+/// Strips of all picks, before those of the ends.
+size_t pick_strips(const BitMatrix& up) {
+  return static_cast<size_t>(up.rows()) * static_cast<size_t>(strips_of(up.cols()));
+}
+
+}  // namespace
+
+std::vector<uint32_t> cell_strips(const BitMatrix& up) {
+  const size_t of_picks = pick_strips(up);
+  std::vector<uint32_t> strips(of_picks + static_cast<size_t>(up.cols()) * static_cast<size_t>(strips_of(up.rows())));
+  fill_picks(up, 0, up.rows(), strips.data());
+  fill_ends(up, 0, up.cols(), strips.data() + of_picks);
+  return strips;
+}
+
+std::array<StripPatch, 2> cell_strips(const BitMatrix& up, const CellRect& cells) {
+  const size_t along_pick = static_cast<size_t>(strips_of(up.cols())),
+               along_end = static_cast<size_t>(strips_of(up.rows()));
+  std::array<StripPatch, 2> patches;
+  auto& [picks, ends] = patches;
+  picks.first = static_cast<size_t>(cells.pick0) * along_pick;
+  picks.strips.resize(static_cast<size_t>(cells.pick1 - cells.pick0) * along_pick);
+  fill_picks(up, cells.pick0, cells.pick1, picks.strips.data());
+  ends.first = pick_strips(up) + static_cast<size_t>(cells.end0) * along_end;
+  ends.strips.resize(static_cast<size_t>(cells.end1 - cells.end0) * along_end);
+  fill_ends(up, cells.end0, cells.end1, ends.strips.data());
+  return patches;
 }
 
 CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty) {

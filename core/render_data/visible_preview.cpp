@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "cloth/thread_scene.h"
@@ -74,7 +75,7 @@ void bake_maps(const PackedFace& front, const Cloth& cloth, const VisiblePart& v
 
 /// Crossings of the preview, if few enough are visible to be drawn thread by thread.
 void bake_crossings(const StageData& data, const Cloth& cloth, const VisiblePart& visible, StageResult& result) {
-  if (data.packed.crossings.empty()) return;
+  if (!data.packed.has_threads()) return;
   const auto among = [](const std::vector<ThreadBody>& threads, const Run& run) {
     const auto at = [&](double mm) {
       return static_cast<int>(
@@ -93,6 +94,10 @@ void bake_crossings(const StageData& data, const Cloth& cloth, const VisiblePart
       among(cloth.picks, in_period(static_cast<double>(visible.v0), static_cast<double>(visible.v1), depth));
   const CellRect cells{e0, e1, p0, p1};
   if (cells.empty() || int64_t{e1 - e0} * (p1 - p0) > kMaxVisible) return;
+  if (!data.packed.strips.empty()) {  // their bound of the heights holds for any weave
+    std::ranges::move(cell_strips(cloth.up, cells), std::back_inserter(result.patches.strips));
+    return;
+  }
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
   result.patches.crossings.push_back({cells, packed_crossings(crossings)});
   const float top_mm = highest_thread(cloth, crossings);

@@ -32,6 +32,8 @@ constexpr float kSmoothTexels = 64;
 // Enough for far-field properties (fit, footprints, contact sheet): texels per thread, and per side.
 constexpr float kCoarseTexels = 32;
 constexpr int kCoarseSide = 512;
+// Of the part of a large tile, per thread, and most per side of its repeat.
+constexpr int kPartTexels = 20, kPartSide = 1024;
 constexpr float kOcclusionTexels = 6;    // texels per thread that coarse maps need for occlusion
 constexpr int kNodeSteps = 8;            // samples between the middles of two footprints, per side
 constexpr float kMeanOcclusion = 0.98f;  // the fit includes all other self-shadowing
@@ -64,6 +66,18 @@ int coarsening(const Cloth& cloth, TextureSize size, int factor, bool horizon) {
   };
   while (!horizon && ample(2 * shrink)) shrink *= 2;
   return shrink;
+}
+
+/// Texels along one repeat of a part.
+int part_texels(size_t threads) { return std::clamp(kPartTexels * static_cast<int>(threads), 1, kPartSide); }
+
+/// The mean of all repeats of a plane, each of width x height.
+Plane<float> mean_repeat(const Plane<float>& all, int width, int height) {
+  Plane<float> out(width, height);
+  const float weight = 1.0f / static_cast<float>(all.width / width * (all.height / height));
+  for (int y = 0; y < all.height; ++y)
+    for (int x = 0; x < all.width; ++x) out.at(x % width, y % height) += all.at(x, y) * weight;
+  return out;
 }
 
 /// Bilinear lookup along one row of a periodic plane; u and v in periods, 0..1.
@@ -119,26 +133,11 @@ TextureSize texture_size(float width_mm, float depth_mm, int size) {
   return {side(width_mm), side(depth_mm)};
 }
 
-FaceSource::FaceSource(Cloth cloth, const FaceOptions& options)
-    : cloth_(std::move(cloth)), options_(options), factor_(supersampling(cloth_, options.size)) {
+FaceSource::FaceSource(Tile tile, const FaceOptions& options)
+    : tile_(std::move(tile)), options_(options), factor_(supersampling(tile_.cloth, options.size)) {
   const int width = options.size.width, height = options.size.height;
-  const int shrink = coarsening(cloth_, options.size, factor_, options.horizon);
-  const int coarse_x = std::max(width * factor_ / shrink, 1), coarse_y = std::max(height * factor_ / shrink, 1);
-  Maps maps = bake(cloth_, {coarse_x, coarse_y, kAzimuths});
-  if (options.fitted) measure(maps);
-  const int small_x = std::min({width, kSmallSide, coarse_x}), small_y = std::min({height, kSmallSide, coarse_y});
-  if (!options.horizon) maps.horizon.clear();
-  small_ = make_surface(cloth_, maps, small_x, small_y);
-  if (shrink == 1 && small_x == width && small_y == height) {
-    whole_ = {small_.width_mm, small_.depth_mm, small_.texels, {}, {}};
-  } else if (shrink == 1) {
-    maps.horizon.clear();
-    whole_ = make_surface(cloth_, maps, width, height);
-  } else {
-    const float threads = static_cast<float>(std::max(cloth_.ends.size(), cloth_.picks.size()));
-    if (static_cast<float>(std::max(coarse_x, coarse_y)) >= kOcclusionTexels * threads)
-      occlusion_ = std::move(maps.occlusion);
-  }
+  if (tile_.part && !options.horizon) make_from_part();
+  else make_whole();
   const int64_t row = int64_t{width} * factor_ * factor_;
   band_ = height;
   while (band_ > 1 && row * band_ > kMaxPieceTexels) band_ /= 2;
@@ -146,6 +145,43 @@ FaceSource::FaceSource(Cloth cloth, const FaceOptions& options)
   measure_means();
   finish(small_, 0, small_.texels.height, 0);
   measure_range();
+}
+
+void FaceSource::make_whole() {
+  const Cloth& cloth = tile_.cloth;
+  const int width = options_.size.width, height = options_.size.height;
+  const int shrink = coarsening(cloth, options_.size, factor_, options_.horizon);
+  const int coarse_x = std::max(width * factor_ / shrink, 1), coarse_y = std::max(height * factor_ / shrink, 1);
+  Maps maps = bake(cloth, {coarse_x, coarse_y, kAzimuths});
+  if (options_.fitted) measure(cloth, maps);
+  const int small_x = std::min({width, kSmallSide, coarse_x}), small_y = std::min({height, kSmallSide, coarse_y});
+  if (!options_.horizon) maps.horizon.clear();
+  small_ = make_surface(cloth, maps, small_x, small_y);
+  if (shrink == 1 && small_x == width && small_y == height) {
+    whole_ = {small_.width_mm, small_.depth_mm, small_.texels, {}, {}};
+  } else if (shrink == 1) {
+    maps.horizon.clear();
+    whole_ = make_surface(cloth, maps, width, height);
+  } else {
+    const float threads = static_cast<float>(std::max(cloth.ends.size(), cloth.picks.size()));
+    if (static_cast<float>(std::max(coarse_x, coarse_y)) >= kOcclusionTexels * threads)
+      occlusion_ = std::move(maps.occlusion);
+  }
+}
+
+void FaceSource::make_from_part() {
+  {
+    const Cloth& part = *tile_.part;
+    const int across = part_texels(part.ends.size() / static_cast<size_t>(tile_.part_across)),
+              up = part_texels(part.picks.size() / static_cast<size_t>(tile_.part_up));
+    Maps maps = bake(part, {across * tile_.part_across, up * tile_.part_up, kAzimuths});
+    if (options_.fitted) measure(part, maps);
+    occlusion_ = mean_repeat(maps.occlusion, across, up);
+    occlusion_across_ = tile_.across, occlusion_up_ = tile_.up;
+  }
+  const int small_x = std::min(options_.size.width, kCoarseSide), small_y = std::min(options_.size.height, kCoarseSide);
+  small_ = make_surface(tile_.cloth, bake(tile_.cloth, {2 * small_x, 2 * small_y, 0}), small_x, small_y);
+  set_occlusion(small_, 0, small_y);
 }
 
 void FaceSource::measure_range() {
@@ -159,21 +195,21 @@ void FaceSource::measure_range() {
   small_.smoothness = static_cast<float>(sum / static_cast<double>(small_.texels.at_.size()));
 }
 
-void FaceSource::measure(const Maps& maps) {
-  const EngineTexels texels = engine_texels(cloth_, maps, options_.footprint_mm);
-  const ClothResponse response = measure_response(cloth_, maps, kFitSamples);
-  fit_ = fit_engine(texels, cloth_, response, options_.model);
-  older_fit_ = options_.older ? fit_engine(texels, cloth_, response, *options_.older) : fit_;
+void FaceSource::measure(const Cloth& cloth, const Maps& maps) {
+  const EngineTexels texels = engine_texels(cloth, maps, options_.footprint_mm);
+  const ClothResponse response = measure_response(cloth, maps, kFitSamples);
+  fit_ = fit_engine(texels, cloth, response, options_.model);
+  older_fit_ = options_.older ? fit_engine(texels, cloth, response, *options_.older) : fit_;
   weight_ = texels.footprint_weight;
-  checks_ = check_engine(texels, cloth_, response, options_.model, fit_);
-  scores_ = score_engine(texels, cloth_, response, options_.model, fit_);
+  checks_ = check_engine(texels, cloth, response, options_.model, fit_);
+  scores_ = score_engine(texels, cloth, response, options_.model, fit_);
   for (const EnginePlane plane : {EnginePlane::kWarp, EnginePlane::kWeft})
-    plane_scores_[static_cast<size_t>(plane)] = score_plane(texels, cloth_, response, options_.model, fit_, plane);
+    plane_scores_[static_cast<size_t>(plane)] = score_plane(texels, cloth, response, options_.model, fit_, plane);
 }
 
 void FaceSource::measure_footprints() {
   const float texel_mm = small_.width_mm / static_cast<float>(small_.texels.width);
-  const float window_mm = lobe_window_mm(options_.footprint_mm, thread_spacing_mm(cloth_));
+  const float window_mm = lobe_window_mm(options_.footprint_mm, thread_spacing_mm(tile_.cloth));
   const int step = 1 << std::max(static_cast<int>(std::lround(std::log2(std::max(window_mm / texel_mm, 1.0f)))), 0);
   if (weight_ <= 0) return;
   const int step_x = std::min(step, small_.texels.width), step_y = std::min(step, small_.texels.height);
@@ -264,9 +300,9 @@ void FaceSource::measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) c
 SurfaceTexels FaceSource::piece(int x0, int x1, int y0, int y1) const {
   const MapsSize whole{options_.size.width * factor_, options_.size.height * factor_,
                        occlusion_.width > 0 ? 0 : kAzimuths, 1};
-  Maps maps = bake(cloth_, whole, {x0 * factor_, y0 * factor_, x1 * factor_, y1 * factor_});
+  Maps maps = bake(tile_.cloth, whole, {x0 * factor_, y0 * factor_, x1 * factor_, y1 * factor_});
   maps.horizon.clear();
-  return make_surface(cloth_, maps, x1 - x0, y1 - y0, 1);
+  return make_surface(tile_.cloth, maps, x1 - x0, y1 - y0, 1);
 }
 
 SurfaceTexels FaceSource::rows(int y0, int y1) const { return finished(raw_rows(y0, y1), y0, options_.size.height); }
@@ -290,12 +326,21 @@ SurfaceTexels FaceSource::raw_rows(int y0, int y1) const {
     const SurfaceTexels part = piece(x, x + step, y0, y1);
     for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
   }
-  for (int y = y0; occlusion_.width > 0 && y < y1; ++y) {
-    const InterpolatedRow seen(occlusion_, (static_cast<float>(y) + 0.5f) / static_cast<float>(options_.size.height));
-    for (int x = 0; x < width; ++x)
-      out.texels.at(x, y - y0).occlusion = seen.at((static_cast<float>(x) + 0.5f) / static_cast<float>(width));
-  }
+  set_occlusion(out, y0, options_.size.height);
   return out;
+}
+
+void FaceSource::set_occlusion(SurfaceTexels& surface, int y0, int level_height) const {
+  const int width = surface.texels.width;
+  const auto within = [](float periods) { return periods - std::floor(periods); };
+  for (int y = 0; occlusion_.width > 0 && y < surface.texels.height; ++y) {
+    const float v = (static_cast<float>(y0 + y) + 0.5f) / static_cast<float>(level_height);
+    const InterpolatedRow seen(occlusion_, within(v * static_cast<float>(occlusion_up_)));
+    for (int x = 0; x < width; ++x) {
+      const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width);
+      surface.texels.at(x, y).occlusion = seen.at(within(u * static_cast<float>(occlusion_across_)));
+    }
+  }
 }
 
 }  // namespace weftlight::texture_set

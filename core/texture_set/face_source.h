@@ -10,6 +10,7 @@
 #include "light/engine_fit.h"
 #include "light/engine_texels.h"
 #include "texture_set/surface_texels.h"
+#include "texture_set/tile.h"
 
 namespace weftlight::texture_set {
 
@@ -35,8 +36,9 @@ struct FaceOptions {
 /// Deterministic: the bits do not depend on the bands.
 class FaceSource {
  public:
-  FaceSource(Cloth cloth, const FaceOptions& options);
-  const Cloth& cloth() const { return cloth_; }
+  FaceSource(Tile tile, const FaceOptions& options);
+  const Tile& tile() const { return tile_; }
+  const Cloth& cloth() const { return tile_.cloth; }
   /// The whole face, at most 1024 texels a side.
   const SurfaceTexels& small() const { return small_; }
   /// Rows [y0, y1) of the full size, without horizons; computed on the caller's thread only.
@@ -60,21 +62,26 @@ class FaceSource {
   TextureSize size() const { return options_.size; }
 
  private:
-  void measure(const Maps& maps);
+  void make_whole();
+  void make_from_part();
+  void measure(const Cloth& cloth, const Maps& maps);
   void measure_footprints();
   void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void measure_means();
   void measure_range();
+  void set_occlusion(SurfaceTexels& surface, int y0, int level_height) const;
   void finish(SurfaceTexels& surface, int y0, int level_height, int threads) const;
   SurfaceTexels piece(int x0, int x1, int y0, int y1) const;
 
-  Cloth cloth_;
+  Tile tile_;
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
   SurfaceTexels small_, whole_;  // whole_: empty where the face is too large for one piece
-  Plane<float> occlusion_;       // of the coarse maps; empty: each piece computes its own
-  Plane<glm::vec3> footprints_;  // covariance of the microfacets, scaled by the fit
-  float weight_ = 0;             // weight of the lobe of the footprint in that of a texel
+  // Of the coarse maps, or the mean of a part's repeats; empty: each piece computes its own.
+  Plane<float> occlusion_;
+  int occlusion_across_ = 1, occlusion_up_ = 1;  // repetitions of it in the face
+  Plane<glm::vec3> footprints_;                  // covariance of the microfacets, scaled by the fit
+  float weight_ = 0;                             // weight of the lobe of the footprint in that of a texel
   EngineFit fit_, older_fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;

@@ -19,8 +19,8 @@
 namespace weftlight::texture_set {
 
 using base::arg, base::fill, base::tr, base::write_file_atomically;
-using cloth::ClothLayer, cloth::Period, cloth::ThreadBody, cloth::lay_out;
-using design::Twist, design::Yarn;
+using cloth::ThreadBody;
+using design::Yarn;
 using draft::BitMatrix, draft::drawdown;
 using files::PixelType, files::extension_of, files::write_image;
 using light::EngineCheck, light::EngineFit, light::EngineScore, light::kFootprintMmAtOneMetre;
@@ -30,10 +30,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr size_t kMaxTileThreads = 8192;  // per system, in a tile of several repeats
 constexpr float kMinTexelsPerThread = 2;
 constexpr float kOpenCover = 0.9f;  // cover below which gaps are visible
 constexpr int kMinSize = 16, kMaxSize = 8192;
+constexpr int kDenseTileSize = 2048;  // most texels for which a tile is made larger than one repeat unasked
 
 std::string rounded(float v) {
   char text[32];
@@ -119,6 +119,7 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"size_mm", {s.width_mm, s.depth_mm}},
             {"size_texels", {set.front.size().width, set.front.size().height}},
             {"repeat", {{"ends", cloth.ends.size()}, {"picks", cloth.picks.size()}}},
+            {"repeats_in_tile", {set.front.tile().across, set.front.tile().up}},
             {"alpha", alpha_name(set.alpha)},
             {"coverage", set.front.coverage()},
             {"distance_m", options.distance_m},
@@ -159,22 +160,8 @@ SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options
   return {draft_from(folder, options.draft_path), options.source, options.target->id};
 }
 
-int repeats_for(float mm, float tile_mm, size_t threads) {
-  const int repeats = static_cast<int>(std::ceil(tile_mm / std::max(mm, 1e-3f) - 1e-3f));
-  const int max_repeats = static_cast<int>(std::max<size_t>(kMaxTileThreads / std::max<size_t>(threads, 1), 1));
-  return std::clamp(repeats, 1, max_repeats);
-}
-
-Cloth cloth_of(const Design& design, const BitMatrix& cells, Face face, float tile_mm) {
-  Cloth cloth = lay_out(design, cells, face, Period::kRepeat);
-  // The images of the back are mirrored: with the opposite twist in them, the twist on the cloth is right.
-  for (Yarn& yarn : cloth.yarns) {
-    if (face == Face::kFront) break;
-    yarn.twist = yarn.twist == Twist::kS ? Twist::kZ : yarn.twist == Twist::kZ ? Twist::kS : Twist::kNone;
-  }
-  if (tile_mm <= 0) return cloth;
-  return tiled(cloth, repeats_for(cloth.width_mm, tile_mm, cloth.ends.size()),
-               repeats_for(cloth.depth_mm, tile_mm, cloth.picks.size()));
+Tile tile_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
+  return make_tile(design, cells, face, options.tile_mm, options.size);
 }
 
 /// Estimate of the fraction of the plane that is covered, for straight threads.
@@ -192,14 +179,15 @@ bool has_metal(const Cloth& cloth) {
 }
 
 FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
-  Cloth cloth = cloth_of(design, cells, face, options.tile_mm);
+  Tile tile = tile_of(design, cells, face, options);
+  const Cloth& cloth = tile.cloth;
   const ExportTarget& target = *options.target;
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   of.horizon = target.raw, of.fitted = !target.raw;
   of.model = engine_model(target, has_metal(cloth)), of.older = target.older_model;
   of.footprint_mm = target.raw || target.path_traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
-  return {std::move(cloth), of};
+  return {std::move(tile), of};
 }
 
 // Estimated fractions of the work: after a face is measured, and after its images are written.
@@ -273,69 +261,25 @@ std::string key_of(const TextureSetOptions& o) {
          number(static_cast<double>(o.tile_mm)) + (o.mips ? extension_of(*o.mips) : "");
 }
 
-namespace {
-
-/// Repeated threads, layer by layer. from: index of the original thread.
-struct RepeatedThreads {
-  std::vector<ThreadBody> threads;
-  std::vector<int> from;
-};
-
-RepeatedThreads repeated(const std::vector<ThreadBody>& threads, const std::vector<std::pair<int, int>>& runs,
-                         int times, float period_mm) {
-  RepeatedThreads out;
-  for (const auto& [first, count] : runs) {
-    for (int k = 0; k < times; ++k) {
-      for (int i = first; i < first + count; ++i) {
-        ThreadBody t = threads[static_cast<size_t>(i)];
-        t.centre_mm += static_cast<float>(k) * period_mm;
-        out.threads.push_back(t), out.from.push_back(i);
-      }
-    }
+void set_density(TextureSetOptions& options, const Design& design, float texels_per_mm) {
+  const BitMatrix cells = drawdown(design.draft);
+  if (cells.rows() < 1 || cells.cols() < 1) return;
+  if (options.tile_mm < 0) {
+    const Cloth repeat = make_tile(design, cells, Face::kFront, 0, kMinSize).cloth;
+    const float room_mm =
+        static_cast<float>(kDenseTileSize) / texels_per_mm - std::max(repeat.width_mm, repeat.depth_mm);
+    options.tile_mm = std::clamp(room_mm, 0.0f, tile_mm_for(repeat, kMaxSize));
   }
-  return out;
-}
-
-}  // namespace
-
-Cloth tiled(const Cloth& cloth, int across, int up) {
-  std::vector<std::pair<int, int>> end_runs{{0, cloth.up.cols()}}, pick_runs{{0, cloth.up.rows()}};
-  if (!cloth.layers.empty()) end_runs.clear(), pick_runs.clear();
-  Cloth out = cloth;
-  for (ClothLayer& l : out.layers) {
-    end_runs.emplace_back(l.first_end, l.ends), pick_runs.emplace_back(l.first_pick, l.picks);
-    l = {l.first_end * across, l.ends * across, l.first_pick * up, l.picks * up};
-  }
-  const RepeatedThreads ends = repeated(cloth.ends, end_runs, across, cloth.width_mm),
-                        picks = repeated(cloth.picks, pick_runs, up, cloth.depth_mm);
-  out.width_mm *= static_cast<float>(across), out.depth_mm *= static_cast<float>(up);
-  out.ends = ends.threads, out.picks = picks.threads;
-  out.up = BitMatrix(cloth.up.rows() * up, cloth.up.cols() * across);
-  out.warp_level_mm.clear(), out.weft_level_mm.clear();
-  for (int pick = 0; pick < out.up.rows(); ++pick) {
-    for (int end = 0; end < out.up.cols(); ++end) {
-      const int p = picks.from[static_cast<size_t>(pick)], e = ends.from[static_cast<size_t>(end)];
-      out.up.set(pick, end, cloth.up.get(p, e));
-      if (cloth.layers.empty()) continue;
-      const size_t at = static_cast<size_t>(p) * static_cast<size_t>(cloth.up.cols()) + static_cast<size_t>(e);
-      out.warp_level_mm.push_back(cloth.warp_level_mm[at]), out.weft_level_mm.push_back(cloth.weft_level_mm[at]);
-    }
-  }
-  return out;
-}
-
-int size_for(const Design& design, float texels_per_mm, float tile_mm) {
-  const Cloth cloth = cloth_of(design, drawdown(design.draft), Face::kFront, tile_mm);
+  const Cloth cloth = make_tile(design, cells, Face::kFront, options.tile_mm, kMaxSize).cloth;
   const float longer = std::max(cloth.width_mm, cloth.depth_mm) * texels_per_mm;
-  int size = kMinSize;
-  while (size < kMaxSize && static_cast<float>(size) < longer) size *= 2;
-  return size;
+  options.size = kMinSize;
+  while (options.size < kMaxSize && static_cast<float>(options.size) < longer) options.size *= 2;
 }
 
 SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return {};
-  const Cloth cloth = cloth_of(design, cells, Face::kFront, options.tile_mm);
+  const Cloth cloth = tile_of(design, cells, Face::kFront, options).cloth;
   SetFigures out{cloth.width_mm,
                  cloth.depth_mm,
                  cloth.ends.size(),
@@ -354,15 +298,18 @@ SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
 }
 
 FaceSource face_at(const Design& design, Face face, const TextureSetOptions& options, int side) {
+  const BitMatrix cells = drawdown(design.draft);
   TextureSetOptions small = options;
   small.size = std::min(options.size, side);
-  return face_of(design, drawdown(design.draft), face, small);
+  if (options.tile_mm < 0)
+    small.tile_mm = tile_mm_for(make_tile(design, cells, face, 0, options.size).cloth, options.size);
+  return face_of(design, cells, face, small);
 }
 
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return {};
-  const Cloth cloth = cloth_of(design, cells, Face::kFront, options.tile_mm);
+  const Cloth cloth = tile_of(design, cells, Face::kFront, options).cloth;
   const TextureSize size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));

@@ -14,6 +14,7 @@
 #include "files/mip_file.h"
 #include "texture_set/face_source.h"
 #include "texture_set/targets.h"
+#include "texture_set/tile.h"
 
 namespace weftlight::texture_set {
 
@@ -32,9 +33,9 @@ struct TextureSetOptions {
   int size = 1024;     // texels of the longer side, a power of two 16..8192
   bool force = false;  // writes into a folder with other files, and replaces those of the same names
   Alpha alpha = Alpha::kAuto;
-  float distance_m = 1;                           // viewing distance of the footprint in the roughness; 0: no footprint
-  std::optional<MipContainer> mips{};             // images with prefiltered mipmaps beside the others
-  float tile_mm = 0;                              // least width and depth of a tile of whole repeats; 0: one repeat
+  float distance_m = 1;                // viewing distance of the footprint in the roughness; 0: no footprint
+  std::optional<MipContainer> mips{};  // images with prefiltered mipmaps beside the others
+  float tile_mm = 0;  // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
   std::string modified = "2000-01-01T00:00:00Z";  // time of the draft, ISO 8601, for formats that need it
   std::string key;                                // hash of all inputs of the set, for is_complete()
   bool archived = false;                          // for texture_set.json: a .zip of the same name is beside the folder
@@ -45,11 +46,8 @@ std::string key_of(const TextureSetOptions& options);
 /// The letters, digits, '-' and '_' of a text; "cloth" if none is left.
 std::string file_name_of(const std::string& text);
 
-/// Several repeats in both directions as one period; the irregularities of the yarns differ between them.
-Cloth tiled(const Cloth& cloth, int across, int up);
-
-/// Texels per side for a resolution of the design's tile: a power of two, 16..8192.
-int size_for(const Design& design, float texels_per_mm, float tile_mm);
+/// Sets the size, a power of two of 16..8192, for a resolution of the design's tile, and with kTileOfYarns the tile.
+void set_density(TextureSetOptions& options, const Design& design, float texels_per_mm);
 
 /// Warnings about the options for this design.
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);

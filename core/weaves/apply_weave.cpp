@@ -117,12 +117,19 @@ ClothSize whole_repeats(ClothSize repeat, ClothSize about) {
 
 GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size) {
   const std::vector<Rgb> two_tones = {{0.93f, 0.90f, 0.84f}, {0.16f, 0.25f, 0.42f}};
+  const Rgb third_tone = {0.72f, 0.38f, 0.24f};
   WeaveUse use{kind.id, complete_values(kind, values), 0, size.ends, 0, size.picks};
   GeneratedWeave made = kind.make(use.values, size);
   if (kind.colors == WeaveColors::kTwoTone)
     made.design = with_colors(std::move(made.design), two_tones, {{0, 1}}, {{1, 1}});
   if (kind.colors == WeaveColors::kPattern)
     made.design = with_colors(std::move(made.design), two_tones, {{0, 1}}, {{1, 1}, {0, 1}});
+  if (kind.colors == WeaveColors::kByThread) {
+    std::vector<Rgb> tones = two_tones;
+    if (std::ranges::find(made.design.draft.weft.color, 2) != made.design.draft.weft.color.end())
+      tones.push_back(third_tone);
+    made.design = with_colors(std::move(made.design), std::move(tones), {}, {});
+  }
   made.design.weaves = {std::move(use)};
   return made;
 }

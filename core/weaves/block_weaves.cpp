@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/mark.h"
-#include "design/fibre.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
 
-using design::Design, design::Yarn, design::with_thickness;
-using draft::Rgb, draft::kMaxThreads;
+using design::Design;
+using draft::Rgb, draft::System, draft::kMaxThreads;
 
 namespace {
 
@@ -29,10 +27,42 @@ std::vector<int> point(int n) {
   return order;
 }
 
-// The even or the odd one of the two shafts of overshot block b: b and b + 1, cyclic.
-int shaft_of_block(int b, bool odd) {
-  const int next = (b + 1) % 4;
-  return (b % 2 == 1) == odd ? b : next;
+// The even or the odd one of the two shafts of overshot block b: b and b + 1 round the shafts.
+int shaft_of_block(int b, bool odd, int shafts) { return (b % 2 == 1) == odd ? b : (b + 1) % shafts; }
+
+// The shafts lifted while the pattern weft covers block b. Those of the block stay down. Every second of the others
+// rises, the first and the last too: the neighbours of b share a shaft with it and bind the weft with the other one.
+std::vector<int> lifts_of_block(int b, int shafts) {
+  std::vector<int> lifts;
+  for (int k = 2; k < shafts; ++k)
+    if (k % 2 == 0 || k == shafts - 1) lifts.push_back((b + k) % shafts);
+  std::ranges::sort(lifts);
+  return lifts;
+}
+
+// The blocks that the pattern picks cover, in their order.
+std::vector<int> pattern_picks(const std::vector<int>& blocks, int ends, const std::vector<int>& threading, int shafts,
+                               const OvershotTreadling& how) {
+  std::vector<int> order;
+  if (how.as_writ) {
+    // Two neighbouring ends are the block of the lower one; where a block was skipped, that of the later end.
+    for (size_t i = 0; i < threading.size(); ++i) {
+      const int a = threading[i], b = threading[(i + 1) % threading.size()];
+      order.push_back((b + 1) % shafts == a ? b : (a + 1) % shafts == b ? a : b);
+    }
+  } else {
+    const int picks = how.picks > 0 ? std::min(how.picks, 64) : std::max(1, ends / 2);
+    for (const int block : blocks) order.insert(order.end(), static_cast<size_t>(picks), block);
+  }
+  const int used = last_block(blocks) + 1;
+  if (how.rose)
+    for (int& block : order)
+      if ((block ^ 1) < used) block ^= 1;
+  if (order.size() % 2 == 0) return order;
+  // The tabby alternates, also from repeat to repeat.
+  std::vector<int> twice = order;
+  twice.insert(twice.end(), order.begin(), order.end());
+  return twice;
 }
 
 }  // namespace
@@ -50,34 +80,26 @@ Design waffle(int shafts, ClothSize size) {
   return make_design({n, point(n), tieup, point(n)}, size);
 }
 
-Design huck_lace(ClothSize size) {
-  // Shafts 0 (outer) and 2 make one half unit, 1 (outer) and 3 the other. Tabbies {0, 3} and {1, 2}; a lace
-  // pick is a tabby without the inner ends of a half unit, so that the weft floats over all five.
-  const std::vector<std::vector<int>> tieup = {{1}, {0, 3}, {0}, {1, 2}};
-  return make_design({4, {0, 2, 0, 2, 0, 1, 3, 1, 3, 1}, tieup, {0, 1, 0, 1, 0, 2, 3, 2, 3, 2}}, size);
-}
-
-Design overshot(const std::vector<int>& blocks, int length, ClothSize size) {
-  const std::vector<int> order = in_range(blocks, 4);
-  const int ends = std::clamp(length, 2, 64);
-  Recipe recipe{4, {}, {{2, 3}, {0, 3}, {0, 1}, {1, 2}, {0, 2}, {1, 3}}, {}};
-  for (const int block : order) {
-    for (int i = 0; i < ends; ++i) {
-      recipe.threading.push_back(shaft_of_block(block, recipe.threading.size() % 2 == 1));
-    }
-    for (int i = 0; i < std::max(1, ends / 2); ++i) {
-      // The shafts of the block stay down, so that the pattern weft floats over it; the tabbies alternate.
-      recipe.treadling.push_back(block);
-      recipe.treadling.push_back(4 + (static_cast<int>(recipe.treadling.size()) / 2) % 2);
-    }
+Design overshot(const std::vector<int>& blocks, int length, ClothSize size, OvershotTreadling treadling) {
+  const std::vector<int> order = in_range(blocks, 32);
+  const int ends = std::clamp(length, 2, 64), shafts = std::max(4, (last_block(order) + 2) / 2 * 2);
+  Recipe recipe{shafts, {}, {}, {}};
+  const auto add_end = [&](int block) {
+    recipe.threading.push_back(shaft_of_block(block, recipe.threading.size() % 2 == 1, shafts));
+  };
+  for (const int block : order)
+    for (int i = 0; i < ends; ++i) add_end(block);
+  if (recipe.threading.size() % 2 == 1) add_end(order.back());  // odd and even ends alternate over the repeat, too
+  for (int b = 0; b < shafts; ++b) recipe.tieup.push_back(lifts_of_block(b, shafts));
+  for (const int odd : {0, 1}) {
+    recipe.tieup.emplace_back();
+    for (int s = odd; s < shafts; s += 2) recipe.tieup.back().push_back(s);
   }
-  Design design = make_design(recipe, size);
-  Yarn pattern = with_thickness(design.yarns[0], 1.6f * design.yarns[0].diameter_mm);  // covers the tabby
-  pattern.name = base::mark("Pattern weft");
-  pattern.flattening = 0.6f;  // soft and little twisted, so that it spreads
-  design.yarns.push_back(pattern);
-  for (int p = 0; p < design.draft.picks(); p += 2) design.draft.weft.yarn[p] = 1;
-  return with_sett(std::move(design));
+  for (const int block : pattern_picks(order, ends, recipe.threading, shafts, treadling)) {
+    recipe.treadling.push_back(block);
+    recipe.treadling.push_back(shafts + static_cast<int>(recipe.treadling.size()) / 2 % 2);
+  }
+  return with_pattern_yarn(make_design(recipe, size), System::kWeft, {true, false});
 }
 
 Design summer_and_winter(const std::vector<int>& blocks, ClothSize size) {
@@ -166,19 +188,29 @@ Design log_cabin(int block, ClothSize size) {
   return with_colors(std::move(design), palette, order, order);
 }
 
-Design houndstooth(ClothSize size) {
-  Design design = twill({2, 2}, Lean::kRight, size);
+Design houndstooth(const OverUnder& order, int threads, ClothSize size) {
+  Design design = twill(order, Lean::kRight, size);
   const std::vector<Rgb> palette = design.draft.palette;
-  return with_colors(std::move(design), palette, {{0, 4}, {1, 4}}, {{0, 4}, {1, 4}});
+  const std::vector<Stripe> stripes = {{0, threads}, {1, threads}};
+  return with_colors(std::move(design), palette, stripes, stripes);
 }
 
-Design glen_check(ClothSize size) {
-  std::vector<Stripe> order;
-  for (int i = 0; i < 6; ++i) order.insert(order.end(), {{0, 4}, {1, 4}});
-  for (int i = 0; i < 12; ++i) order.insert(order.end(), {{0, 2}, {1, 2}});
-  Design design = twill({2, 2}, Lean::kRight, size);
-  const std::vector<Rgb> palette = design.draft.palette;
-  return with_colors(std::move(design), palette, order, order);
+Design glen_check(const OverUnder& order, const GlenCheck& check, ClothSize size) {
+  std::vector<int> colors;
+  const auto add_pairs = [&colors](int threads, int pairs) {
+    for (int i = 0; i < 2 * std::clamp(pairs, 1, 64); ++i)
+      colors.insert(colors.end(), static_cast<size_t>(std::clamp(threads, 1, 64)), i % 2);
+  };
+  add_pairs(check.threads, check.pairs);
+  const size_t over = std::min(static_cast<size_t>(std::max(check.overcheck, 0)), colors.size());
+  std::fill_n(colors.begin() + static_cast<std::ptrdiff_t>((colors.size() - over) / 2), over, 2);
+  add_pairs(check.fine_threads, check.fine_pairs);
+  std::vector<Stripe> stripes;
+  for (const int color : colors) stripes.push_back({color, 1});
+  Design design = twill(order, Lean::kRight, size);
+  std::vector<Rgb> palette = design.draft.palette;
+  if (over > 0) palette.push_back({0.55f, 0.16f, 0.12f});  // russet
+  return with_colors(std::move(design), palette, stripes, stripes);
 }
 
 }  // namespace weftlight::weaves

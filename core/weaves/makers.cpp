@@ -1,8 +1,7 @@
 #include "weaves/makers.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 #include <numeric>
 
 #include "base/text.h"
@@ -12,35 +11,25 @@ namespace weftlight::weaves {
 
 using base::arg, base::fill, base::tr;
 using design::Design;
-using draft::Draft, draft::Face, draft::kMaxShafts;
+using draft::BitMatrix, draft::Face, draft::kMaxShafts;
 
 namespace {
 
 /// A twill with its picks in another order.
 Design broken_twill(const OverUnder& order, const std::vector<int>& breaks, Lean to, ClothSize size) {
-  const Draft whole = twill(order, to, {1, 1}).draft;
-  Recipe recipe{whole.shafts, {}, {}, {}};
-  for (int s = 0; s < whole.shafts; ++s) recipe.threading.push_back(s);
-  for (int t = 0; t < whole.treadles; ++t) {
-    recipe.tieup.emplace_back();
-    for (int s = 0; s < whole.shafts; ++s)
-      if (whole.tieup.get(t, s)) recipe.tieup.back().push_back(s);
-  }
-  for (const int pick : breaks) recipe.treadling.push_back(pick % whole.treadles);
+  Recipe recipe = twill_recipe(order, to);
+  recipe.treadling.clear();
+  for (const int pick : breaks) recipe.treadling.push_back(pick % recipe.shafts);
   return make_design(recipe, size);
 }
 
-/// A pattern line over `ends` ends, from 0 to `height` shafts.
-std::vector<int> pattern_line(std::string_view form, int ends, int height) {
-  std::vector<int> line;
-  for (int e = 0; e < ends; ++e) {
-    const double t = static_cast<double>(e) / std::max(ends, 1);
-    const double wave = form == "points" ? 1 - std::abs(2 * t - 1)
-                        : form == "saw"  ? t
-                                         : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * t);
-    line.push_back(static_cast<int>(std::lround(wave * height)));
-  }
-  return line;
+/// The ratio of each layer, which has shafts of its own.
+Noted<OverUnder> ratio_of_layers(const WeaveValues& v, int layers) {
+  Noted<OverUnder> read = ratio(v);
+  if (layers * std::accumulate(read.value.begin(), read.value.end(), 0) <= kMaxShafts) return read;
+  return {
+      {2, 2},
+      fill(tr("the layers of this twill need more than {most} shafts; 2/2 is used instead"), arg("most", kMaxShafts))};
 }
 
 }  // namespace
@@ -81,14 +70,8 @@ GeneratedWeave make_network(const WeaveValues& v, ClothSize size) {
   initial.resize(static_cast<size_t>(std::max(rows, static_cast<int>(initial.size()))), 0);
   const std::vector<int> draw =
       network_threading(initial, pattern_line(text(v, "line"), count(v, "length"), count(v, "height")), shafts);
-  const Draft whole = twill(order, lean(v), {1, 1}).draft;
-  Recipe recipe{shafts, draw, {}, {}};
-  for (int t = 0; t < whole.treadles; ++t) {
-    recipe.tieup.emplace_back();
-    for (int s = 0; s < whole.shafts; ++s)
-      if (whole.tieup.get(t, s)) recipe.tieup.back().push_back(s);
-    recipe.treadling.push_back(t);
-  }
+  Recipe recipe = twill_recipe(order, lean(v));
+  recipe.threading = draw;
   if (is(v, "treadling", "as drawn in")) recipe.treadling = draw;
   return {make_design(recipe, size), note};
 }
@@ -114,16 +97,12 @@ GeneratedWeave make_crackle(const WeaveValues& v, ClothSize size) {
 }
 
 GeneratedWeave make_substitution(const WeaveValues& v, ClothSize size) {
+  const std::string id = text(v, "template"), warp = text(v, "warp"), weft = text(v, "weft");
+  if (id == "own")
+    return make_units(std::array{BlockTemplate{"own", count(v, "ties"), warp.c_str(), weft.c_str()}}, v, size);
   const auto templates = block_templates();
-  const std::string id = text(v, "template");
   const auto found = std::ranges::find_if(templates, [&](const BlockTemplate& t) { return id == t.id; });
-  BlockTemplate unit = found != templates.end() ? *found : templates.front();
-  const std::string warp = text(v, "warp"), weft = text(v, "weft");
-  if (id == "own") unit = {"own", "Own", count(v, "ties"), warp.c_str(), weft.c_str()};
-  auto [blocks, note] = profile(v, 8);
-  GeneratedWeave made = substituted(unit, blocks, read_profile(text(v, "weft_profile")), size);
-  if (made.note.empty()) made.note = std::move(note);
-  return made;
+  return make_units({found != templates.end() ? found : templates.begin(), 1}, v, size);
 }
 
 GeneratedWeave make_sections(const WeaveValues& v, ClothSize size) {
@@ -165,15 +144,36 @@ GeneratedWeave make_sett(const WeaveValues& v, ClothSize size) {
 }
 
 GeneratedWeave make_double(const WeaveValues& v, ClothSize size) {
+  const int layers = is(v, "kind", "tube") ? 2 : count(v, "layers");
+  auto [order, note] = ratio_of_layers(v, layers);
+  const DoubleCloth kind = is(v, "kind", "double width") ? DoubleCloth::kDoubleWidth
+                           : is(v, "kind", "tube")       ? DoubleCloth::kTube
+                                                         : DoubleCloth::kLayers;
+  return {double_cloth(kind, order, size, layers), note};
+}
+
+GeneratedWeave make_stitched(const WeaveValues& v, ClothSize size) {
+  auto [order, note] = ratio_of_layers(v, 2);
+  return {stitched_cloth(order, count(v, "stitches"), is(v, "stitch", "lower ends rise"), size), note};
+}
+
+GeneratedWeave make_overshot(const WeaveValues& v, ClothSize size) {
+  auto [blocks, note] = profile(v, kMaxBlocks, "profile", 2);
+  const bool as_writ = is(v, "treadling", "tromp as writ");
+  return {overshot(blocks, count(v, "block"), size, {is(v, "fashion", "rose"), as_writ, count(v, "picks")}), note};
+}
+
+GeneratedWeave make_glen_check(const WeaveValues& v, ClothSize size) {
   auto [order, note] = ratio(v);
-  // Each layer has its own shafts.
-  if (2 * std::accumulate(order.begin(), order.end(), 0) > kMaxShafts) {
-    note =
-        fill(tr("two layers of this twill need more than {most} shafts; 2/2 is used instead"), arg("most", kMaxShafts));
-    order = {2, 2};
-  }
-  const bool wide = is(v, "kind", "double width");
-  return {double_cloth(wide ? DoubleCloth::kDoubleWidth : DoubleCloth::kLayers, order, size), note};
+  const GlenCheck check{count(v, "threads"), count(v, "pairs"), count(v, "fine_threads"), count(v, "fine_pairs"),
+                        count(v, "overcheck")};
+  return {glen_check(order, check, size), note};
+}
+
+GeneratedWeave make_iso(const WeaveValues& v, ClothSize size) {
+  const base::Result<BitMatrix> repeat = read_iso_code(text(v, "code"));
+  if (!repeat) return {plain(size), problem_of(repeat)};  // a stand-in: check_values() keeps it from becoming a draft
+  return {make_design(recipe_of(*repeat), size), {}};
 }
 
 }  // namespace weftlight::weaves

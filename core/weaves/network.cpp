@@ -1,8 +1,22 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "weaves/families.h"
 
 namespace weftlight::weaves {
+
+std::vector<int> pattern_line(std::string_view form, int ends, int height) {
+  std::vector<int> line;
+  for (int e = 0; e < ends; ++e) {
+    const double t = static_cast<double>(e) / std::max(ends, 1);
+    const double wave = form == "points" ? 1 - std::abs(2 * t - 1)
+                        : form == "saw"  ? t
+                                         : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * t);
+    line.push_back(static_cast<int>(std::lround(wave * height)));
+  }
+  return line;
+}
 
 std::vector<int> network_threading(const std::vector<int>& initial, const std::vector<int>& line, int shafts) {
   const int rows = static_cast<int>(initial.size());

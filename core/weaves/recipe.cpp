@@ -10,14 +10,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/mark.h"
+#include "design/fibre.h"
 #include "draft/drawdown.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
 
-using design::Design, design::Yarn;
-using draft::BitMatrix, draft::Draft, draft::Rgb, draft::Threads, draft::blank_draft, draft::drawdown,
-    draft::kMaxThreads, draft::transposed;
+using base::mark;
+using design::Design, design::Yarn, design::with_thickness;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::System, draft::Threads, draft::blank_draft, draft::drawdown,
+    draft::first_equal_rows, draft::kMaxThreads, draft::transposed;
 
 namespace {
 
@@ -76,6 +79,52 @@ Design make_design(const Recipe& recipe, ClothSize size) {
     for (const int shaft : recipe.tieup[t]) d.tieup.set(t, shaft, true);
   }
   d.palette = kDefaultPalette;
+  return with_sett(std::move(design));
+}
+
+Recipe recipe_of(const BitMatrix& repeat) {
+  Recipe out{0, {}, {}, {}};
+  const auto numbered = [](const BitMatrix& threads, std::vector<int>& of) {
+    std::vector<int> first;  // the first of each kind of thread
+    for (const int same : first_equal_rows(threads)) {
+      const auto found = std::ranges::find(first, same);
+      of.push_back(static_cast<int>(found - first.begin()));
+      if (found == first.end()) first.push_back(same);
+    }
+    return first;
+  };
+  const std::vector<int> ends = numbered(transposed(repeat), out.threading), picks = numbered(repeat, out.treadling);
+  out.shafts = static_cast<int>(ends.size());
+  for (const int pick : picks) {
+    out.tieup.emplace_back();
+    for (int s = 0; s < out.shafts; ++s)
+      if (repeat.get(pick, ends[static_cast<size_t>(s)])) out.tieup.back().push_back(s);
+  }
+  return out;
+}
+
+Recipe turned(const Recipe& recipe) {
+  const int treadles = static_cast<int>(recipe.tieup.size());
+  Recipe out{treadles, recipe.treadling, std::vector<std::vector<int>>(static_cast<size_t>(recipe.shafts)),
+             recipe.threading};
+  // A treadle that did not lift a shaft becomes a shaft that is lifted.
+  for (int t = 0; t < treadles; ++t) {
+    std::vector<bool> lifted(static_cast<size_t>(recipe.shafts), false);
+    for (const int shaft : recipe.tieup[static_cast<size_t>(t)]) lifted[static_cast<size_t>(shaft)] = true;
+    for (size_t s = 0; s < lifted.size(); ++s)
+      if (!lifted[s]) out.tieup[s].push_back(t);
+  }
+  return out;
+}
+
+Design with_pattern_yarn(Design design, System system, const std::vector<bool>& marked) {
+  Yarn pattern = with_thickness(design.yarns[0], 1.6f * design.yarns[0].diameter_mm);  // covers the ground
+  pattern.name = mark("Pattern weft");
+  pattern.flattening = 0.6f;  // soft and little twisted, so that it spreads
+  design.yarns.push_back(pattern);
+  Threads& threads = design.draft.threads(system);
+  for (size_t i = 0; i < threads.yarn.size(); ++i)
+    if (marked[i % marked.size()]) threads.yarn[i] = static_cast<int>(design.yarns.size()) - 1;
   return with_sett(std::move(design));
 }
 

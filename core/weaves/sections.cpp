@@ -21,6 +21,22 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool separates(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; }
 bool ends_word(char c) { return separates(c) || c == '(' || c == ')'; }
 
+constexpr std::string_view kBackSign = "'", kForthAndBackSign = "<>", kTurnSigns = "'<>";
+
+std::string_view sign_of(Turn turn) {
+  return turn == Turn::kBack ? kBackSign : turn == Turn::kForthAndBack ? kForthAndBackSign : std::string_view();
+}
+
+/// The turn at the end of a word, which loses its sign.
+Turn taken_turn(std::string_view& word) {
+  for (const Turn turn : {Turn::kBack, Turn::kForthAndBack})
+    if (word.ends_with(sign_of(turn))) {
+      word.remove_suffix(sign_of(turn).size());
+      return turn;
+    }
+  return Turn::kForth;
+}
+
 /// Repeat count of "4x", "x4", "4*" or "4"; -1: not a count.
 int count_of(std::string_view word) {
   const auto is_sign = [](char c) { return c == 'x' || c == 'X' || c == '*'; };
@@ -65,6 +81,11 @@ struct OrderReader {
     else item.items = list(depth + 1);
     if (why.empty() && at >= text.size()) fail(tr("a bracket is not closed"), open);
     ++at;
+    for (const Turn turn : {Turn::kBack, Turn::kForthAndBack})
+      if (at < text.size() && item.turn == Turn::kForth && text.substr(at).starts_with(sign_of(turn))) {
+        item.turn = turn;
+        at += sign_of(turn).size();
+      }
     return item;
   }
   /// Until a closing bracket or the end.
@@ -78,7 +99,7 @@ struct OrderReader {
       if (at >= text.size() || text[at] == ')') break;
       const size_t begin = at;
       if (text[at] != '(') {
-        const std::string_view name = word();
+        std::string_view name = word();
         if (const int times = count_of(name); times >= 0) {
           if (may_follow) set_times(items.back(), times, begin);
           else if (before != 0) fail(tr("two repeat counts in a row"), begin);
@@ -86,7 +107,9 @@ struct OrderReader {
           may_follow = false;
           continue;
         }
-        items.push_back({std::string(name), {}, 1});
+        const Turn turn = taken_turn(name);
+        if (name.empty()) fail(tr("a turn without a section"), begin);
+        items.push_back({std::string(name), {}, 1, turn});
       } else {
         items.push_back(group(depth));
       }
@@ -110,6 +133,7 @@ void write(const std::vector<OrderItem>& items, std::string& out) {
     } else {
       out += items[i].section;
     }
+    out += sign_of(items[i].turn);
     if (items[i].times > 1) out.append(" ").append(std::to_string(items[i].times)).append("x");
   }
 }
@@ -117,7 +141,7 @@ void write(const std::vector<OrderItem>& items, std::string& out) {
 void list_rows(const std::vector<OrderItem>& items, std::vector<int>& path, std::vector<OrderRow>& out) {
   for (size_t i = 0; i < items.size(); ++i) {
     path.push_back(static_cast<int>(i));
-    out.push_back({path, items[i].section, items[i].times});
+    out.push_back({path, items[i].section, items[i].times, items[i].turn});
     list_rows(items[i].items, path, out);
     path.pop_back();
   }
@@ -141,50 +165,57 @@ int64_t threads_in(const Assembly& assembly, const std::vector<OrderItem>& items
       *unknown = item.section;
     }
     if (own < 0) return -1;
+    if (item.turn == Turn::kForthAndBack && own > 1) own = 2 * own - 2;
     sum += own * item.times;
     if (sum > kMaxThreads) return -1;
   }
   return sum;
 }
 
-/// The sections in order, repeats expanded. Empty sections are left out, so that the list is no longer than the
-/// threads.
-std::vector<const ThreadSection*> expanded(const Assembly& assembly, const std::vector<OrderItem>& items) {
-  std::vector<const ThreadSection*> out;
+/// A thread of a section.
+struct Source {
+  const ThreadSection* section = nullptr;
+  int thread = 0;
+};
+
+/// The threads in order, repeats expanded.
+std::vector<Source> expanded(const Assembly& assembly, const std::vector<OrderItem>& items) {
+  std::vector<Source> out;
   for (const OrderItem& item : items) {
-    std::vector<const ThreadSection*> own;
-    if (item.section.empty()) own = expanded(assembly, item.items);
-    else if (const ThreadSection* s = find_section(assembly, item.section); s != nullptr && s->threads.size() > 0)
-      own.push_back(s);
+    std::vector<Source> own;
+    if (item.section.empty()) {
+      own = expanded(assembly, item.items);
+    } else if (const ThreadSection* section = find_section(assembly, item.section)) {
+      for (int i = 0; i < section->threads.size(); ++i) own.push_back({section, i});
+    }
+    if (item.turn == Turn::kBack) std::ranges::reverse(own);
+    if (item.turn == Turn::kForthAndBack)
+      for (int i = static_cast<int>(own.size()) - 2; i > 0; --i) own.push_back(Source(own[static_cast<size_t>(i)]));
     for (int i = 0; i < item.times && !own.empty(); ++i) out.insert(out.end(), own.begin(), own.end());
   }
   return out;
 }
 
-void append_threads(Threads& to, int at, const Threads& from, int colors, int yarns) {
-  for (int i = 0; i < from.size(); ++i) {
-    const auto a = static_cast<size_t>(at + i), b = static_cast<size_t>(i);
-    to.color[a] = from.color[b] < colors ? from.color[b] : 0;
-    to.yarn[a] = from.yarn[b] < yarns ? from.yarn[b] : 0;
-    to.spacing_mm[a] = from.spacing_mm[b];
-    to.thickness_mm[a] = from.thickness_mm[b];
-  }
+void copy_thread(Threads& to, size_t at, const Threads& from, size_t thread, int colors, int yarns) {
+  to.color[at] = from.color[thread] < colors ? from.color[thread] : 0;
+  to.yarn[at] = from.yarn[thread] < yarns ? from.yarn[thread] : 0;
+  to.spacing_mm[at] = from.spacing_mm[thread];
+  to.thickness_mm[at] = from.thickness_mm[thread];
 }
 
-void copy_rows(BitMatrix& to, int at, const BitMatrix& from) {
-  for (int row = 0; row < from.rows(); ++row)
-    for_each_bit(from.row(row), [&](int bit) {
-      if (bit < to.cols()) to.set(at + row, bit, true);
-    });
+void copy_row(BitMatrix& to, int at, const BitMatrix& from, int row) {
+  for_each_bit(from.row(row), [&](int bit) {
+    if (bit < to.cols()) to.set(at, bit, true);
+  });
 }
 
 base::Failure impossible(std::string why) { return base::failure(base::ErrorKind::kInput, std::move(why)); }
 
 /// Whether the sections can be assembled.
-base::Result<void> check_sections(const Design& design, System system, const std::vector<const ThreadSection*>& order) {
+base::Result<void> check_sections(const Design& design, System system, const std::vector<Source>& order) {
   const Draft& d = design.draft;
   if (system == System::kWarp) return may_paint(design, BitGrid::kThreading);
-  for (const ThreadSection* section : order)
+  for (const auto& [section, thread] : order)
     if (section->shed_control != d.shed_control)
       return impossible(
           fill(d.shed_control == ShedControl::kLiftplan
@@ -194,18 +225,18 @@ base::Result<void> check_sections(const Design& design, System system, const std
   return may_paint(design, d.shed_control == ShedControl::kLiftplan ? BitGrid::kLiftplan : BitGrid::kTreadling);
 }
 
-Design woven(Design design, System system, const std::vector<const ThreadSection*>& order, int count) {
+Design woven(Design design, System system, const std::vector<Source>& order) {
   Draft& d = design.draft;
+  const int count = static_cast<int>(order.size());
   const bool warp = system == System::kWarp;
   Threads threads;
   threads.resize(count);
   BitMatrix rows(count, warp || d.shed_control == ShedControl::kLiftplan ? d.shafts : d.treadles);
-  int at = 0;
-  for (const ThreadSection* section : order) {
-    append_threads(threads, at, section->threads, static_cast<int>(d.palette.size()),
-                   static_cast<int>(design.yarns.size()));
-    copy_rows(rows, at, section->rows);
-    at += section->threads.size();
+  const auto colors = static_cast<int>(d.palette.size()), yarns = static_cast<int>(design.yarns.size());
+  for (int i = 0; i < count; ++i) {
+    const auto& [section, thread] = order[static_cast<size_t>(i)];
+    copy_thread(threads, static_cast<size_t>(i), section->threads, static_cast<size_t>(thread), colors, yarns);
+    copy_row(rows, i, section->rows, thread);
   }
   d.threads(system) = std::move(threads);
   if (warp) {
@@ -256,7 +287,7 @@ std::string section_name(std::string_view typed) {
   std::string name;
   const bool utf8 = base::is_utf8(typed);
   for (const char c : utf8 ? base::cut_utf8(typed, kMaxSectionNameBytes) : typed.substr(0, kMaxSectionNameBytes))
-    name += ends_word(c) ? '_' : c;
+    name += ends_word(c) || kTurnSigns.find(c) != kTurnSigns.npos ? '_' : c;
   const size_t first = name.find_first_not_of('_'), last = name.find_last_not_of('_');
   name = first == std::string::npos ? "" : name.substr(first, last - first + 1);
   return count_of(name) < 0 ? name : "S" + name;
@@ -316,10 +347,9 @@ base::Result<Design> assembled(Design design, System system, Assembly assembly) 
   const int64_t across = system == System::kWarp ? design.draft.picks() : design.draft.ends();
   if (count * across > kMaxCells) return impossible(tr("too many crossings"));
   if (count > 0) {
-    const std::vector<const ThreadSection*> sections = expanded(assembly, *order);
-    if (const base::Result<void> possible = check_sections(design, system, sections); !possible)
-      return failed(possible);
-    design = woven(std::move(design), system, sections, static_cast<int>(count));
+    const std::vector<Source> threads = expanded(assembly, *order);
+    if (const base::Result<void> possible = check_sections(design, system, threads); !possible) return failed(possible);
+    design = woven(std::move(design), system, threads);
   }
   (system == System::kWarp ? design.warp_assembly : design.weft_assembly) = std::move(assembly);
   return design;

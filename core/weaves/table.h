@@ -37,16 +37,17 @@ struct WeaveParameter {
 
 /// Colours of a new draft of the weave.
 enum class WeaveColors {
-  kTwoTone,  // light warp, dark weft
-  kPattern,  // dark pattern weft, tabby in the warp's colour
-  kOwn,      // the colours are part of the weave
+  kTwoTone,   // light warp, dark weft
+  kPattern,   // dark pattern weft, tabby in the warp's colour
+  kByThread,  // the weave says which threads are light (0), dark (1), or a weft of a third colour (2)
+  kOwn,       // the colours are part of the weave
 };
 
 struct WeaveKind {
   const char* id;
   const char* name;
   const char* family;       // its group in menus
-  const char* description;  // one sentence
+  const char* description;  // what it is, and what it is for
   std::vector<WeaveParameter> parameters;
   GeneratedWeave (*make)(const WeaveValues& values, ClothSize size);
   WeaveColors colors = WeaveColors::kTwoTone;

@@ -1,4 +1,5 @@
 // Plain weave, basket, twills and satins.
+// The corkscrew is based on: Z. Grosicki, Watson's Textile Design and Colour, 7th edition, 1975.
 
 #include <algorithm>
 #include <cmath>
@@ -65,11 +66,13 @@ Design basket(int group, ClothSize size) {
   return make_design({2, order, {{0}, {1}}, order}, size);
 }
 
-Design twill(const OverUnder& order, Lean lean, ClothSize size) {
+Recipe twill_recipe(const OverUnder& order, Lean lean) {
   const auto tieup = twill_tieup(order, lean);
   const int n = static_cast<int>(tieup.size());
-  return make_design({n, straight(n), tieup, straight(n)}, size);
+  return {n, straight(n), tieup, straight(n)};
 }
+
+Design twill(const OverUnder& order, Lean lean, ClothSize size) { return make_design(twill_recipe(order, lean), size); }
 
 Design satin(int shafts, int step, Face face, ClothSize size) {
   const int n = std::clamp(shafts, 2, kMaxShafts);
@@ -102,6 +105,17 @@ Design herringbone(const OverUnder& order, int band, ClothSize size) {
   shaft = shaft - 1 + n / 2;
   for (int i = 0; i < ends; ++i) threading.push_back(wrapped(shaft--, n));
   return make_design({n, threading, tieup, straight(n)}, size);
+}
+
+Design corkscrew(int shafts, Face face, Lean lean, ClothSize size) {
+  const int n = std::clamp(shafts, 3, kMaxShafts - 1) | 1, over = (n + 1) / 2;
+  Recipe recipe{n, straight(n), {}, straight(n)};
+  for (int t = 0; t < n; ++t) {
+    recipe.tieup.emplace_back();
+    for (int s = 0; s < n; ++s)
+      if (wrapped((lean == Lean::kRight ? t : -t) - s * over, n) < over) recipe.tieup.back().push_back(s);
+  }
+  return make_design(face == Face::kBack ? turned(recipe) : recipe, size);
 }
 
 Design advancing_twill(const OverUnder& order, int run, int advance, ClothSize size) {

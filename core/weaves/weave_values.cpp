@@ -1,5 +1,6 @@
 #include "weaves/weave_values.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/text.h"
@@ -37,14 +38,18 @@ Noted<OverUnder> ratio(const WeaveValues& values) {
 
 base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values) {
   for (const WeaveParameter& parameter : kind.parameters) {
-    if (std::string_view(parameter.id) != "ratio") continue;
-    Noted<OverUnder> read = ratio(complete_values(kind, values));
-    if (!read.note.empty()) return base::failure(base::ErrorKind::kInput, std::move(read.note));
+    const std::string_view id = parameter.id;
+    if (id == "ratio") {
+      Noted<OverUnder> read = ratio(complete_values(kind, values));
+      if (!read.note.empty()) return base::failure(base::ErrorKind::kInput, std::move(read.note));
+    }
+    if (id == "code")
+      if (const auto read = read_iso_code(text(complete_values(kind, values), "code")); !read) return failed(read);
   }
   return {};
 }
 
-Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id) {
+Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id, int least) {
   Noted<std::vector<int>> read{read_profile(text(values, id)), {}};
   std::vector<int>& order = read.value;
   if (order.empty()) {
@@ -58,6 +63,12 @@ Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const cha
                      arg("count", blocks));
     block %= blocks;
   }
+  const int used = *std::ranges::max_element(order) + 1;
+  for (int block = used; block < least; ++block) order.push_back(block);
+  if (used < least)
+    read.note = fill(tr_n("this weave needs {count} block; the next letters are added",
+                          "this weave needs {count} blocks; the next letters are added", least),
+                     arg("count", least));
   return read;
 }
 

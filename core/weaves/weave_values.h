@@ -21,6 +21,8 @@ bool is(const WeaveValues& values, std::string_view id, std::string_view choice)
 Lean lean(const WeaveValues& values);
 /// A simple value if the text cannot be read.
 Noted<OverUnder> ratio(const WeaveValues& values);
-Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id = "profile");
+inline constexpr int kMaxBlocks = 26;  // A to Z
+/// Of `least` to `blocks` different blocks.
+Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id = "profile", int least = 1);
 
 }  // namespace weftlight::weaves

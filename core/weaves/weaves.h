@@ -38,6 +38,11 @@ struct Recipe {
   std::vector<int> treadling;           // treadle of each pick
 };
 Design make_design(const Recipe& recipe, ClothSize size);
+/// A shaft for each different end of a drawdown (picks x ends), and a treadle for each different pick.
+Recipe recipe_of(const draft::BitMatrix& repeat);
+/// The same cloth turned by a quarter: ends become picks, and what lay on top lies below, so that a weave of two
+/// shuttles is woven with one. Shafts and treadles change places.
+Recipe turned(const Recipe& recipe);
 
 /// Direction of a twill line with pick 1 at the bottom and end 1 on the left.
 enum class Lean { kRight, kLeft };
@@ -48,12 +53,17 @@ Design plain(ClothSize size);
 /// Groups of `group` ends and picks weave as one.
 Design basket(int group, ClothSize size);
 Design twill(const OverUnder& order, Lean lean, ClothSize size);
+/// The repeat of twill(): straight draws over as many shafts as treadles.
+Recipe twill_recipe(const OverUnder& order, Lean lean);
 /// `step` is lowered to the next that has no common factor with `shafts`.
 Design satin(int shafts, int step, Face face, ClothSize size);
 /// Point threading; straight treadling gives chevrons, point treadling diamonds.
 Design pointed_twill(const OverUnder& order, bool diamonds, ClothSize size);
 /// Bands of `band` ends that lean right and left in turn, with a clean break between them.
 Design herringbone(const OverUnder& order, int band, ClothSize size);
+/// Warp threads that bind each other in a cord of steep twill lines: over (shafts + 1) / 2 picks, each end half a
+/// repeat after its neighbour. An even number of shafts is raised by one. kBack: the weft makes the cords.
+Design corkscrew(int shafts, Face face, Lean lean, ClothSize size);
 /// Straight draws of `run` ends, each starting `advance` shafts further; woven as drawn in.
 Design advancing_twill(const OverUnder& order, int run, int advance, ClothSize size);
 /// The twill line steepens and flattens: up to `widest` successive ends on one shaft. `diamonds`: the draw is mirrored
@@ -61,12 +71,20 @@ Design advancing_twill(const OverUnder& order, int run, int advance, ClothSize s
 Design undulating_twill(const OverUnder& order, int widest, bool diamonds, ClothSize size);
 /// Point draw on 4 or more shafts whose floats pull the cloth into cells.
 Design waffle(int shafts, ClothSize size);
-/// Four shafts, half units of five threads, lace spots in turn over a plain ground.
-Design huck_lace(ClothSize size);
 
-/// Four blocks on four shafts, drawn and woven in the order of `blocks` (0..3), `length` ends each, with
-/// tabby between the pattern picks. Weft yarn 1 is the pattern's, 0 the tabby's.
-Design overshot(const std::vector<int>& blocks, int length, ClothSize size);
+/// How the blocks of overshot are woven. Star fashion follows the order of the threading; rose fashion exchanges A with
+/// B, C with D and so on.
+struct OvershotTreadling {
+  bool rose = false;
+  bool as_writ =
+      false;      // tromp as writ: a pattern pick for each pair of neighbouring ends, not a number for each block
+  int picks = 0;  // pattern picks in a block; 0: half of its ends, which weaves it square
+};
+/// Blocks of two neighbouring shafts each, on as many shafts as there are blocks, rounded up to an even number of at
+/// least four; `length` ends each, with tabby between the pattern picks. The pattern weft covers its block, passes
+/// below the block opposite and half of the others. Weft yarn 1 is the pattern's, 0 the tabby's.
+/// Based on: Mary Meigs Atwater, The Shuttle-Craft Book of American Hand-Weaving, 1928.
+Design overshot(const std::vector<int>& blocks, int length, ClothSize size, OvershotTreadling treadling = {});
 /// Two tie-down shafts and one shaft a block; `blocks` is the order of units of four ends.
 Design summer_and_winter(const std::vector<int>& blocks, ClothSize size);
 /// Two blocks of four-shaft twill, warp-faced against weft-faced with a clean cut. `blocks` is the order of
@@ -77,9 +95,14 @@ Design twill_damask(const std::vector<int>& blocks, ClothSize size);
 Design shadow_weave(const std::vector<int>& blocks, ClothSize size);
 /// Plain weave, dark and light in turn, the order reversed every `block` threads.
 Design log_cabin(int block, ClothSize size);
-Design houndstooth(ClothSize size);
-/// Checks of four and four against checks of two and two, in 2/2 twill.
-Design glen_check(ClothSize size);
+/// A twill in stripes of so many dark and as many light threads, in warp and weft alike.
+Design houndstooth(const OverUnder& order, int threads, ClothSize size);
+/// Checks of coarse stripes against checks of fine ones. `threads` of a stripe, `pairs` of dark and light ones.
+struct GlenCheck {
+  int threads = 4, pairs = 6, fine_threads = 2, fine_pairs = 12;
+  int overcheck = 0;  // threads of a third colour in the middle of each coarse check
+};
+Design glen_check(const OverUnder& order, const GlenCheck& check, ClothSize size);
 
 /// A run of threads of one colour.
 struct Stripe {
@@ -88,6 +111,8 @@ struct Stripe {
 /// Colours of the palette in stripes, repeated. An empty order leaves the system unchanged.
 Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<Stripe>& warp,
                    const std::vector<Stripe>& weft);
+/// The marked threads of a system, repeated, in a second yarn: thicker and softer, so that it covers the ground.
+Design with_pattern_yarn(Design design, draft::System system, const std::vector<bool>& marked);
 /// Spacing of finished cloth from yarn and weave (see recipe.cpp). `openness` 1 is a firm cloth; 2 has
 /// twice the spacing.
 Design with_sett(Design design, float openness = 1.0f);

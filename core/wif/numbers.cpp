@@ -103,7 +103,9 @@ size_t leading_numbers_size(std::string_view value) {
   size_t size = 0;
   for (size_t i = 0; i < value.size(); ++i) {
     const char c = value[i];
-    if (is_digit(c) || c == '.' || c == ',' || c == '-' || c == '+') {
+    const bool exponent = (c == 'e' || c == 'E') && i > 0 && size == i && i + 1 < value.size() &&
+                          (is_digit(value[i + 1]) || value[i + 1] == '-' || value[i + 1] == '+');
+    if (exponent || is_digit(c) || c == '.' || c == ',' || c == '-' || c == '+') {
       size = i + 1;
     } else if (!is_blank(c)) {
       break;

@@ -69,8 +69,8 @@ struct ParsedWif {
   Design design;
 };
 
-/// Reads the sections [PRIVATE WEFTLIGHT ...], after the shed control is known: yarns, yarns of the threads, look,
-/// scene, exact values, and the grid of the inactive shed control.
+/// Reads the sections [PRIVATE WEFTLIGHT ...], after the shed control is known: yarns, plan, yarns of the threads,
+/// look, scene, exact values, and the grid of the inactive shed control.
 void read_private_sections(const WifText& text, const WifDialect& dialect, Diagnostics& diagnostics, Design& design);
 
 /// Reads a file; empty if it cannot be used. Fills `info` with the facts that are shown to the user.

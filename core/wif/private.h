@@ -12,7 +12,7 @@
 
 namespace weftlight::wif {
 
-using design::Look, design::Scene;
+using design::ClothPlan, design::Look, design::Scene;
 
 inline constexpr std::string_view kPrivate = "PRIVATE WEFTLIGHT ";
 
@@ -41,6 +41,25 @@ inline constexpr FloatField<Look> kLookFloats[] = {
     {"Tolerance", &Look::tolerance, -kAny, kAny},
     {"Exposure", &Look::exposure_ev, -kAny, kAny},
 };
+/// Lengths in mm; the reader clamps them (cloth_plan.h).
+inline constexpr FloatField<ClothPlan> kPlanFloats[] = {
+    {"Width", &ClothPlan::width_mm, 0, design::kMaxClothMm},
+    {"Length", &ClothPlan::length_mm, 0, design::kMaxClothMm},
+    {"Fringe", &ClothPlan::fringe_mm, 0, design::kMaxClothMm},
+    {"Loom Waste", &ClothPlan::loom_waste_mm, 0, design::kMaxClothMm},
+    {"Warp Take-up", &ClothPlan::warp_take_up, 0, design::kMaxTakeUp},
+    {"Weft Take-up", &ClothPlan::weft_take_up, 0, design::kMaxTakeUp},
+    {"Warp Shrinkage", &ClothPlan::warp_shrinkage, 0, design::kMaxShrinkage},
+    {"Weft Shrinkage", &ClothPlan::weft_shrinkage, 0, design::kMaxShrinkage},
+    {"Spare", &ClothPlan::spare, 0, design::kMaxSpare},
+    {"Ends Per Cm", &ClothPlan::ends_per_cm, 0, design::kMaxSettPerCm},
+    {"Picks Per Cm", &ClothPlan::picks_per_cm, 0, design::kMaxSettPerCm},
+    {"Bout", &ClothPlan::bout_mm, 1, design::kMaxClothMm},
+    {"Raddle", &ClothPlan::raddle_mm, 1, design::kMaxClothMm},
+};
+/// Limit of yarns whose purchase is known; their keys have a number before them.
+inline constexpr int kMaxPurchases = 4096;
+
 /// Limit of named views; each has a section "VIEW 1", "VIEW 2" ...
 inline constexpr int kMaxViews = 200;
 /// Limit of thread sections of each system.

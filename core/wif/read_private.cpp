@@ -13,11 +13,11 @@
 namespace weftlight::wif {
 
 using base::tr;
-using design::Assembly, design::Design, design::Finish, design::Leading, design::Loom, design::Method,
-    design::MethodFacts, design::NamedView, design::Scene, design::ThreadSection, design::Twist, design::WeaveUse,
-    design::Yarn, design::YarnField, design::clamped, design::is_environment, design::kFinishFields,
-    design::kLobeFields, design::kMethods, design::kPliesFacts, design::kTwistNames, design::kYarnFields,
-    design::lighting_preset;
+using design::Assembly, design::ClothPlan, design::Design, design::Finish, design::Leading, design::Loom,
+    design::Method, design::MethodFacts, design::NamedView, design::Scene, design::ThreadSection, design::Twist,
+    design::WeaveUse, design::Yarn, design::YarnField, design::YarnPurchase, design::clamped, design::is_environment,
+    design::kFinishFields, design::kLobeFields, design::kMethods, design::kPliesFacts, design::kTwistNames,
+    design::kYarnFields, design::lighting_preset, design::sleying_from_text;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn,
     draft::kMaxShafts, draft::kMaxThreads;
 
@@ -136,6 +136,40 @@ void read_finish(const Source& s, Finish& finish) {
   finish = clamped(finish);
 }
 
+int count_of(const WifSection& section, const char* name, int most) {
+  const WifKey* key = section.find(name);
+  return key ? std::clamp(leading_int(key->value).value_or(0), 0, most) : 0;
+}
+
+std::vector<YarnPurchase> read_purchases(const Source& s, const WifSection& section) {
+  std::vector<YarnPurchase> all(static_cast<size_t>(count_of(section, "Purchases", kMaxPurchases)));
+  for (size_t i = 0; i < all.size(); ++i) {
+    const std::string prefix = std::to_string(i + 1) + " ";
+    if (const WifKey* yarn = section.find(prefix + "Yarn")) all[i].yarn = text_of(s, *yarn);
+    read_float(s, section, prefix + "Cone Weight", 0, design::kMaxCone, all[i].cone_g);
+    read_float(s, section, prefix + "Cone Length", 0, design::kMaxCone, all[i].cone_m);
+    read_float(s, section, prefix + "Price", 0, design::kMaxPrice, all[i].price);
+  }
+  return all;
+}
+
+void read_plan(const Source& s, ClothPlan& plan) {
+  const WifSection* section = private_section(s.text, "PLAN");
+  if (!section) return;
+  read_fields(s, *section, kPlanFloats, plan);
+  if (section->find("Pieces")) plan.pieces = count_of(*section, "Pieces", design::kMaxPieces);
+  read_float(s, *section, "Reed", 0, design::kMaxDents, plan.reed.dents);
+  if (const WifKey* key = section->find("Reed Per Inch")) plan.reed.per_inch = word_as_bool(key->value).value_or(false);
+  if (const WifKey* key = section->find("Sleying")) {
+    plan.sleying = sleying_from_text(key->value);
+    if (plan.sleying.empty()) s.unusable(*key);
+  }
+  if (const WifKey* key = section->find("Floating Selvedges"))
+    plan.floating_selvedges = word_as_bool(key->value).value_or(false);
+  plan.purchases = read_purchases(s, *section);
+  plan = clamped(std::move(plan));
+}
+
 void read_thread_yarns(const Source& s, const char* name, size_t yarns, Threads& threads) {
   const WifSection* section = private_section(s.text, name);
   if (!section) return;
@@ -186,9 +220,8 @@ void read_look_and_scene(const Source& s, Design& design) {
   if (const WifSection* scene = private_section(s.text, "SCENE")) read_scene(s, *scene, design.scene);
 }
 
-int count_of(const WifSection& section, const char* name, int most) {
-  const WifKey* key = section.find(name);
-  return key ? std::clamp(leading_int(key->value).value_or(0), 0, most) : 0;
+void read_bool(const WifSection& section, const char* name, bool& out) {
+  if (const WifKey* key = section.find(name)) out = word_as_bool(key->value).value_or(false);
 }
 
 void read_loom(const Source& s, Loom& loom) {
@@ -201,6 +234,11 @@ void read_loom(const Source& s, Loom& loom) {
   loom.shafts = count_of(*section, "Shafts", kMaxShafts);
   loom.treadles = count_of(*section, "Treadles", kMaxShafts);
   loom.next_pick = count_of(*section, "Next Pick", kMaxThreads);
+  loom.next_end = count_of(*section, "Next End", kMaxThreads);
+  loom.next_dent = count_of(*section, "Next Dent", design::kMaxLoomDents);
+  read_bool(*section, "Tabby Between", loom.tabby_between);
+  read_bool(*section, "At Tabby", loom.at_tabby);
+  read_bool(*section, "Second Tabby", loom.second_tabby);
 }
 
 void read_weaves(const Source& s, std::vector<WeaveUse>& weaves) {
@@ -360,6 +398,7 @@ void read_private_sections(const WifText& text, const WifDialect& dialect, Diagn
   const Source s{text, diagnostics};
   read_yarns(s, design);
   read_finish(s, design.finish);
+  read_plan(s, design.plan);
   read_thread_yarns(s, "WARP YARNS", design.yarns.size(), design.draft.warp);
   read_thread_yarns(s, "WEFT YARNS", design.yarns.size(), design.draft.weft);
   read_look_and_scene(s, design);

@@ -9,9 +9,10 @@
 
 namespace weftlight::wif {
 
-using design::Assembly, design::Design, design::Finish, design::Look, design::Loom, design::NamedView, design::Scene,
-    design::ThreadSection, design::WeaveUse, design::Yarn, design::YarnField, design::kFinishFields,
-    design::kLobeFields, design::kPliesFacts, design::kTwistNames, design::kYarnFields, design::method_name;
+using design::Assembly, design::ClothPlan, design::Design, design::Finish, design::Look, design::Loom,
+    design::NamedView, design::Scene, design::ThreadSection, design::WeaveUse, design::Yarn, design::YarnField,
+    design::YarnPurchase, design::kFinishFields, design::kLobeFields, design::kPliesFacts, design::kTwistNames,
+    design::kYarnFields, design::method_name, design::sleying_text;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn;
 
 namespace {
@@ -83,6 +84,34 @@ WifEntries finish_of(const Finish& finish) {
   return section;
 }
 
+void add_purchases(WifEntries& section, const std::vector<YarnPurchase>& purchases) {
+  if (!purchases.empty()) add(section, "Purchases", std::to_string(purchases.size()));
+  for (size_t i = 0; i < purchases.size(); ++i) {
+    const YarnPurchase& p = purchases[i];
+    const std::string prefix = std::to_string(i + 1) + " ";
+    add(section, prefix + "Yarn", escaped(p.yarn), true);
+    add(section, prefix + "Cone Weight", shortest(p.cone_g));
+    add(section, prefix + "Cone Length", shortest(p.cone_m));
+    add(section, prefix + "Price", shortest(p.price));
+  }
+}
+
+WifEntries plan_entries(const ClothPlan& plan) {
+  WifEntries section{"PLAN", {}};
+  add_fields(section, "", kPlanFloats, plan);
+  add(section, "Pieces", std::to_string(plan.pieces));
+  add(section, "Reed", shortest(plan.reed.dents));
+  add(section, "Reed Per Inch", plan.reed.per_inch ? "true" : "false");
+  // As a text: its first number alone is not the value.
+  if (plan.sleying != ClothPlan{}.sleying) add(section, "Sleying", sleying_text(plan.sleying), true);
+  add(section, "Floating Selvedges", plan.floating_selvedges ? "true" : "false");
+  add_purchases(section, plan.purchases);
+  return section;
+}
+
+/// Only what differs from the default, in every file.
+WifEntries plan_of(const ClothPlan& plan) { return without_defaults(plan_entries(plan), plan_entries({})); }
+
 WifEntries thread_yarns_of(const char* name, const Threads& threads) {
   WifEntries section{name, {}};
   for (int i = 0; i < threads.size(); ++i) {
@@ -137,6 +166,11 @@ WifEntries loom_of(const Loom& loom) {
   add(section, "Shafts", std::to_string(loom.shafts));
   add(section, "Treadles", std::to_string(loom.treadles));
   add(section, "Next Pick", std::to_string(loom.next_pick));
+  if (loom.next_end > 0) add(section, "Next End", std::to_string(loom.next_end));
+  if (loom.next_dent > 0) add(section, "Next Dent", std::to_string(loom.next_dent));
+  if (loom.tabby_between) add(section, "Tabby Between", "true");
+  if (loom.at_tabby) add(section, "At Tabby", "true");
+  if (loom.second_tabby) add(section, "Second Tabby", "true");
   return section;
 }
 
@@ -247,6 +281,7 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
   const Draft& draft = design.draft;
   push_if_any(out, yarns_of(design.yarns, dialect));
   push_if_any(out, finish_of(design.finish));
+  push_if_any(out, plan_of(design.plan));
   push_if_any(out, thread_yarns_of("WARP YARNS", draft.warp));
   push_if_any(out, thread_yarns_of("WEFT YARNS", draft.weft));
   push_if_any(out, look_of(design.look, dialect));

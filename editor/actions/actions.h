@@ -27,6 +27,8 @@ struct Action {
 std::vector<Action> make_actions(const Subjects& subjects, const std::vector<std::string>& recent,
                                  const std::map<std::string, std::string>& keys = {},
                                  const std::vector<std::string>& views = {});
+/// An id without what the user named: "recent" of "recent:/home/anna/scarf.wif". No other part of an id is theirs.
+std::string nameless_id(const std::string& id);
 /// The items for the panels, with their present state and labels.
 std::vector<ActionItem> show(const std::vector<Action>& actions);
 

@@ -53,6 +53,7 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
   add(all, "Draft", "notes", tr("Title and notes\xE2\x80\xA6"), "", dialogs.notes);
   add(all, "Draft", "weave_over", tr("Weave over the draft or selection\xE2\x80\xA6"), "W", dialogs.weave);
   add(all, "Draft", "sections", tr("Build from sections\xE2\x80\xA6"), "Shift+W", dialogs.sections);
+  add(all, "Draft", "join", tr("Join with another draft\xE2\x80\xA6"), "", dialogs.join);
   add(all, "Draft", "size", tr("Size and loom limits\xE2\x80\xA6"), "", dialogs.size);
   const auto shed = [&all, &draft](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [&draft, rising] {

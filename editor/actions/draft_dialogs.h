@@ -13,6 +13,8 @@ struct DraftDialogs {
   std::function<void()> weave;
   /// Threading and treadling from named sections.
   std::function<void()> sections;
+  /// Asks for another draft and joins this one with it.
+  std::function<void()> join;
   /// Offers the closest weave to an edit that the loom cannot weave.
   std::function<void()> closest_weave;
 };

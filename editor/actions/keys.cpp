@@ -23,6 +23,7 @@ std::string key_at_loom(const std::string& key) {
   constexpr const char* kBack[] = {"Delete", "Left", "Up", "PageUp"};  // Backspace is called Delete
   if (std::find(std::begin(kOn), std::end(kOn), key) != std::end(kOn)) return "loom_next";
   if (std::find(std::begin(kBack), std::end(kBack), key) != std::end(kBack)) return "loom_back";
+  if (key == "T") return "loom_tabby";
   return key == "Escape" ? "loom" : "";
 }
 

@@ -41,6 +41,10 @@ void add_drawdown_styles(Actions& all, const ActiveDraft& draft, Settings& setti
   option("minimap", tr("Overview map"), "O", &Settings::minimap);
   option("tiled", tr("Tiled drawdown"), "Shift+T", &Settings::tiled);
   option("show_repeat", tr("Outline the repeat"), "F2", &Settings::show_repeat);
+  option("imperial", tr("Inches, yards, ounces and pounds"), "", &Settings::imperial);
+  constexpr int kPlanTab = 4;  // of the inspector
+  add(all, "View", "plan", tr("Plan of the cloth"), "",
+      [&settings] { settings.inspector = true, settings.inspector_tab = kPlanTab; });
 }
 
 void add_moves(Actions& all, const ActiveDraft& draft, Settings& settings, const DraftDialogs& dialogs) {
@@ -147,9 +151,12 @@ void add_comparison_actions(Actions& all, const ActiveDraft& draft, const Compar
 }
 
 void add_window_actions(Actions& all, const WindowActions& window, const TabActions& tabs, Settings& settings) {
+  Action& cloth = add(all, "View", "cloth_pane", tr("Cloth beside the draft"), "Shift+F4",
+                      [&settings] { settings.cloth = !settings.cloth; });
+  cloth.item.group = true;
+  cloth.checked = [&settings] { return settings.cloth; };
   Action& inspector =
       add(all, "View", "inspector", tr("Inspector"), "F4", [&settings] { settings.inspector = !settings.inspector; });
-  inspector.item.group = true;
   inspector.checked = [&settings] { return settings.inspector; };
   const auto tab = [&all, &tabs](const char* id, const char* label, const char* key, int by) {
     add(all, "View", id, label, key, [&tabs, by] { tabs.step(by); }).enabled = [&tabs] { return tabs.count() > 1; };

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "platform/crash_report.h"
+
 namespace weftlight::app {
 
-using actions::make_actions;
+using actions::make_actions, actions::nameless_id;
 using design::NamedView;
 using session::Settings;
 
@@ -23,7 +25,10 @@ void ActionTable::follow(const Document& document) {
 
 void ActionTable::run(const std::string& id) {
   for (const Action& a : actions_)
-    if (a.item.id == id && (!a.enabled || a.enabled())) return a.run();
+    if (a.item.id == id && (!a.enabled || a.enabled())) {
+      platform::note_action(nameless_id(id));
+      return a.run();
+    }
 }
 
 bool ActionTable::run_key(const std::string& key) {

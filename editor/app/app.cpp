@@ -1,17 +1,23 @@
 #include "app/app.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <string>
+#include <system_error>
+#include <thread>
 
 #include "app/editor.h"
 #include "app/window.h"
 #include "base/caught.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "commands/built_commit.h"
+#include "platform/crash_report.h"
 #include "platform/file.h"
 #include "session/files/file_identity.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
+#include "session/recovery/recovery.h"
 
 namespace weftlight::app {
 
@@ -56,20 +62,37 @@ base::Result<void> check_options(const EditorOptions& o) {
   std::_Exit(code);
 }
 
+/// All is on the disk by now. GLFW asks the desktop's clipboard manager to keep what was copied, and waits for its
+/// answer without an end.
+void end_soon() {
+  static constexpr std::chrono::seconds kPatience{3};
+  try {
+    std::thread([] {
+      std::this_thread::sleep_for(kPatience);
+      std::_Exit(commands::kDone);
+    }).detach();
+  } catch (const std::system_error&) {  // without a thread it waits for the manager
+  }
+}
+
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
   if (const base::Result<void> fine = check_options(options); !fine) return fail(fine.error());
   platform::survive_size_limit();
+  platform::report_crashes(session::recovery_folder(), "Weftlight " + commands::version_and_commit());
   const Settings settings = load_settings();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   const auto window = Window::open(settings.width, settings.height);
   if (!window) return fail(window.error());
   Window::when_lost([] { end_without_window(nullptr); });
-  Editor editor(**window, options);
-  Window::when_lost([&editor] { end_without_window(&editor); });
-  editor.run();
-  Window::when_lost([] { end_without_window(nullptr); });
+  {
+    Editor editor(**window, options);
+    Window::when_lost([&editor] { end_without_window(&editor); });
+    editor.run();
+    Window::when_lost([] { end_without_window(nullptr); });
+  }
+  end_soon();
   return kDone;
 }
 

@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kShownAfter{300};  // shorter tasks would on
 
 bool BackgroundTasks::take(bool may_change_draft) {
   bool any = writing_.take();
-  if (may_change_draft) any |= reading_.take() | computing_.take();
+  if (may_change_draft) any |= reading_.take() | looking_.take() | computing_.take();
   return any;
 }
 

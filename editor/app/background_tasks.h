@@ -17,9 +17,11 @@ using views::PanelContext;
 class BackgroundTasks {
  public:
   base::TaskRunner& reading() { return reading_; }
+  /// Looks at files that may have changed; apart from `reading`, so that a disk that hangs keeps no other file.
+  base::TaskRunner& looking() { return looking_; }
   base::TaskRunner& writing() { return writing_; }
   base::TaskRunner& computing() { return computing_; }
-  bool busy() const { return reading_.busy() || writing_.busy() || computing_.busy(); }
+  bool busy() const { return looking_.busy() || reading_.busy() || writing_.busy() || computing_.busy(); }
 
   /// Takes up results; true if there were any. `may_change_draft`: also those that may change a draft or show another.
   bool take(bool may_change_draft);
@@ -32,7 +34,7 @@ class BackgroundTasks {
   std::optional<base::ShownTask> take_cancelled() { return std::exchange(cancelled_, {}); }
 
  private:
-  base::TaskRunner reading_{Window::wake}, writing_{Window::wake}, computing_{Window::wake};
+  base::TaskRunner reading_{Window::wake}, looking_{Window::wake}, writing_{Window::wake}, computing_{Window::wake};
   std::optional<base::ShownTask> shown_, cancelled_;
 };
 

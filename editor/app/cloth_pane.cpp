@@ -32,14 +32,19 @@ ClothPane::ClothPane(Editing& editing, const Settings& settings, BackgroundTasks
       draper_(Window::wake),
       preview_(Window::wake) {}
 
-void ClothPane::submit() { preview_.submit(shown_design(), {editing_.shown_id(), view().flat}); }
+void ClothPane::submit() {
+  if (!settings_.cloth) return;
+  preview_.submit(shown_design(), {editing_.shown_id(), view().flat});
+}
 
 void ClothPane::follow() {
+  if (!settings_.cloth) return;
   submit();
   draper_.follow(document().snapshot());
 }
 
 bool ClothPane::update() {
+  if (std::exchange(shown_, settings_.cloth) != settings_.cloth) follow();
   const bool picture = preview_.poll();
   const Draper::Update drape = draper_.take_update();
   if (!drape.message.empty()) messages_.say(drape.message);
@@ -48,6 +53,7 @@ bool ClothPane::update() {
 }
 
 void ClothPane::ask_picture(float pixel_ratio) {
+  if (!settings_.cloth) return;
   preview_.ask({seen_scene(view(), document().now()), document().now().look, static_cast<int>(size_.x * pixel_ratio),
                 static_cast<int>(size_.y * pixel_ratio), settings_.show_methods, settings_.compare,
                 settings_.by_time ? settings_.picture_ms : 0},

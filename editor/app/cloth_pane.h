@@ -28,7 +28,7 @@ class ClothPane {
   ClothPane(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages,
             FrameSchedule& schedule);
 
-  /// Called after every change of the shown design.
+  /// Called after every change of the shown design. Nothing is computed while the cloth is not shown.
   void follow();
   /// Handles updates of the simulated drape and of the picture; true if there are any.
   bool update();
@@ -71,6 +71,7 @@ class ClothPane {
   Draper draper_;
   PreviewPane preview_;
   ImVec2 size_{0, 0};  // of the picture, in window pixels
+  bool shown_ = true;  // whether the settings last said so
 };
 
 }  // namespace weftlight::app

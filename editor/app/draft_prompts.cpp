@@ -1,6 +1,7 @@
 #include "app/draft_prompts.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,9 +17,9 @@ namespace weftlight::app {
 using base::mark, base::tr;
 using design::Design, design::Loom, design::ThreadRange, design::WeaveUse, design::threads_of, design::with_size;
 using draft::BitGrid, draft::Draft, draft::Selection, draft::System;
-using session::Edit, session::Origin, session::scroll_to;
-using views::ClosestWeavePrompt, views::NotesPrompt, views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt,
-    views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
+using session::Edit, session::OpenResult, session::scroll_to;
+using views::ClosestWeavePrompt, views::JoinPrompt, views::NotesPrompt, views::SectionsPrompt, views::SizePrompt,
+    views::ThreadPrompt, views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
 using weaves::WeaveKind, weaves::free_section_name, weaves::weave_kinds;
 
 namespace {
@@ -27,6 +28,7 @@ namespace {
 constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;
 constexpr uint64_t kSectionStrokes = uint64_t{3} << 61;
 constexpr uint64_t kClosestStrokes = uint64_t{5} << 60;
+constexpr uint64_t kJoinStrokes = uint64_t{7} << 60;
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
@@ -51,7 +53,7 @@ void DraftPrompts::ask_new_draft(int weave) {
   dialogs_.ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
     const auto& p = dialogs_.prompt<WeavePrompt>();
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
-    files_.open_beside(Document(weaves::new_draft(kind, p.values, {p.ends, p.picks}).design), Origin::kOwn);
+    files_.open_new(weaves::new_draft(kind, p.values, {p.ends, p.picks}).design);
     // From afar a new cloth is of one colour; its threads are what a weaver wants to see first.
     show_flat_();
   });
@@ -136,6 +138,21 @@ void DraftPrompts::ask_sections() {
   dialogs_.ask(std::move(p), [](int) {});
 }
 
+void DraftPrompts::ask_join() {
+  dialogs_.ask_path(FileAsk::kOpen, tr("Join with another draft"), document().path(), [this](const std::string& path) {
+    files_.read(path, [this, path, asked_for = document().snapshot()](OpenResult result) {
+      if (!result.document) return messages_.report(std::move(result.remarks), path);
+      if (document().snapshot() != asked_for) return;  // another draft is shown, or this one was changed
+      JoinPrompt p;
+      p.name = std::filesystem::path(path).filename().string();
+      p.other = result.document->snapshot();
+      p.base = asked_for;
+      p.stroke = kJoinStrokes | ++asked_;
+      dialogs_.ask(std::move(p), [](int) {});
+    });
+  });
+}
+
 void DraftPrompts::ask_closest_weave() {
   if (!view().rejected_edit || !view().rejected_edit->closest) return;
   ClosestWeavePrompt p{view().rejected_edit->closest, document().snapshot(), kClosestStrokes | ++asked_};
@@ -153,6 +170,7 @@ DraftDialogs DraftPrompts::actions() {
           .go_to = [this] { ask_thread(); },
           .weave = [this] { ask_weave(); },
           .sections = [this] { ask_sections(); },
+          .join = [this] { ask_join(); },
           .closest_weave = [this] { ask_closest_weave(); }};
 }
 

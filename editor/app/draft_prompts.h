@@ -9,6 +9,7 @@
 #include "app/dialogs.h"
 #include "app/editing.h"
 #include "app/files.h"
+#include "app/messages.h"
 
 namespace weftlight::app {
 
@@ -18,8 +19,8 @@ using session::Document, session::DocumentView;
 class DraftPrompts {
  public:
   /// `show_flat`: shows the cloth as a flat swatch.
-  DraftPrompts(Editing& editing, Files& files, Dialogs& dialogs, std::function<void()> show_flat)
-      : editing_(editing), files_(files), dialogs_(dialogs), show_flat_(std::move(show_flat)) {}
+  DraftPrompts(Editing& editing, Files& files, Dialogs& dialogs, Messages& messages, std::function<void()> show_flat)
+      : editing_(editing), files_(files), dialogs_(dialogs), messages_(messages), show_flat_(std::move(show_flat)) {}
 
   /// A new draft, with a weave of weave_kinds() chosen.
   void ask_new_draft(int weave);
@@ -28,6 +29,7 @@ class DraftPrompts {
   void ask_thread();
   void ask_weave();
   void ask_sections();
+  void ask_join();
   void ask_closest_weave();
 
   DraftDialogs actions();
@@ -39,6 +41,7 @@ class DraftPrompts {
   Editing& editing_;
   Files& files_;
   Dialogs& dialogs_;
+  Messages& messages_;
   std::function<void()> show_flat_;
   uint64_t asked_ = 0;  // dialogs so far whose edits are one undo step each
 };

@@ -8,7 +8,6 @@
 #include "actions/keys.h"
 #include "app/file_filters.h"
 #include "base/text.h"
-#include "base/user_folders.h"
 #include "session/library/gallery.h"
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
@@ -18,7 +17,7 @@
 namespace weftlight::app {
 
 using actions::key_at_loom, actions::runs_while_typing;
-using base::arg, base::fill, base::state_folder, base::tr;
+using base::arg, base::fill, base::tr;
 using session::ActionItem, session::Document, session::DocumentView, session::Edit, session::Gesture, session::GoToStep,
     session::Intent, session::MaybeEdit, session::RunAction, session::SelectDrag, session::SelectState,
     session::SettingsChange, session::Tool, session::load_settings, session::opens_with_gallery, session::save_settings,
@@ -40,12 +39,12 @@ constexpr double kInputS = 0.1;                  // of waiting input is handled 
 Editor::Editor(Window& window, const EditorOptions& options)
     : window_(window),
       settings_(load_settings()),
-      session_(state_folder() + "/recovery", Files::first_document(), settings_.per_inch),
+      session_(session::recovery_folder(), Files::first_document()),
       editing_(session_, tasks_, messages_, [this] { edited(); }),
       dialogs_(session_, messages_, schedule_),
       live_export_(options.live_export),
       files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
-      prompts_(editing_, files_, dialogs_, [this] { cloth_.show_flat(); }),
+      prompts_(editing_, files_, dialogs_, messages_, [this] { cloth_.show_flat(); }),
       start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
       tabs_(session_, files_, dialogs_, schedule_),
       exports_(session_, dialogs_, messages_),
@@ -78,7 +77,7 @@ Subjects Editor::subjects() {
                      .refuse = [this](std::string text) { messages_.refuse(std::move(text)); },
                      .hover = [this] { return notes_.hover; },
                      .focus = [this](std::string control) { focus_ = std::move(control); },
-                     .open_menus = [this] { opens_menus_ = true; },
+                     .open_menus = [this] { opens_menu_ = 0; },
                      .show_commands = [this] { tools_.show_commands(); },
                      .show_remarks = [this] { messages_.show_remarks(); },
                      .toggle_keys = [this] { tools_.toggle_keys(); },
@@ -148,7 +147,7 @@ double Editor::sleep_s() {
   if (sleep == 0) return sleep;
   const auto sooner = [&sleep](double s) { sleep = sleep < 0 ? s : std::min(sleep, s); };
   if (ImGui::GetIO().WantTextInput) sooner(kCaretS);
-  if (const double at = panels_.changes_at_s(); at >= 0) sooner(std::max(0.0, at - ImGui::GetTime()));
+  if (const double at = panels_.changes_at_s(); at >= 0) sooner(std::max(0.0, at - now));
   if (const auto until = waits_until(editing_.view())) sooner(std::max(0.0, *until - now));
   if (dialogs_.busy() || tasks_.busy() || exports_.busy()) sooner(kDialogPollS);
   if (session_.busy() || live_export_.busy()) sooner(kTroublePollS);
@@ -187,7 +186,7 @@ void Editor::frame() {
   follow_shown();
   const double now = Window::seconds();
   const bool changed = update_background();
-  if (const double at = panels_.changes_at_s(); at >= 0 && ImGui::GetTime() >= at) schedule_.draw(2);
+  if (const double at = panels_.changes_at_s(); at >= 0 && now >= at) schedule_.draw(2);
   if (!schedule_.is_due() && !changed && !schedule_.is_tip_due(now) && !ImGui::GetIO().WantTextInput) return;
   schedule_.drawn(now);
   if (restyle_ || now == 0) window_.use_style(style_);
@@ -271,8 +270,9 @@ void Editor::draw_window() {
   actions_.follow(editing_.document());
   reports_.start();
   map_.clear();
-  tip_.begin(schedule_.rest_s(Window::seconds()));
   notes_ = {};
+  notes_.now_s = Window::seconds();
+  tip_.begin(schedule_.rest_s(notes_.now_s));
   notes_.popup_closed = popup_closed_;
   Intents wanted;
   const Document& document = editing_.document();
@@ -280,8 +280,7 @@ void Editor::draw_window() {
       {style_, map_, tip_, focus_}, document.now(), document.cells(), session_.revision(), settings_, notes_, wanted};
   push_font(style_.font.text);
   const std::vector<ActionItem> items = actions_.items();
-  wanted.add_action(
-      draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_, std::exchange(opens_menus_, false)));
+  wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_, opens_menu_));
   const float tabs_height = tabs_.height(style_);
   const TabRequest requested = tabs_.draw(c, tabs_height);
   panels_.draw(c, tabs_height, items, {trouble_, tabs_.awaits()});
@@ -301,6 +300,8 @@ void Editor::draw_window() {
   if (select.drag == SelectDrag::kBand) messages_.clear();  // it was about the earlier selection
   if (!select.notice.empty()) messages_.say(std::exchange(select.notice, {}));
   if (!select.refusal.empty()) messages_.refuse(std::exchange(select.refusal, {}));
+  if (window_.take_silent_clipboard())
+    messages_.refuse(tr("The program that holds the clipboard does not answer; copy the text again."));
   window_.use_crosshair(notes_.crosshair);
   if (notes_.again) schedule_.draw(1);
   // ImGui lays out a new tooltip in one frame and shows it in the next; the --ui-map is written once it is stable.

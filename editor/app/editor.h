@@ -106,7 +106,8 @@ class Editor {
   UiMap map_;
   UiMapFile map_file_;
   Tip tip_;
-  bool opens_menus_ = false, popup_closed_ = false;
+  int opens_menu_ = views::kNoMenu;  // in the next frame, by the keyboard
+  bool popup_closed_ = false;
   std::string focus_;  // control that gets the keyboard next
 };
 

@@ -30,15 +30,10 @@ std::string first_path(const Document& document) {
   return document.is_named() ? document.name() : "untitled.wif";
 }
 
-/// An unused name such as "twill-2.wif".
-std::string free_name_beside(const std::string& path) {
+/// "twill-2.wif"; where that exists, the dialog asks.
+std::string name_of_copy(const std::string& path) {
   const fs::path file(path);
-  std::error_code ignored;
-  for (int n = 2;; ++n) {
-    const fs::path beside =
-        file.parent_path() / (file.stem().string() + "-" + std::to_string(n) + file.extension().string());
-    if (!fs::exists(beside, ignored)) return beside.string();
-  }
+  return (file.parent_path() / (file.stem().string() + "-2" + file.extension().string())).string();
 }
 
 }  // namespace
@@ -62,8 +57,10 @@ Document Files::first_document() {
   return Document(d.now());
 }
 
-void Files::open_beside(Document document, Origin origin) {
-  session_.add(std::move(document), origin, settings_.per_inch);
+void Files::open_beside(Document document, Origin origin) { session_.add(std::move(document), origin); }
+
+void Files::open_new(design::Design design) {
+  open_beside(Document(with_usual_plan(std::move(design), settings_)), Origin::kOwn);
 }
 
 void Files::open() {
@@ -78,7 +75,7 @@ void Files::open_path(const std::string& path) {
   }
   read(path, [this, path](OpenResult result) {
     if (!result.document) return messages_.report(std::move(result.remarks), path);
-    if (const OpenDocument* there = session_.on_file(path)) return session_.show(there->id);
+    if (const OpenDocument* there = session_.on_file(path, result.document->file())) return session_.show(there->id);
     remember(settings_, path);
     open_beside(std::move(*result.document), Origin::kOwn);
   });
@@ -136,7 +133,7 @@ void Files::duplicate() {
   open_beside(std::move(copy), Origin::kOwn);
 }
 
-void Files::save_shown(std::function<void()> then) {
+void Files::save_shown(const std::function<void()>& then) {
   if (!document().path().empty()) return save_to(document().path(), false, then);
   dialogs_.ask_path(FileAsk::kSave, tr("Save the draft as"), first_path(document()),
                     [this, then](const std::string& path) { save_to(path, false, then); });
@@ -189,9 +186,8 @@ void Files::save_to(const std::string& path, bool over_changes, const std::funct
   const OpenDocument* there = session_.on_file(path);
   if ((there != nullptr && there->id != id) || saver_.takes(path, id))
     return tell_not_saved(id, fill(tr("{path} is open in another tab."), arg("path", path)));
-  // By its own name, so that changes of its file are noticed.
-  const std::string& to = there != nullptr ? document().path() : path;
-  saver_.save(id, to, over_changes, [this, id, to, then](const SaveResult& result) { saved(id, to, result, then); });
+  saver_.save(id, path, over_changes,
+              [this, id, path, then](const SaveResult& result) { saved(id, path, result, then); });
 }
 
 void Files::saved(uint64_t id, const std::string& path, const SaveResult& result, const std::function<void()>& then) {
@@ -200,7 +196,7 @@ void Files::saved(uint64_t id, const std::string& path, const SaveResult& result
     return dialogs_.when_none([this, id, then] {
       if (session_.find(id) == nullptr) return;
       session_.show(id);
-      ask_about_change(true, then);
+      ask_about_change({}, then);
     });
   keep_live_export();
   remember(settings_, path);
@@ -225,6 +221,8 @@ void Files::look_at_file() {
   if (dialogs_.any() || dialogs_.system_asks()) return;
   const OpenDocument& open = session_.active();
   if (open.document.path().empty() || saver_.saving(open.id)) return;
+  const std::string kind = "look:" + open.document.path();
+  if (tasks_.looking().busy(kind)) return;
   struct Look {
     FileChange change;
     FileIdentity now;
@@ -233,6 +231,7 @@ void Files::look_at_file() {
       [path = open.document.path(), known = open.document.file()](const base::RunningTask&) {
         FileIdentity now = known;
         const FileChange change = changed_since(path, now);
+        if (change == FileChange::kContent) now = identify(path);
         return Look{change, now};
       },
       [this, id = open.id, known = open.document.file()](const base::Result<Look>& look) {
@@ -247,11 +246,12 @@ void Files::look_at_file() {
           messages_.say(
               fill(tr("{file} has been moved or deleted. Saving writes it again."), arg("file", document().name())));
         }
-        if (look->change == FileChange::kContent && !dialogs_.any()) ask_about_change(false, nullptr);
+        if (look->change == FileChange::kContent && !dialogs_.any()) ask_about_change(look->now, nullptr);
       });
-  task.kind = "look";
+  task.kind = kind;
   task.may_be_left = true;
-  tasks_.reading().start(std::move(task));
+  tasks_.looking().stop();  // one that hangs at another file
+  tasks_.looking().start(std::move(task));
 }
 
 void Files::keep_mine(const FileIdentity& on_disk) {
@@ -262,7 +262,7 @@ void Files::keep_mine(const FileIdentity& on_disk) {
   edited_();
 }
 
-void Files::ask_about_change(bool saving, std::function<void()> then) {
+void Files::ask_about_change(const std::optional<FileIdentity>& on_disk, std::function<void()> then) {
   const std::string text =
       document().is_saved() ? fill(tr("{path} is not what was opened or saved here."), arg("path", document().path()))
                             : fill(tr("{path} is not what was opened or saved here.\n\nReloading it loses your changes "
@@ -271,13 +271,13 @@ void Files::ask_about_change(bool saving, std::function<void()> then) {
   dialogs_.ask(Question{fill(tr("{file} was changed by another program"), arg("file", document().name())),
                         text,
                         {mark("Save a copy\xE2\x80\xA6"), mark("Keep mine"), mark("Reload"), mark("Cancel")}},
-               [this, saving, then = std::move(then)](int button) {
+               [this, on_disk, then = std::move(then)](int button) {
                  const std::string path = document().path();
                  if (button == 0)
-                   dialogs_.ask_path(FileAsk::kSave, tr("Save your draft as a copy"), free_name_beside(path),
+                   dialogs_.ask_path(FileAsk::kSave, tr("Save your draft as a copy"), name_of_copy(path),
                                      [this, then](const std::string& beside) { save_to(beside, false, then); });
-                 if (button == 1 && saving) save_to(path, true, then);
-                 if (button == 1 && !saving) keep_mine(identify(path));
+                 if (button == 1 && on_disk) keep_mine(*on_disk);
+                 if (button == 1 && !on_disk) save_to(path, true, then);
                  if (button == 2) read_again();
                });
 }
@@ -293,7 +293,7 @@ void Files::read_again() {
     if (asked->document.snapshot() != before)
       return messages_.say(
           fill(tr("{file} was not reloaded, because you have edited it meanwhile"), arg("file", name)));
-    session_.replace(id, std::move(*result.document), settings_.per_inch);
+    session_.replace(id, std::move(*result.document));
     messages_.say(fill(tr("Reloaded {file}"), arg("file", name)));
   });
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class Files {
   static Document first_document();
   /// Opens the document in a tab beside the others.
   void open_beside(Document document, Origin origin);
+  /// On the loom of the last plan.
+  void open_new(design::Design design);
   void open();
   void open_path(const std::string& path);
   void open_copy(const std::string& path);
@@ -49,7 +52,7 @@ class Files {
   void save_for_others();
   void save_all() { save_each(session_.unsaved(), nullptr); }
   /// Saves the shown draft, asking for a path if it has none. Runs `then` only if it was saved.
-  void save_shown(std::function<void()> then);
+  void save_shown(const std::function<void()>& then);
   /// Saves several. Runs `then` only if all were saved.
   void save_each(std::vector<uint64_t> ids, const std::function<void()>& then);
 
@@ -71,7 +74,8 @@ class Files {
   void tell_not_saved(uint64_t id, const std::string& problem);
   /// Writes what `make` returns and says so.
   void write(const std::string& path, std::function<std::string()> make);
-  void ask_about_change(bool saving, std::function<void()> then);
+  /// `on_disk`: the file as another program left it, if it was noticed before a save.
+  void ask_about_change(const std::optional<FileIdentity>& on_disk, std::function<void()> then);
   /// Keeps the shown document as it is, though the disk holds something else: this file, or none.
   void keep_mine(const FileIdentity& on_disk);
   /// Reads the file of the shown document again.

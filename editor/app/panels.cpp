@@ -1,6 +1,7 @@
 #include "app/panels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/fixed_window.h"
 #include "base/text.h"
@@ -32,23 +33,30 @@ Panels::Panels(Editing& editing, const Settings& settings, ClothPane& cloth, Loo
       loom_(loom),
       reports_(reports),
       tasks_(tasks),
-      messages_(messages) {}
+      messages_(messages),
+      cloth_shown_(settings.cloth) {}
 
 void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
   const float room = shared_width(c.style, size.x, settings_.inspector);
-  const WindowLayout l = lay_out_window(c.style, at, size, split_of(c.style, room, size.y), settings_.inspector);
+  const WindowLayout l = lay_out_window(c.style, at, size, split_of(c.style, room, size.y),
+                                        {.cloth = settings_.cloth, .inspector = settings_.inspector});
   if (editing_.view().at_loom.open) {
     loom_.draw(c, l);
     return draw_status(c, l, status);
   }
+  // The draft is fitted to its new room.
+  if (std::exchange(cloth_shown_, settings_.cloth) != settings_.cloth)
+    c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
   draw_draft_pane(c, l, items);
-  draw_splitter(c, l);
-  begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  cloth_.draw(c);
-  ImGui::End();
+  if (settings_.cloth) {
+    draw_splitter(c, l);
+    begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+    cloth_.draw(c);
+    ImGui::End();
+  }
   if (l.inspector.shown()) draw_inspector(c, l);
   draw_status(c, l, status);
 }
@@ -73,7 +81,7 @@ void Panels::draw_status(PanelContext& c, const WindowLayout& l, const StatusTex
 }
 
 void Panels::draw_inspector(PanelContext& c, const WindowLayout& l) {
-  constexpr const char* kTabs[] = {mark("Threads"), mark("Yarns"), mark("Cloth"), mark("Analysis")};
+  constexpr const char* kTabs[] = {mark("Threads"), mark("Yarns"), mark("Cloth"), mark("Analysis"), mark("Plan")};
   begin_fixed("Inspector", l.inspector, {c.style.px(16), c.style.px(10)}, kFixed);
   int tab = c.focus.starts_with("threads.") ? 0 : c.settings.inspector_tab;
   segmented(c, "inspector", kTabs, tab);
@@ -89,8 +97,10 @@ void Panels::draw_inspector(PanelContext& c, const WindowLayout& l) {
   } else if (tab == 2) {
     c.wanted.add(draw_scene(c, cloth_.drape()));
     c.wanted.add(draw_accuracy(c));
-  } else {
+  } else if (tab == Reports::kInspectorTab) {
     reports_.draw(c);
+  } else {
+    reports_.draw_plan(c);
   }
   ImGui::EndChild();
   ImGui::End();

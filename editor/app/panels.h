@@ -1,5 +1,6 @@
 #pragma once
-// The panes of the window: draft and cloth side by side, the inspector, the status line; or the loom in their place.
+// The panes of the window: draft and cloth side by side or the draft alone, the inspector, the status line; or the loom
+// in their place.
 
 #include <span>
 #include <string>
@@ -55,6 +56,7 @@ class Panels {
   DraftPictures draft_pictures_;
   YarnStrip strip_;
   std::string typed_threads_;
+  bool cloth_shown_;           // in the last frame
   float fitted_split_ = 0.5f;  // used until the user moves the splitter
 };
 

@@ -23,12 +23,11 @@ constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms f
 constexpr int kMaxAPass = 4;            // the lattice of 8 samples
 constexpr double kPassMs = 30;          // below it the next pass has more samples, above twice it fewer
 constexpr float kAsGood = 0.1f;         // relative; smaller differences of the tolerance are ignored
-constexpr double kRefineMs = 4000;      // limit of all passes of one picture
 constexpr float kMinScale = 0.3f, kMaxMovingScale = 0.9f;
 
 }  // namespace
 
-PictureMaker::PictureMaker(Pipeline& pipeline) : pipeline_(pipeline) {
+PictureMaker::PictureMaker(Pipeline& pipeline, double refine_ms) : pipeline_(pipeline), refine_ms_(refine_ms) {
   auto made = Renderer::create();
   if (made) renderer_ = std::move(*made);
   else problem_ = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(made.error())));
@@ -105,7 +104,7 @@ double PictureMaker::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRe
 bool PictureMaker::can_refine() const {
   const bool threads =
       stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.method_weights[0] > 0.005f);
-  return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < kRefineMs;
+  return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < refine_ms_;
 }
 
 Look PictureMaker::look_for(const PictureRequest& request) {
@@ -126,7 +125,8 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   frame.render_scale = scale;
   frame.timed = true;
   if (passes_ == 0 && ms_a_sample_ > 0)
-    all_samples_ = std::clamp(static_cast<int>(kRefineMs / ms_a_sample_), 1, formulas::kMaxYarnSamples);
+    all_samples_ =
+        static_cast<int>(std::clamp(refine_ms_ / ms_a_sample_, 1.0, static_cast<double>(formulas::kMaxYarnSamples)));
   const int samples = formulas::lattice_of(lattice_a_pass_).x;
   frame.samples = samples;
   frame.all_samples = all_samples_;

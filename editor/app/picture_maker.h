@@ -32,8 +32,10 @@ struct PictureRequest {
 
 class PictureMaker {
  public:
-  /// Needs a GL context. The pipeline may have its first design already.
-  explicit PictureMaker(Pipeline& pipeline);
+  static constexpr double kRefineMs = 4000;
+  /// Needs a GL context. The pipeline may have its first design already. `refine_ms`: limit of all passes of one
+  /// picture.
+  explicit PictureMaker(Pipeline& pipeline, double refine_ms = kRefineMs);
 
   void submit(std::shared_ptr<const Design> design);
   /// The pipeline has it already.
@@ -79,6 +81,7 @@ class PictureMaker {
   std::string problem_;  // why there is no renderer
   std::unique_ptr<Renderer> renderer_;
   Pipeline& pipeline_;
+  double refine_ms_;
   std::shared_ptr<const Design> design_;
   bool has_cloth_ = false, dirty_ = false, busy_ = false;
   PictureRequest drawn_;

@@ -11,14 +11,14 @@
 #include "platform/environment.h"
 #include "platform/process.h"
 #include "platform/unique_name.h"
-#include "views/analysis/yarn_need_panel.h"
+#include "views/analysis/plan_panel.h"
 
 namespace weftlight::app {
 
 using base::arg, base::fill, base::mark, base::tr, base::write_file_atomically;
 using design::Design;
 using session::Document;
-using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::plan_of;
+using views::Question, views::SheetPreview, views::chosen_options, views::ending_of, views::units_of;
 
 namespace {
 
@@ -66,7 +66,7 @@ void Printing::ask() {
   prompt.options.pick1_bottom = settings_.pick1_bottom;
   prompt.options.threading_below = settings_.threading_below;
   prompt.options.heavy_lines = settings_.heavy_lines;
-  prompt.options.plan = plan_of(document.now(), editing_.view().analysis, settings_);
+  prompt.options.units = units_of(settings_);
   prompt.options.name = std::filesystem::path(document.shown_name()).stem().string();
   prompt.preview = std::make_shared<SheetPreview>(document.snapshot(), Window::wake);
   prompt.has_printer = platform::is_program(kSpooler, platform::variable("PATH"));

@@ -8,14 +8,13 @@
 #include "base/text.h"
 #include "views/analysis/comparison_panel.h"
 #include "views/analysis/report_panel.h"
-#include "views/analysis/yarn_need_panel.h"
 
 namespace weftlight::app {
 
 using base::tr;
 using session::DifferenceView, session::Document, session::DocumentView, session::OpenDocument, session::OpenResult,
     session::OtherDraft;
-using views::draw_analysis, views::draw_comparison, views::draw_report, views::draw_yarn_need;
+using views::draw_analysis, views::draw_comparison, views::draw_report;
 
 void Reports::start() {
   const DocumentView& v = editing_.view();
@@ -59,8 +58,9 @@ void Reports::draw(PanelContext& c) {
   draw_comparison(c, v.differences, last());
   draw_report(c, v.analysis, last());
   draw_analysis(c, analysis_);
-  draw_yarn_need(c, v.analysis);
 }
+
+void Reports::draw_plan(PanelContext& c) { c.wanted.add(views::draw_plan(c, plan_)); }
 
 ComparisonActions Reports::actions() {
   return {.choose_draft = [this] { choose_draft(); }, .report = [this] { return last(); }};

@@ -11,12 +11,13 @@
 #include "session/report.h"
 #include "session/session.h"
 #include "views/analysis/analysis_panel.h"
+#include "views/analysis/plan_panel.h"
 
 namespace weftlight::app {
 
 using actions::ComparisonActions;
 using session::Report, session::Reporter, session::Session, session::Settings;
-using views::AnalysisState, views::PanelContext;
+using views::AnalysisState, views::PanelContext, views::PlanState;
 
 class Reports {
  public:
@@ -38,11 +39,12 @@ class Reports {
   /// Asks for a draft to compare with.
   void choose_draft();
   /// Another document is shown.
-  void forget() { analysis_ = {}; }
+  void forget() { analysis_ = {}, plan_ = {}; }
   /// True if there is something to show.
   bool update();
-  /// The tab of the inspector.
+  /// The tabs of the inspector: the analysis, and the plan of the cloth.
   void draw(PanelContext& c);
+  void draw_plan(PanelContext& c);
 
   ComparisonActions actions();
 
@@ -55,6 +57,7 @@ class Reports {
   Messages& messages_;
   Reporter reporter_{Window::wake};
   AnalysisState analysis_;
+  PlanState plan_;
 };
 
 }  // namespace weftlight::app

@@ -41,18 +41,32 @@ StartDialogs::StartDialogs(Session& session, Files& files, Settings& settings, B
       new_draft_(std::move(new_draft)) {}
 
 void StartDialogs::begin(bool gallery) {
-  base::Task task =
-      base::task_with_result([&session = session_](const base::RunningTask&) { return session.find_left(); },
-                             [this, gallery](base::Result<std::vector<LeftWork>> left) {
-                               if (!left)
-                                 return messages_.say(fill(tr("Unsaved work cannot be looked for: {problem}"),
-                                                           arg("problem", message(left.error()))));
-                               session_.set_left(std::move(*left));
-                               if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
-                               else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
-                             });
+  base::Task task = base::task_with_result(
+      [&session = session_](const base::RunningTask&) {
+        return Found{session.find_left(), session::crash_reports_in(session::recovery_folder())};
+      },
+      [this, gallery](base::Result<Found> found) {
+        if (found) take_found(std::move(*found), gallery);
+        else
+          messages_.say(
+              fill(tr("Unsaved work cannot be looked for: {problem}"), arg("problem", message(found.error()))));
+      });
   task.kind = "left";
   tasks_.computing().start(std::move(task));
+}
+
+void StartDialogs::take_found(Found found, bool gallery) {
+  session_.set_left(std::move(found.work));
+  crashes_ = std::move(found.crashes);
+  if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
+  else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
+}
+
+void StartDialogs::delete_reports() {
+  base::Task task;
+  task.work = [crashes = std::exchange(crashes_, {})](const base::RunningTask&) { session::remove_reports(crashes); };
+  task.finishes = true;
+  tasks_.writing().start(std::move(task));
 }
 
 void StartDialogs::show_gallery(bool library) {
@@ -72,8 +86,9 @@ void StartDialogs::show_gallery(bool library) {
 }
 
 void StartDialogs::offer_recovery() {
-  if (session_.left().empty()) return;
+  if (!has_left_work()) return;
   RecoveryPrompt prompt;
+  prompt.reports = session::joined_text(crashes_);
   for (const LeftWork& left : session_.left()) {
     const std::string when = time_in_words(left.written_ns, now_ns());
     if (!left.note) prompt.rows.push_back({tr("Cannot be read"), when, message(left.note.error())});
@@ -90,6 +105,9 @@ void StartDialogs::offer_recovery() {
         return bring_back_all();
       case RecoveryPrompt::Button::kDiscard:
         session_.discard(chosen);
+        return offer_recovery();
+      case RecoveryPrompt::Button::kDeleteReports:
+        delete_reports();
         return offer_recovery();
       case RecoveryPrompt::Button::kLater:
         return;
@@ -114,7 +132,7 @@ void StartDialogs::bring_back(size_t chosen) {
 
 void StartDialogs::take_back(const LeftWork& left, OpenResult back) {
   if (!back.document) return messages_.report(std::move(back.remarks), name_of(left));
-  const OpenDocument* open = session_.take_back(left, std::move(back), settings_.per_inch);
+  const OpenDocument* open = session_.take_back(left, std::move(back));
   if (open == nullptr) return;
   const std::string path = left.note ? left.note->path : "";
   if (open->document.path().empty() && !path.empty())

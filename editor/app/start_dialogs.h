@@ -1,34 +1,43 @@
 #pragma once
-// What the window may start with: the gallery of recent drafts and of the library, and unsaved work of crashed
-// sessions. Both can also be asked for later.
+// What the window may start with: the gallery of recent drafts and of the library, or unsaved work of crashed sessions
+// with the reports of the crashes. Both can also be asked for later.
 
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "app/background_tasks.h"
 #include "app/dialogs.h"
 #include "app/files.h"
 #include "app/messages.h"
 #include "session/files/user_files.h"
+#include "session/recovery/crash_reports.h"
 #include "session/session.h"
 
 namespace weftlight::app {
 
-using session::LeftWork, session::OpenResult, session::Session, session::Settings;
+using session::CrashReport, session::LeftWork, session::OpenResult, session::Session, session::Settings;
 
 class StartDialogs {
  public:
   /// `new_draft` asks for a new draft.
   StartDialogs(Session& session, Files& files, Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
                Messages& messages, std::function<void()> new_draft);
-  /// Looks for work of crashed sessions, and offers it; if there is none, shows the gallery if that is wanted.
+  /// Looks for work of crashed sessions and reports, and offers them; if there are none, shows the gallery if that is
+  /// wanted.
   void begin(bool gallery);
   void show_gallery(bool library);
   void offer_recovery();
-  bool has_left_work() const { return !session_.left().empty(); }
+  bool has_left_work() const { return !session_.left().empty() || !crashes_.empty(); }
 
  private:
+  struct Found {
+    std::vector<LeftWork> work;
+    std::vector<CrashReport> crashes;
+  };
+  void take_found(Found found, bool gallery);
+  void delete_reports();
   void bring_back(size_t left);
   void bring_back_all();
   void take_back(const LeftWork& left, OpenResult back);
@@ -40,6 +49,7 @@ class StartDialogs {
   Dialogs& dialogs_;
   Messages& messages_;
   std::function<void()> new_draft_;
+  std::vector<CrashReport> crashes_;
 };
 
 }  // namespace weftlight::app

@@ -15,6 +15,7 @@
 
 #include "base/text.h"
 #include "gl/window_system.h"
+#include "platform/clipboard.h"
 #include "platform/display.h"
 #include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
@@ -25,7 +26,7 @@ namespace weftlight::app {
 using base::arg, base::fill, base::tr;
 using session::InputEvent, session::InputQueue, session::Modifiers;
 using ui::apply, ui::dark_colors, ui::feed_button, ui::feed_key, ui::feed_modifiers, ui::feed_pointer, ui::feed_wheel,
-    ui::feed_whole_frames, ui::light_colors, ui::load_fonts;
+    ui::feed_whole_frames, ui::light_colors, ui::load_fonts, ui::use_clipboard;
 
 namespace {
 
@@ -267,6 +268,37 @@ void Window::use_crosshair(bool on) {
   flags = on ? flags | ImGuiConfigFlags_NoMouseCursorChange : flags & ~ImGuiConfigFlags_NoMouseCursorChange;
 }
 
+void Window::give_clipboard() {
+  use_clipboard({[](void* of) { return static_cast<Window*>(of)->pasted(); },
+                 [](void* of, const char* text) {
+                   auto& window = *static_cast<Window*>(of);
+                   window.copied_ = text;
+                   glfwSetClipboardString(window.window_, text);
+                 },
+                 this});
+}
+
+const char* Window::pasted() {
+  using State = platform::ClipboardText::State;
+  platform::ClipboardText read = platform::clipboard_text(window_);
+  silent_clipboard_ |= read.state == State::kSilent;
+  switch (read.state) {
+    case State::kUnknown:
+      return glfwGetClipboardString(window_);
+    case State::kOwn:
+      return copied_.c_str();
+    case State::kNone:
+    case State::kSilent:
+      return nullptr;
+    case State::kText:
+      break;
+  }
+  pasted_ = std::move(read.text);
+  return pasted_.c_str();
+}
+
+bool Window::take_silent_clipboard() { return std::exchange(silent_clipboard_, false); }
+
 bool Window::take_focus() { return std::exchange(inbox_->focused, false); }
 
 bool Window::has_input() const { return !inbox_->input.empty(); }
@@ -296,6 +328,7 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
   feed_whole_frames();
   ImGui_ImplGlfw_InitForOpenGL(w->window_, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
+  w->give_clipboard();
   w->redraw_ = std::make_unique<ui::Redraw>();
   w->watch_.emplace();
   return w;

@@ -58,6 +58,8 @@ class Window {
   bool take_focus();
   /// True if input waits for the next frame.
   bool has_input() const;
+  /// True once after something was to be pasted, and the program that holds the clipboard did not answer.
+  bool take_silent_clipboard();
   /// Framebuffer pixels per window unit (2 on a Retina display, else 1).
   float pixel_ratio() const;
   /// Size in window units.
@@ -74,12 +76,17 @@ class Window {
   GLFWwindow* window_ = nullptr;
   struct Inbox;
   static void listen(GLFWwindow* window);
+  /// Copies and pastes through the window.
+  void give_clipboard();
+  const char* pasted();
   /// Passes the mouse and key events of this frame to ImGui.
   void give_input();
 
   std::unique_ptr<Inbox> inbox_;
   std::unique_ptr<ui::Redraw> redraw_;
   std::optional<gl::ResetWatch> watch_;
+  std::string copied_, pasted_;  // texts: of this program, and the last one of any
+  bool silent_clipboard_ = false;
   float fonts_for_ = 0;
   GLFWcursor* crosshair_ = nullptr;
 };

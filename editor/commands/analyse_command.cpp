@@ -1,15 +1,15 @@
 // `analyse`: a draft as a weave and on a loom. `diff`: the differences between two drafts.
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
 
 #include "analysis/difference.h"
 #include "analysis/floats.h"
 #include "analysis/threads.h"
+#include "analysis/units.h"
+#include "analysis/warping.h"
 #include "analysis/weave_layers.h"
 #include "base/text.h"
 #include "commands/commands.h"
@@ -19,14 +19,15 @@
 
 namespace weftlight::commands {
 
-using analysis::ClothPlan, analysis::Comparison, analysis::Difference, analysis::Float, analysis::Interlacing,
-    analysis::LongFloats, analysis::LongestFloats, analysis::LoomUse, analysis::WeaveLayer, analysis::YarnNeed,
-    analysis::YarnReport, analysis::compare, analysis::interlacing, analysis::long_floats, analysis::longest_floats,
-    analysis::loom_use, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm, analysis::yarn_report;
+using analysis::ClothMeasures, analysis::Comparison, analysis::Difference, analysis::Float, analysis::Interlacing,
+    analysis::LongFloats, analysis::LongestFloats, analysis::LoomUse, analysis::WeaveLayer, analysis::Heddles,
+    analysis::cloth_measures, analysis::heddles_for, analysis::kInch_mm, analysis::sett_text, analysis::compare,
+    analysis::interlacing, analysis::long_floats, analysis::longest_floats, analysis::loom_use, analysis::thread_list,
+    analysis::weave_layers, analysis::wraps_per_cm;
 using base::arg, base::fill, base::tr, base::tr_n;
 using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat, design::tex_of,
     design::warp_up_fraction;
-using draft::BitMatrix, draft::Face, draft::LoomSize, draft::Rgb, draft::System, draft::drawdown, draft::fewest_for;
+using draft::BitMatrix, draft::Face, draft::LoomSize, draft::System, draft::drawdown, draft::fewest_for;
 
 namespace {
 
@@ -38,54 +39,12 @@ struct DraftAnalysis {
   LongFloats floats;
   std::vector<WeaveLayer> layers;
   LoomUse loom;
+  Heddles heddles;  // of the planned cloth
   LoomSize fewest;
   Interlacing interlacings;
-  double warp_up = 0;  // fraction of the crossings
-  YarnReport yarn;
+  double warp_up = 0;    // fraction of the crossings
   double firm_sett = 0;  // as a fraction of the wraps
 };
-
-/// Empty if the text is not a price.
-std::optional<double> price_in(std::string_view text) {
-  constexpr double kMax = 1e6;
-  double price = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), price);
-  if (error != std::errc() || end != text.data() + text.size() || !(price >= 0 && price <= kMax)) return {};
-  return price;
-}
-
-std::string names_of(const std::vector<Yarn>& yarns) {
-  std::string names;
-  for (const Yarn& yarn : yarns) names += (names.empty() ? "" : ", ") + yarn.name;
-  return names;
-}
-
-/// Returns what is wrong with the price, or an empty string. Yarns of the same name all get it.
-std::string apply_price(const Design& design, std::string_view text, ClothPlan& plan) {
-  const size_t equals = text.rfind('=');
-  const bool for_all = equals == std::string_view::npos;
-  const std::optional<double> price = price_in(for_all ? text : text.substr(equals + 1));
-  if (!price) return tr("give YARN=PRICE, or PRICE for all yarns: 0 to 1000000 per kilogram");
-  bool known = false;
-  for (size_t i = 0; i < design.yarns.size(); ++i) {
-    if (!for_all && design.yarns[i].name != text.substr(0, equals)) continue;
-    plan.price_per_kg[i] = *price;
-    known = true;
-  }
-  return known ? "" : fill(tr("the draft's yarns are {names}"), arg("names", names_of(design.yarns)));
-}
-
-/// False, with a line on stderr, if one is not a price or names no yarn of the draft. Later ones win.
-bool apply_prices(const Design& design, const std::vector<std::string>& prices, ClothPlan& plan) {
-  plan.price_per_kg.resize(design.yarns.size(), -1);
-  for (const std::string& one : prices) {
-    const std::string wrong = apply_price(design, one, plan);
-    if (wrong.empty()) continue;
-    refuse(fill(tr("--price {value}: {problem}"), arg("value", one), arg("problem", wrong)));
-    return false;
-  }
-  return true;
-}
 
 DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
@@ -96,10 +55,10 @@ DraftAnalysis analysis_of(const Design& design, const AnalyseOptions& options) {
           long_floats(cells, options.float_limit),
           layers,
           loom_use(design.draft),
+          heddles_for(design.draft, cloth_measures(design).ends),
           fewest_for(cells),
           interlacing(cells),
           warp_up_fraction(cells),
-          yarn_report(design, options.plan),
           analysis::firm_sett_per_cm(cells, layers, 1)};
 }
 
@@ -110,10 +69,6 @@ const char* name_of(Face face) { return face == Face::kFront ? "front" : "back";
 std::vector<int> from_one(std::vector<int> threads) {
   for (int& thread : threads) ++thread;
   return threads;
-}
-
-const Rgb& color_of(const Design& design, const YarnNeed& need) {
-  return design.draft.palette[static_cast<size_t>(need.color)];
 }
 
 Json floats_json(const DraftAnalysis& f, int limit) {
@@ -141,51 +96,25 @@ Json layers_json(const DraftAnalysis& f) {
   return list;
 }
 
-Json yarn_json(const Design& design, const YarnReport& yarn) {
-  Json needs = Json::array();
-  for (const YarnNeed& need : yarn.needs) {
-    const Rgb& c = color_of(design, need);
-    Json one = {{"system", name_of(need.system)}, {"yarn", design.yarns[static_cast<size_t>(need.yarn)].name},
-                {"color", {c.r, c.g, c.b}},       {"threads", need.threads},
-                {"length_m", need.length_m},      {"weight_g", need.weight_g}};
-    one["tex"] = tex_of(design.yarns[static_cast<size_t>(need.yarn)]);
-    if (need.cost >= 0) one["cost"] = need.cost;
-    needs.push_back(one);
-  }
-  Json json = {{"ends", yarn.ends},
-               {"picks", yarn.picks},
-               {"ends_per_cm", yarn.ends_per_cm},
-               {"picks_per_cm", yarn.picks_per_cm},
-               {"loom_width_mm", yarn.loom_width_mm},
-               {"warp_length_mm", yarn.warp_length_mm},
-               {"warp_m", yarn.warp_m},
-               {"weft_m", yarn.weft_m},
-               {"weight_g", yarn.weight_g},
-               {"g_per_m2", yarn.g_per_m2},
-               {"needs", needs}};
-  if (yarn.cost >= 0) json["cost"] = yarn.cost;
-  return json;
-}
-
 std::string as_json(const Design& design, const DraftAnalysis& f, const AnalyseOptions& options) {
-  const Json json = {{"repeat",
-                      {{"ends", f.structure.ends},
-                       {"picks", f.structure.picks},
-                       {"with_colors", {{"ends", f.design.ends}, {"picks", f.design.picks}}}}},
-                     {"floats", floats_json(f, options.float_limit)},
-                     {"layers", layers_json(f)},
-                     {"hangs_together", f.layers.size() <= 1},
-                     {"heddles", f.loom.heddles},
-                     {"lifts", f.loom.lifts},
-                     {"treads", f.loom.treadle_uses},
-                     {"unthreaded_ends", f.loom.unthreaded_ends},
-                     {"empty_picks", f.loom.empty_picks},
-                     {"fewest", {{"shafts", f.fewest.shafts}, {"treadles", f.fewest.treadles}}},
-                     {"balance",
-                      {{"warp_on_top", f.warp_up},
-                       {"warp_interlacing", f.interlacings.warp},
-                       {"weft_interlacing", f.interlacings.weft}}},
-                     {"yarn", yarn_json(design, f.yarn)}};
+  Json json = {{"repeat",
+                {{"ends", f.structure.ends},
+                 {"picks", f.structure.picks},
+                 {"with_colors", {{"ends", f.design.ends}, {"picks", f.design.picks}}}}},
+               {"floats", floats_json(f, options.float_limit)},
+               {"layers", layers_json(f)},
+               {"hangs_together", f.layers.size() <= 1},
+               {"heddles", f.heddles.on_shaft},
+               {"lifts", f.loom.lifts},
+               {"treads", f.loom.treadle_uses},
+               {"unthreaded_ends", f.heddles.unthreaded_ends},
+               {"empty_picks", f.loom.empty_picks},
+               {"fewest", {{"shafts", f.fewest.shafts}, {"treadles", f.fewest.treadles}}},
+               {"balance",
+                {{"warp_on_top", f.warp_up},
+                 {"warp_interlacing", f.interlacings.warp},
+                 {"weft_interlacing", f.interlacings.weft}}}};
+  add_plan_json(design, json);
   // Names come from files and may be cut anywhere.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -226,14 +155,14 @@ void print_floats(const DraftAnalysis& f, int limit) {
 
 void print_loom(const DraftAnalysis& f) {
   std::string heddles;
-  for (size_t s = 0; s < f.loom.heddles.size(); ++s)
-    heddles += (s > 0 ? ", " : "") + std::to_string(s + 1) + ": " + std::to_string(f.loom.heddles[s]);
+  for (size_t s = 0; s < f.heddles.on_shaft.size(); ++s)
+    heddles += (s > 0 ? ", " : "") + std::to_string(s + 1) + ": " + std::to_string(f.heddles.on_shaft[s]);
   print_row(tr("heddles"), heddles);
   print_row(tr("fewest"), fill(tr("{shafts} shafts, {treadles} treadles"), arg("shafts", f.fewest.shafts),
                                arg("treadles", f.fewest.treadles)));
-  const auto ends = [](int n) { return fill(tr_n("{count} end", "{count} ends", n), arg("count", n)); };
+  const auto ends = [](int64_t n) { return fill(tr_n("{count} end", "{count} ends", n), arg("count", n)); };
   const auto picks = [](int n) { return fill(tr_n("{count} pick", "{count} picks", n), arg("count", n)); };
-  if (f.loom.unthreaded_ends > 0) print_row(tr("on no shaft"), ends(f.loom.unthreaded_ends));
+  if (f.heddles.unthreaded_ends > 0) print_row(tr("on no shaft"), ends(f.heddles.unthreaded_ends));
   if (f.loom.empty_picks > 0) print_row(tr("nothing lifted"), picks(f.loom.empty_picks));
   print_row(tr("balance"),
             fill(tr("warp on top {percent:.0f} %; interlacing warp {warp:.2f}, weft {weft:.2f}"),
@@ -241,41 +170,19 @@ void print_loom(const DraftAnalysis& f) {
 }
 
 /// The sett that each yarn alone would have, from the wraps of its diameter.
-void print_setts(const Design& design, const DraftAnalysis& f) {
-  print_row(tr("sett"), fill(tr("{ends:.1f} ends/cm, {picks:.1f} picks/cm"), arg("ends", f.yarn.ends_per_cm),
-                             arg("picks", f.yarn.picks_per_cm)));
+void print_setts(const Design& design, const DraftAnalysis& f, Units units) {
+  const bool imperial = units == Units::kImperial;
+  const ClothMeasures m = cloth_measures(design);
+  print_row(tr("sett"), fill(tr("{ends}, {picks}"), arg("ends", sett_text(m.draft_ends_per_cm, System::kWarp, units)),
+                             arg("picks", sett_text(m.draft_picks_per_cm, System::kWeft, units))));
   for (const Yarn& yarn : design.yarns) {
     const double wraps = wraps_per_cm(yarn.diameter_mm);
-    print_row(tr("  from wraps"),
-              fill(tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps/cm, sett {sett:.1f}/cm"), arg("yarn", yarn.name),
-                   arg("tex", tex_of(yarn)), arg("wraps", wraps), arg("sett", wraps * f.firm_sett)));
+    print_row(tr("  from wraps"), fill(imperial ? tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per inch, {sett}")
+                                                : tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per cm, {sett}"),
+                                       arg("yarn", yarn.name), arg("tex", tex_of(yarn)),
+                                       arg("wraps", imperial ? wraps * kInch_mm / 10 : wraps),
+                                       arg("sett", sett_text(wraps * f.firm_sett, System::kWarp, units))));
   }
-}
-
-void print_need(const Design& design, const YarnNeed& need) {
-  const Rgb& c = color_of(design, need);
-  const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
-  const std::string line = fill(
-      tr("{system} {yarn:<16} #{red:02x}{green:02x}{blue:02x} {threads:6} threads {length:9.1f} m {weight:8.1f} g"),
-      arg("system", need.system == System::kWarp ? tr("warp") : tr("weft")),
-      arg("yarn", design.yarns[static_cast<size_t>(need.yarn)].name), arg("red", byte(c.r)), arg("green", byte(c.g)),
-      arg("blue", byte(c.b)), arg("threads", need.threads), arg("length", need.length_m), arg("weight", need.weight_g));
-  std::printf("  %s", line.c_str());
-  if (need.cost >= 0) std::printf(" %9.2f", need.cost);
-  std::printf("\n");
-}
-
-void print_yarn(const Design& design, const DraftAnalysis& f) {
-  const YarnReport& y = f.yarn;
-  print_setts(design, f);
-  print_row(tr("on the loom"),
-            fill(tr("{ends} ends, {width:.0f} mm wide, warp {length:.2f} m long; {picks} picks"), arg("ends", y.ends),
-                 arg("width", y.loom_width_mm), arg("length", y.warp_length_mm / 1000), arg("picks", y.picks)));
-  print_row(tr("yarn"),
-            fill(tr("warp {warp:.1f} m, weft {weft:.1f} m, {weight:.1f} g; {area:.0f} g/m2 finished"),
-                 arg("warp", y.warp_m), arg("weft", y.weft_m), arg("weight", y.weight_g), arg("area", y.g_per_m2)));
-  for (const YarnNeed& need : y.needs) print_need(design, need);
-  if (y.cost >= 0) print_row(tr("cost"), fill("{cost:.2f}", arg("cost", y.cost)));
 }
 
 std::string difference_text(const Difference& d) {
@@ -297,11 +204,11 @@ std::string crossings_text(const Comparison& c) {
 int analyse_command(const AnalyseOptions& options) {
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
-  AnalyseOptions priced = options;
-  if (!apply_prices(opened.design, options.prices, priced.plan)) return kUsage;
-  const DraftAnalysis f = analysis_of(opened.design, priced);
+  const std::optional<Design> planned = with_options(opened.design, options.plan);
+  if (!planned) return kUsage;
+  const DraftAnalysis f = analysis_of(*planned, options);
   if (options.json) {
-    std::printf("%s\n", as_json(opened.design, f, options).c_str());
+    std::printf("%s\n", as_json(*planned, f, options).c_str());
     return kDone;
   }
   print_row(tr("repeat"), fill(tr("{ends} ends, {picks} picks; with colours {color_ends} ends, {color_picks} picks"),
@@ -310,7 +217,8 @@ int analyse_command(const AnalyseOptions& options) {
   print_floats(f, options.float_limit);
   print_layers(f);
   print_loom(f);
-  print_yarn(opened.design, f);
+  print_setts(*planned, f, options.plan.units);
+  print_plan(*planned, options.plan.units);
   return kDone;
 }
 

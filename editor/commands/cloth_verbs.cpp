@@ -119,8 +119,8 @@ void add_light_options(CLI::App& verb, PictureVerb& p) {
   verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
   verb.add_option(
           "--exposure", p.exposure,
-          tr("Exposure in stops, or auto, which brightens a cloth the more, the less it reflects; in an .exr only "
-             "the stops count; default: the draft's"))
+          tr("Exposure in stops, or auto, which brightens cloth that reflects little; an .exr takes the stops only; "
+             "default: the draft's"))
       ->check(exposure_form());
 }
 
@@ -151,7 +151,7 @@ RunVerb add_render(CLI::App& verb) {
                            arg("most", int{formulas::kMaxYarnSamples})))
           ->check(whole_number(1, 1024));
   auto* tolerance = verb.add_option("--tolerance", o.tolerance,
-                                    tr("Error that the method auto may make, as a fraction of the brightness: 0.05 is "
+                                    tr("Error allowed to the method auto, as a fraction of the brightness: 0.05 is "
                                        "5%; default: the draft's"))
                         ->check(number_in(0.01, 1.0));
   verb.add_option("--budget-ms", o.budget_ms,
@@ -189,7 +189,9 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
       ->check(number_in(0.1, 1000.0))
       ->excludes(size);
   verb.add_option("--tile-cm", o.tile_cm,
-                  tr("Least side of the tile in cm, filled with whole repeats; default: one repeat"))
+                  tr("Minimum side of the tile in cm, filled with whole repeats; default: one repeat, or up to 5 for "
+                     "yarns with "
+                     "slubs, melange or unevenness"))
       ->check(number_in(0.1, 500.0));
   verb.add_option("--alpha", o.alpha, tr("Alpha mode of the gaps between threads; default: auto"))
       ->check(one_of({"auto", "opaque", "mask", "hashed", "blend"}));
@@ -301,13 +303,43 @@ RunVerb add_drape(CLI::App& verb) {
   };
 }
 
+RunVerb add_curves(CLI::App& verb) {
+  struct Options {
+    CurvesOptions command;
+    std::string patch = "10x10", from = "0,0";
+  };
+  const auto options = std::make_shared<Options>();
+  CurvesOptions& o = options->command;
+  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_option("-o,--output", o.out, tr("Output file: .usda"))->required()->check(some_path());
+  verb.add_option("--as", o.detail, tr("A curve for each thread, ply or fibre; default: plies"))
+      ->check(one_of({"threads", "plies", "fibres"}));
+  verb.add_option("--patch", options->patch, tr("Width and height of the patch in mm; default: 10x10"))
+      ->check(pair_of('x', "WxH"));
+  verb.add_option("--from", options->from, tr("Its lower left corner in mm from end 1 and pick 1; default: 0,0"))
+      ->check(pair_of(',', "X,Y"));
+  verb.add_option("--seed", o.seed, tr("Another number gives other fibres; default: 1"))
+      ->check(whole_number(0, std::numeric_limits<int>::max()));
+  return [options] {
+    constexpr float kMax = 1000;
+    CurvesOptions& command = options->command;
+    parse_pair(options->patch, 'x', command.width_mm, command.height_mm);
+    parse_pair(options->from, ',', command.left_mm, command.lower_mm);
+    if (!(command.width_mm > 0 && command.height_mm > 0 && command.width_mm <= kMax && command.height_mm <= kMax))
+      return refuse(
+          fill(tr("--patch {patch}: give millimetres, above 0 and up to 1000"), arg("patch", options->patch)));
+    return curves_command(command);
+  };
+}
+
 constexpr Verb kClothVerbs[] = {
     {"render", mark("Render the lit, draped cloth as a picture"), add_render},
     {"reference", mark("Render the same picture by ray tracing the threads"), add_reference},
-    {"export", mark("Export a seamless texture set of one repeat"), add_export},
+    {"export", mark("Export a seamless texture set"), add_export},
     {"chart", mark("Measure the speed and the accuracy of every shading method"), add_chart},
     {"response", mark("Tabulate the far-field radiance of the flat cloth"), add_response},
     {"drape", mark("Simulate a drape, with a generic fabric or the fabric of a draft"), add_drape},
+    {"curves", mark("Write the threads, plies or fibres of a patch of cloth as curves"), add_curves},
 };
 
 }  // namespace

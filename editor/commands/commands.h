@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "analysis/floats.h"
-#include "analysis/threads.h"
 #include "base/result.h"
 #include "chart/rows.h"
+#include "commands/plan_options.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
@@ -18,7 +18,6 @@
 
 namespace weftlight::commands {
 
-using analysis::ClothPlan;
 using design::Design;
 using draft::Face;
 using wif::Diagnostic, wif::WifFile;
@@ -80,7 +79,7 @@ struct ExportOptions {
   std::string alpha = "auto";
   int size = 1024, jobs = 1;
   float texels_per_mm = 0;  // 0: `size` decides
-  float tile_cm = 0;        // 0: one repeat
+  float tile_cm = 0;        // 0: as the yarns need
   float distance_m = 1;
   std::string mips;  // container of mipmaps beside the images, "dds" or "ktx2"; empty: none
   bool force = false, zip = false, watch = false, resume = false;
@@ -105,12 +104,17 @@ struct DrapeOptions {
   std::string mesh;       // of a draft: which drape; empty: its scene's
 };
 
+struct CurvesOptions {
+  std::string file, out, detail = "plies";                         // threads, plies or fibres
+  float width_mm = 10, height_mm = 10, left_mm = 0, lower_mm = 0;  // the patch
+  int seed = 1;
+};
+
 struct AnalyseOptions {
   std::string file;
   bool json = false;
   int float_limit = 7;
-  ClothPlan plan;
-  std::vector<std::string> prices;  // per kilogram: YARN=PRICE, or PRICE for all yarns
+  PlanOptions plan;
 };
 struct PrintCommand {
   std::string file, out;
@@ -125,6 +129,10 @@ struct WeaveOptions {
 struct DiffOptions {
   std::string a, b;
 };
+struct JoinOptions {
+  std::string a, b, out;
+  std::string ends, picks, layers;  // threads of each in turn, as 2:1; one of them is given
+};
 
 int info_command(const InfoOptions&);
 int drawdown_command(const DrawdownOptions&);
@@ -135,8 +143,10 @@ int export_command(const ExportOptions&);
 int chart_command(const ChartOptions&);
 int response_command(const ResponseOptions&);
 int drape_command(const DrapeOptions&);
+int curves_command(const CurvesOptions&);
 int analyse_command(const AnalyseOptions&);
 int diff_command(const DiffOptions&);
+int join_command(const JoinOptions&);
 int print_command(const PrintCommand&);
 int weave_command(const WeaveOptions&);
 

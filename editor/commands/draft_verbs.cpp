@@ -17,8 +17,6 @@ using draft::kMaxShafts, draft::kMaxThreads;
 
 namespace {
 
-constexpr double kMaxLengthMm = 1e7;
-
 RunVerb add_info(CLI::App& verb) {
   const auto options = std::make_shared<InfoOptions>();
   verb.add_option("file", options->file, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required();
@@ -34,25 +32,8 @@ RunVerb add_analyse(CLI::App& verb) {
   verb.add_option("--floats", o.float_limit,
                   tr("Longest float allowed, in threads; longer ones are listed; default: 7"))
       ->check(whole_number(0, kMaxThreads));
-  verb.add_option("--length", o.plan.length_mm, tr("Length of the finished cloth in mm; default: as drafted"))
-      ->check(number_in(0.0, kMaxLengthMm));
-  verb.add_option("--width", o.plan.width_mm, tr("Width of the finished cloth in mm; default: as drafted"))
-      ->check(number_in(0.0, kMaxLengthMm));
-  verb.add_option("--waste", o.plan.loom_waste_mm, tr("Loom waste in mm, the warp that cannot be woven; default: 600"))
-      ->check(number_in(0.0, kMaxLengthMm));
-  verb.add_option("--shrinkage", o.plan.warp_shrinkage,
-                  tr("Shrinkage in washing, as a fraction; default: 0.08, which is 8%"))
-      ->check(number_in(0.0, 0.9));
-  verb.add_option("--spare", o.plan.spare, tr("Yarn lost in winding and on the bobbins, as a fraction; default: 0.05"))
-      ->check(number_in(0.0, 1.0));
-  verb.add_option(
-          "--price", o.prices,
-          tr("Price of a kilogram of yarn: YARN=PRICE, or PRICE for all yarns; default: none, and no cost is given"))
-      ->type_name(tr("[YARN=]PRICE"));
-  return [options] {
-    options->plan.weft_shrinkage = options->plan.warp_shrinkage;
-    return analyse_command(*options);
-  };
+  add_plan_options(verb, o.plan);
+  return [options] { return analyse_command(*options); };
 }
 
 std::string lower(std::string text) {
@@ -107,6 +88,7 @@ RunVerb add_print(CLI::App& verb) {
       ->required()
       ->check(some_path());
   add_print_words(verb, options->words);
+  add_units(verb, o.units);
   verb.add_option("--scale", o.cell_mm, tr("Side of a grid cell in mm; default: chosen to fit the paper"))
       ->check(number_in(0.5, 20.0));
   verb.add_option("--heavy", o.heavy_lines, tr("Threads from one heavier grid line to the next; 0: none; default: 4"))
@@ -143,6 +125,20 @@ RunVerb add_diff(CLI::App& verb) {
   verb.add_option("a", options->a, tr("First draft"))->required();
   verb.add_option("b", options->b, tr("Second draft"))->required();
   return [options] { return diff_command(*options); };
+}
+
+RunVerb add_join(CLI::App& verb) {
+  const auto options = std::make_shared<JoinOptions>();
+  JoinOptions& o = *options;
+  verb.add_option("a", o.a, tr("First draft"))->required();
+  verb.add_option("b", o.b, tr("Second draft"))->required();
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(some_path());
+  verb.add_option("--ends", o.ends, tr("So many ends of each in turn; default: not by ends"))->type_name(tr("A:B"));
+  verb.add_option("--picks", o.picks, tr("So many picks of each in turn; default: not by picks"))->type_name(tr("A:B"));
+  verb.add_option("--layers", o.layers,
+                  tr("So many ends and picks of each in turn, the first cloth on the second; default: one cloth"))
+      ->type_name(tr("A:B"));
+  return [options] { return join_command(*options); };
 }
 
 RunVerb add_drawdown(CLI::App& verb) {
@@ -212,6 +208,7 @@ constexpr Verb kDraftVerbs[] = {
     {"print", mark("Print a draft on paper: grids, lists for the loom, swatch"), add_print},
     {"weave", mark("Generate a draft from the table of weaves"), add_weave},
     {"diff", mark("Compare two drafts"), add_diff},
+    {"join", mark("Join two drafts in one cloth"), add_join},
     {"drawdown", mark("Write the drawdown as text or as a coloured picture"), add_drawdown},
     {"convert", mark("Copy a draft, to the byte unless an option changes it"), add_convert},
 };

@@ -38,8 +38,8 @@ using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, fi
     files::load_drape, files::plain_zip_size, files::write_zip;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::alpha_named,
     texture_set::digest, texture_set::file_name_of, texture_set::fill_template, texture_set::is_complete,
-    texture_set::key_of, texture_set::listed_files, texture_set::lists_archive, texture_set::size_for,
-    texture_set::target_named, texture_set::warnings_of, texture_set::write_texture_set;
+    texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files, texture_set::lists_archive,
+    texture_set::set_density, texture_set::target_named, texture_set::warnings_of, texture_set::write_texture_set;
 using wif::is_draft_name, wif::is_wif_name;
 
 namespace {
@@ -165,7 +165,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
       o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
       o.program_version = base::version(), o.size = options.size, o.force = options.force;
       o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
-      o.distance_m = options.distance_m, o.tile_mm = 10 * options.tile_cm;
+      o.distance_m = options.distance_m, o.tile_mm = options.tile_cm <= 0 ? kTileOfYarns : 10 * options.tile_cm;
       o.modified = changed(file);
       if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
       std::error_code ec;
@@ -253,7 +253,7 @@ void run_job(Job job, int index, ExportRun& run) {
   if (!opened.ok)
     return report(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", job.file)));
   if (run.options.texels_per_mm > 0) {
-    job.options.size = size_for(opened.design, run.options.texels_per_mm, job.options.tile_mm);
+    set_density(job.options, opened.design, run.options.texels_per_mm);
     job.folder = folder_of(run.options.out, job.form, job.options);
   }
   job.options.archived = run.options.zip;

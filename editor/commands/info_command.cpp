@@ -7,13 +7,15 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/repeat.h"
+#include "weaves/families.h"
 
 namespace weftlight::commands {
 
 using analysis::LongestFloats, analysis::longest_floats;
 using base::arg, base::fill, base::mark, base::tr;
-using design::Repeat, design::design_repeat;
+using design::Design, design::Repeat, design::design_repeat, design::structure_repeat;
 using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::drawdown;
+using weaves::iso_code;
 using wif::Diagnostic, wif::Severity;
 
 namespace {
@@ -23,7 +25,22 @@ const char* severity_name(Severity severity) {
   return severity == Severity::kError ? mark("error") : severity == Severity::kWarning ? mark("warning") : mark("note");
 }
 
-nlohmann::ordered_json as_json(const OpenedDesign& opened, const LongestFloats& floats, const Repeat& repeat) {
+/// What the text and the JSON show.
+struct Facts {
+  LongestFloats floats;
+  Repeat repeat;
+  std::string weave_code;  // of ISO 9354; empty: none
+};
+
+Facts facts_of(const Design& design) {
+  const BitMatrix cells = drawdown(design.draft);
+  const Repeat weave = structure_repeat(cells);
+  return {longest_floats(cells), design_repeat(design, cells), iso_code(cells, {weave.ends, weave.picks})};
+}
+
+nlohmann::ordered_json as_json(const OpenedDesign& opened, const Facts& facts) {
+  const LongestFloats& floats = facts.floats;
+  const Repeat& repeat = facts.repeat;
   const Draft& draft = opened.design.draft;
   nlohmann::ordered_json json = {{"ends", draft.ends()},
                                  {"picks", draft.picks()},
@@ -39,6 +56,7 @@ nlohmann::ordered_json as_json(const OpenedDesign& opened, const LongestFloats& 
                                    {"weft_front", floats.weft_front},
                                    {"weft_back", floats.weft_back}}},
                                  {"repeat", {{"ends", repeat.ends}, {"picks", repeat.picks}}},
+                                 {"weave_code", facts.weave_code},
                                  {"warnings", nlohmann::ordered_json::array()}};
   for (const Diagnostic& d : opened.diagnostics) {
     json["warnings"].push_back(
@@ -47,8 +65,7 @@ nlohmann::ordered_json as_json(const OpenedDesign& opened, const LongestFloats& 
   return json;
 }
 
-void print_text(const std::string& path, const OpenedDesign& opened, const LongestFloats& floats,
-                const Repeat& repeat) {
+void print_text(const std::string& path, const OpenedDesign& opened, const Facts& facts) {
   const Draft& draft = opened.design.draft;
   if (!opened.design.title.empty()) print_row(tr("title"), opened.design.title);
   if (!opened.file.source_program.empty()) print_row(tr("source program"), opened.file.source_program);
@@ -59,8 +76,11 @@ void print_text(const std::string& path, const OpenedDesign& opened, const Longe
   print_row(tr("shed"), draft.rising ? tr("rising") : tr("sinking"));
   const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
   print_row(tr("shed control"), liftplan ? tr("liftplan") : tr("tie-up and treadling"));
-  print_row(tr("longest float"), longest_float_text(floats));
-  print_row(tr("repeat"), fill(tr("{ends} ends, {picks} picks"), arg("ends", repeat.ends), arg("picks", repeat.picks)));
+  print_row(tr("longest float"), longest_float_text(facts.floats));
+  print_row(tr("repeat"),
+            fill(tr("{ends} ends, {picks} picks"), arg("ends", facts.repeat.ends), arg("picks", facts.repeat.picks)));
+  if (!facts.weave_code.empty())
+    print_row(tr("weave code"), fill(tr("{code} (ISO 9354)"), arg("code", facts.weave_code)));
   for (const Diagnostic& d : opened.diagnostics) {
     const std::string file = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
     const std::string line =
@@ -81,14 +101,11 @@ std::string longest_float_text(const LongestFloats& floats) {
 int info_command(const InfoOptions& options) {
   const OpenedDesign opened = open_design(options.file);
   if (!opened.ok) return kBadInput;
-  const BitMatrix cells = drawdown(opened.design.draft);
-  const LongestFloats floats = longest_floats(cells);
-  const Repeat repeat = design_repeat(opened.design, cells);
+  const Facts facts = facts_of(opened.design);
   if (options.json) {
-    std::printf("%s\n",
-                as_json(opened, floats, repeat).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::printf("%s\n", as_json(opened, facts).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   } else {
-    print_text(options.file, opened, floats, repeat);
+    print_text(options.file, opened, facts);
   }
   return kDone;
 }

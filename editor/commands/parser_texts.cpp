@@ -111,7 +111,7 @@ std::string excluded_text(const CLI::App& parser) {
   for (const CLI::Option* option : options_of(parser))
     for (const CLI::Option* other : option->get_excludes())
       if (option->count() > 0 && other->count() > 0)
-        return fill(tr("{option} and {other} exclude each other; give only one of them"),
+        return fill(tr("{option} and {other} cannot be given together; leave one out"),
                     arg("option", option->get_name()), arg("other", other->get_name()));
   return {};
 }

@@ -33,13 +33,28 @@ std::string time_text(double seconds) {
   return fill(tr("{hours} h {minutes} min"), arg("hours", minutes / kHour), arg("minutes", minutes % kHour));
 }
 
+namespace {
+
+std::string progress_of_one(int percent, const std::string& left) {
+  if (left.empty()) return fill(tr("{percent} %"), arg("percent", percent));
+  return fill(tr("{percent} %, {time} left"), arg("percent", percent), arg("time", left));
+}
+
+std::string progress_of_many(const ProgressState& s, int percent, const std::string& left) {
+  if (left.empty())
+    return fill(tr("{done} of {count} done, {percent} %"), arg("done", s.done), arg("count", s.count),
+                arg("percent", percent));
+  return fill(tr("{done} of {count} done, {percent} %, {time} left"), arg("done", s.done), arg("count", s.count),
+              arg("percent", percent), arg("time", left));
+}
+
+}  // namespace
+
 std::string progress_text(const ProgressState& s) {
   const auto percent = static_cast<int>(100 * s.fraction);
-  std::string text = s.count == 1 ? fill(tr("{percent} %"), arg("percent", percent))
-                                  : fill(tr("{done} of {count} done, {percent} %"), arg("done", s.done),
-                                         arg("count", s.count), arg("percent", percent));
-  if (s.seconds_left) text += fill(tr(", {time} left"), arg("time", time_text(*s.seconds_left)));
-  return s.item.empty() ? text : text + ": " + s.item;
+  const std::string left = s.seconds_left ? time_text(*s.seconds_left) : "";
+  const std::string text = s.count == 1 ? progress_of_one(percent, left) : progress_of_many(s, percent, left);
+  return s.item.empty() ? text : fill(tr("{progress}: {item}"), arg("progress", text), arg("item", s.item));
 }
 
 std::string progress_json(const ProgressState& s) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "base/text.h"
 #include "commands/commands.h"
@@ -13,9 +12,8 @@
 #include "files/files.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
-#include "reference/picture.h"
 #include "render_data/face_cloth.h"
-#include "render_data/far_field.h"
+#include "render_data/flat_radiance.h"
 #include "render_data/stages.h"
 
 namespace weftlight::commands {
@@ -27,35 +25,22 @@ using design::Design, design::Look, design::Method, design::method_from_name;
 using draft::BitMatrix, draft::Face, draft::drawdown;
 using files::Image;
 using gl::HeadlessContext, gl::Renderer;
-using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
-using render_data::FarField, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages,
-    render_data::face_cloth, render_data::far_field, render_data::far_field_radiance;
+using render_data::FlatDirections, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages,
+    render_data::evaluated_radiance, render_data::face_cloth, render_data::traced_radiance, render_data::unit_direction;
 
 namespace {
 
-constexpr int kTracedPixels = 32;  // along each side of the repeat, each with `spp` rays
-constexpr int kDrawnPixels = 8;    // along each side of a patch
-constexpr float kDrawnYarns = 8;   // least number of yarns across a pixel
+constexpr int kDrawnPixels = 8;   // along each side of a patch
+constexpr float kDrawnYarns = 8;  // least number of yarns across a pixel
 
-struct Directions {
-  bool warp = true;  // the plane of incidence holds the warp
-  double view_deg = 0, light_deg = 0;
-};
-
-std::vector<Directions> directions_of(const ResponseOptions& o) {
-  std::vector<Directions> out;
+std::vector<FlatDirections> directions_of(const ResponseOptions& o) {
+  std::vector<FlatDirections> out;
   for (const bool warp : {true, false}) {
     if (o.plane != "both" && (o.plane == "warp") != warp) continue;
     for (const double view : o.views_deg)
       for (const double light : o.lights_deg) out.push_back({warp, view, light});
   }
   return out;
-}
-
-glm::vec3 unit(bool warp, double degrees) {
-  const double a = degrees * std::numbers::pi / 180;
-  const float side = static_cast<float>(std::sin(a)), up = static_cast<float>(std::cos(a));
-  return warp ? glm::vec3(0, side, up) : glm::vec3(side, 0, up);
 }
 
 /// One value for each direction.
@@ -66,30 +51,10 @@ Cloth one_face(const Design& design, Face face) {
   return face_cloth(design, cells, face, Period::kRepeat);
 }
 
-Radiances evaluated(const Cloth& cloth, const std::vector<Directions>& directions) {
-  const FarField far = far_field(cloth);
-  Radiances out;
-  for (const Directions& d : directions)
-    out.push_back(far_field_radiance(far, unit(d.warp, d.light_deg), unit(d.warp, d.view_deg)));
-  return out;
-}
-
-Result<Radiances> traced(const Cloth& cloth, const ResponseOptions& o, const std::vector<Directions>& directions) {
-  const auto tubes = TubeScene::build(cloth, {});
-  if (!tubes) return failure(tubes.error().kind, message(tubes.error()), o.file);
-  Radiances out;
-  FlatPicture picture;
-  picture.width = picture.height = kTracedPixels;
-  picture.spp = o.spp;
-  picture.step_x_mm = {cloth.width_mm / kTracedPixels, 0}, picture.step_y_mm = {0, cloth.depth_mm / kTracedPixels};
-  picture.around.light_irradiance = glm::vec3(1);
-  for (const Directions& d : directions) {
-    picture.view = unit(d.warp, d.view_deg), picture.around.light_towards = unit(d.warp, d.light_deg);
-    glm::vec3 sum(0);
-    for (const glm::vec4& p : trace_flat(**tubes, picture, {}).pixels) sum += glm::vec3(p);
-    out.push_back(sum / static_cast<float>(kTracedPixels * kTracedPixels));
-  }
-  return out;
+Result<Radiances> traced(const Cloth& cloth, const ResponseOptions& o, const std::vector<FlatDirections>& directions) {
+  Result<Radiances> radiances = traced_radiance(cloth, directions, o.spp);
+  if (!radiances) return failure(radiances.error().kind, message(radiances.error()), o.file);
+  return radiances;
 }
 
 FlatPatch far_patch(const PackedCloth& packed, Face face) {
@@ -110,7 +75,7 @@ base::Failure no_graphics(const base::Error& error) {
   return failure(ErrorKind::kGraphics, fill(tr("no graphics: {problem}"), arg("problem", message(error))));
 }
 
-Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const std::vector<Directions>& directions) {
+Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const std::vector<FlatDirections>& directions) {
   const auto context = HeadlessContext::create();
   if (!context) return no_graphics(context.error());
   const auto made = Renderer::create();
@@ -124,8 +89,8 @@ Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const st
   stages.update(std::make_shared<const Design>(shown));
   renderer->upload(stages.packed());
   FlatPatch patch = far_patch(stages.packed(), o.face);
-  for (const Directions& d : directions) {
-    patch.view = unit(d.warp, d.view_deg), patch.light_towards = unit(d.warp, d.light_deg);
+  for (const FlatDirections& d : directions) {
+    patch.view = unit_direction(d.warp, d.view_deg), patch.light_towards = unit_direction(d.warp, d.light_deg);
     renderer->draw_patch(patch, shown.look);
     const Image image = renderer->read_patch();
     glm::vec3 sum(0);
@@ -136,10 +101,10 @@ Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const st
   return out;
 }
 
-std::string as_csv(const std::vector<Directions>& directions, const Radiances& radiances) {
+std::string as_csv(const std::vector<FlatDirections>& directions, const Radiances& radiances) {
   std::string text = "plane,view_deg,light_deg,r,g,b\n";
   for (size_t i = 0; i < directions.size(); ++i) {
-    const Directions& d = directions[i];
+    const FlatDirections& d = directions[i];
     char row[160];
     const auto channel = [&](int c) { return static_cast<double>(radiances[i][c]); };
     std::snprintf(row, sizeof row, "%s,%g,%g,%.6g,%.6g,%.6g\n", d.warp ? "warp" : "weft", d.view_deg, d.light_deg,
@@ -158,8 +123,9 @@ int response_command(const ResponseOptions& o) {
   if (opened.design.draft.ends() == 0 || opened.design.draft.picks() == 0) {
     return fail({ErrorKind::kInput, tr("the draft has no threads; give it at least one end and one pick"), o.file});
   }
-  const std::vector<Directions> directions = directions_of(o);
-  const Result<Radiances> radiances = o.method == "cloth"       ? evaluated(one_face(opened.design, o.face), directions)
+  const std::vector<FlatDirections> directions = directions_of(o);
+  const Result<Radiances> radiances = o.method == "cloth"
+                                          ? evaluated_radiance(one_face(opened.design, o.face), directions)
                                       : o.method == "reference" ? traced(one_face(opened.design, o.face), o, directions)
                                                                 : drawn(opened.design, o, directions);
   if (!radiances) return fail(radiances.error());

@@ -20,7 +20,7 @@ struct Verb {
 
 /// Verbs for drafts: info, analyse, print, weave, diff, drawdown, convert.
 std::span<const Verb> draft_verbs();
-/// Verbs for the cloth: render, reference, export, chart, response, drape.
+/// Verbs for the cloth: render, reference, export, chart, response, drape, curves.
 std::span<const Verb> cloth_verbs();
 /// Verbs for the shell: completion, manual.
 std::span<const Verb> shell_verbs();

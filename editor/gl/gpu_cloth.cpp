@@ -9,8 +9,9 @@ namespace weftlight::gl {
 
 using draft::Face;
 using light::LightTables, light::kResponseViews, light::kSlopeBins, light::light_tables;
-using render_data::CrossingPatch, render_data::PackedPatch, render_data::PackedTexture, render_data::kResponseHeight,
-    render_data::kResponseWidth, render_data::kSlopeRows, render_data::kViewTableHeight, render_data::kViewTableWidth;
+using render_data::CrossingPatch, render_data::PackedPatch, render_data::PackedTexture, render_data::StripPatch,
+    render_data::kResponseHeight, render_data::kResponseWidth, render_data::kSlopeRows, render_data::kViewTableHeight,
+    render_data::kViewTableWidth;
 
 namespace {
 
@@ -47,6 +48,13 @@ void filter_as_tile(int levels) {
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+/// Texels are fetched one by one.
+void as_table(GLenum target) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 void clamp_to_edge(GLenum target) {
@@ -110,20 +118,50 @@ void GpuCloth::upload_rest(const PackedCloth& cloth) {
     upload_cube(cubes_[3], cloth.back.difference_cube, cloth.back.cube_size);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   }
-  has_threads_ = !cloth.crossings.empty();
-  if (has_threads_) {
-    crossing_blocks_ = (cloth.ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
-    const int layers = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, std::min(cloth.ends, CROSSING_BLOCK),
-                 std::min(cloth.picks, CROSSING_BLOCK), layers, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings);
-    bytes_ += cloth.crossings.size() * sizeof(HalfCrossing) + cloth.lobes.threads.size() * sizeof(glm::uvec4);
-  }
+  has_threads_ = cloth.has_threads();
+  thread_kind_.computed = !cloth.strips.empty();
+  if (!cloth.crossings.empty()) upload_crossings(cloth);
+  if (!cloth.strips.empty()) upload_strips(cloth);
+  if (has_threads_) bytes_ += cloth.lobes.threads.size() * sizeof(glm::uvec4);
   upload_lobes(cloth.lobes);
+}
+
+void GpuCloth::upload_crossings(const PackedCloth& cloth) {
+  crossing_blocks_ = (cloth.ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
+  const int layers = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, std::min(cloth.ends, CROSSING_BLOCK),
+               std::min(cloth.picks, CROSSING_BLOCK), layers, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+  as_table(GL_TEXTURE_2D_ARRAY);
+  upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings);
+  bytes_ += cloth.crossings.size() * sizeof(HalfCrossing);
+}
+
+void GpuCloth::upload_strips(const PackedCloth& cloth) {
+  constexpr size_t kWidth = STRIP_MAP_WIDTH, kHeight = STRIP_MAP_HEIGHT;
+  const size_t rows = (cloth.strips.size() + kWidth - 1) / kWidth, layers = (rows + kHeight - 1) / kHeight;
+  glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32UI, STRIP_MAP_WIDTH, static_cast<GLsizei>(std::min(rows, kHeight)),
+               static_cast<GLsizei>(layers), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  as_table(GL_TEXTURE_2D_ARRAY);
+  upload_strips(0, cloth.strips);
+  bytes_ += cloth.strips.size() * sizeof(uint32_t);
+}
+
+/// Uploads strips in the rows of their map: the rest of a begun row, whole rows of a layer, or the begin of a row.
+void GpuCloth::upload_strips(size_t first, const std::vector<uint32_t>& strips) {
+  constexpr size_t kWidth = STRIP_MAP_WIDTH, kHeight = STRIP_MAP_HEIGHT;
+  glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
+  for (size_t done = 0; done < strips.size();) {
+    const size_t x = (first + done) % kWidth, row = (first + done) / kWidth, left = strips.size() - done;
+    const bool part = x > 0 || left < kWidth;
+    const size_t columns = part ? std::min(kWidth - x, left) : kWidth;
+    const size_t rows = part ? 1 : std::min(kHeight - row % kHeight, left / kWidth);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(x), static_cast<GLint>(row % kHeight),
+                    static_cast<GLint>(row / kHeight), static_cast<GLsizei>(columns), static_cast<GLsizei>(rows), 1,
+                    GL_RED_INTEGER, GL_UNSIGNED_INT, strips.data() + done);
+    done += columns * rows;
+  }
 }
 
 template <class Cloth>
@@ -164,18 +202,19 @@ void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCro
 }
 
 void GpuCloth::upload_threads(const std::vector<glm::uvec4>& records) {
+  const bool computed = thread_kind_.computed;
   thread_kind_ = render_data::thread_kind(records);
+  thread_kind_.computed = computed;
   glBindTexture(GL_TEXTURE_2D, threads_.get());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, THREAD_MAP_WIDTH, static_cast<GLsizei>(records.size() / THREAD_MAP_WIDTH),
                0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, records.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  as_table(GL_TEXTURE_2D);
 }
 
 void GpuCloth::upload(const ClothPatches& patches) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (const CrossingPatch& p : patches.crossings) upload_crossings(p.cells, p.texels);
+  for (const StripPatch& p : patches.strips) upload_strips(p.first, p.strips);
   for (const PackedPatch& p : patches.maps) {
     const size_t k = static_cast<size_t>(p.kind);
     if (!layers_[k] || p.width <= 0 || p.height <= 0) continue;

@@ -45,7 +45,10 @@ class GpuCloth {
   void upload_maps(size_t k, Texture& front, Texture& back);
   void upload_rest(const PackedCloth& cloth);
   void upload_response(const ResponseTables& tables);
+  void upload_crossings(const PackedCloth& cloth);
   void upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels);
+  void upload_strips(const PackedCloth& cloth);
+  void upload_strips(size_t first, const std::vector<uint32_t>& strips);
   void upload_threads(const std::vector<glm::uvec4>& records);
   std::array<GlTexture, kPackedKinds> textures_;
   std::array<int, kPackedKinds> layers_{};  // of one face

@@ -10,6 +10,7 @@
 
 namespace weftlight::gl {
 
+using base::ErrorKind, base::failure, base::tr;
 using render_data::ClothLobes, render_data::ClothPatches, render_data::Effort, render_data::PackedCloth,
     render_data::PreparedMesh, render_data::StageResult, render_data::Stages;
 using scene::LightRig;
@@ -100,6 +101,7 @@ void Pipeline::Parts::hand_over(const std::shared_ptr<const Design>& design, Sta
   if (!all_maps) {
     append(patches.maps, std::move(result.patches.maps));
     append(patches.crossings, std::move(result.patches.crossings));
+    append(patches.strips, std::move(result.patches.strips));
     if (!result.all_maps && result.lobes) lobes = std::move(result.lobes);
   }
   made = std::move(result.made);
@@ -177,9 +179,10 @@ bool Pipeline::busy() const {
   return parts_->has_updates();
 }
 
-base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer) {
+base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer, const StageWatch& watch) {
   Stages stages;
-  StageResult result = stages.update(std::move(design), Effort::kOnce);
+  StageResult result = stages.update(std::move(design), Effort::kOnce, watch);
+  if (result.stopped) return failure(ErrorKind::kCancelled, tr("stopped"));
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));
   if (result.lights) renderer.set_lights(std::move(*result.lights));
   if (result.all_maps) renderer.upload(stages.release_packed());

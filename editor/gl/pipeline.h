@@ -8,11 +8,12 @@
 #include "base/result.h"
 #include "design/design.h"
 #include "gl/renderer.h"
+#include "render_data/stage_list.h"
 
 namespace weftlight::gl {
 
 using design::Design;
-using render_data::VisiblePart;
+using render_data::StageWatch, render_data::VisiblePart;
 
 class Pipeline {
  public:
@@ -43,7 +44,8 @@ class Pipeline {
   std::unique_ptr<Parts> parts_;
 };
 
-/// For a single picture, without a worker: computes and uploads, and keeps nothing else. Returns as finish().
-base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer);
+/// For a single picture, without a worker: computes and uploads, and keeps nothing else. Returns as finish(), or, where
+/// it was stopped, an error of kCancelled.
+base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer, const StageWatch& watch = {});
 
 }  // namespace weftlight::gl

@@ -75,7 +75,7 @@ struct Renderer::Parts {
     GlProgram program;
     base::Result<void> built;
   };
-  std::map<std::array<int, 7>, ClothProgram> cloth_programs;
+  std::map<std::array<int, 8>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, flyaway_timer;
   bool queried = false, flyaways_queried = false, software = false;
@@ -149,8 +149,8 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
 /// more_lit: with the lights of an environment beside the key light. kind: properties of the cloth.
 const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int methods, bool more_lit,
                                                                     ThreadKind kind) {
-  ClothProgram& made =
-      cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer, kind.smooth}];
+  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer,
+                                       kind.smooth, kind.computed}];
   if (!made.program.name() && made.built) {
     const std::string name(method_name(method));
     std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
@@ -161,6 +161,7 @@ const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method metho
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
     if (kind.smooth) defines.push_back("SMOOTH_YARNS");
+    if (kind.computed) defines.push_back("COMPUTED_CROSSINGS");
     made.built = build_into(made.program, "cloth.vert", "cloth.frag", defines);
     if (!made.built) made.built.error().text.insert(0, name + ": ");
   }
@@ -266,8 +267,9 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   if (method_facts(method).threads && !cloth.has_threads()) method = Method::kCell;
   const int taps = drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps;
   const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.methods & kYarnMethod));
-  const ClothProgram& with = cloth_program(method, taps, drawn.methods, drawn.light.lights.size() > 1,
-                                           software && of_threads ? cloth.thread_kind() : ThreadKind{});
+  ThreadKind kind = software && of_threads ? cloth.thread_kind() : ThreadKind{};
+  kind.computed = of_threads && cloth.thread_kind().computed;
+  const ClothProgram& with = cloth_program(method, taps, drawn.methods, drawn.light.lights.size() > 1, kind);
   stats.cloth = with.built;
   if (!with.built) return;
   glUseProgram(with.program.name());

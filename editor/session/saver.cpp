@@ -10,7 +10,8 @@ namespace weftlight::session {
 using base::arg, base::fill, base::tr;
 
 void Saver::save(uint64_t document, const std::string& path, bool over_changes, Then then) {
-  Request request{session_.save_job(document, path), over_changes, {}};
+  Request request{session_.save_job(document, path), {}};
+  request.job.over_changes = over_changes;
   const auto same = [&](const Request& other) { return other.job.document == document && other.job.path == path; };
   const auto waiting = requests_.empty() ? requests_.end() : std::find_if(requests_.begin() + 1, requests_.end(), same);
   if (waiting != requests_.end()) {
@@ -26,10 +27,7 @@ void Saver::save(uint64_t document, const std::string& path, bool over_changes, 
 
 void Saver::start() {
   Request& request = requests_.front();
-  // The file as the last save left it.
-  const OpenDocument* open = session_.find(request.job.document);
-  if (!request.over_changes && open != nullptr && open->document.path() == request.job.path)
-    request.job.known = open->document.file();
+  session_.tell_files(request.job);  // as the last save left them
   base::Task task = base::task_with_result([job = request.job](const base::RunningTask&) { return write(job); },
                                            [this](const SaveResult& result) { finish(result); });
   const std::string file = std::filesystem::path(request.job.path).filename().string();
@@ -64,7 +62,7 @@ bool Saver::saving(uint64_t document) const {
 
 bool Saver::takes(const std::string& path, uint64_t but_for) const {
   return std::ranges::any_of(
-      requests_, [&](const Request& r) { return r.job.document != but_for && same_file(r.job.path, path); });
+      requests_, [&](const Request& r) { return r.job.document != but_for && is_same_name(r.job.path, path); });
 }
 
 void Saver::after(uint64_t document, std::function<void()> then) {

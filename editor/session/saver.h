@@ -37,7 +37,6 @@ class Saver {
  private:
   struct Request {
     SaveJob job;
-    bool over_changes = false;
     std::vector<Then> then;
   };
   void start();

@@ -10,13 +10,12 @@ namespace weftlight::session {
 
 using design::Design, design::History;
 
-Session::Session(std::string recovery, Document first, bool per_inch)
-    : recovery_(std::move(recovery)), journal_(recovery_) {
-  all_.push_back(made(std::move(first), Origin::kFirst, per_inch));
+Session::Session(std::string recovery, Document first) : recovery_(std::move(recovery)), journal_(recovery_) {
+  all_.push_back(made(std::move(first), Origin::kFirst));
 }
 
-std::unique_ptr<OpenDocument> Session::made(Document document, Origin origin, bool per_inch) {
-  const DocumentView view = view_of(document, per_inch);
+std::unique_ptr<OpenDocument> Session::made(Document document, Origin origin) {
+  const DocumentView view = view_of(document);
   std::vector<Diagnostic> remarks = document.remarks();
   auto open = std::make_unique<OpenDocument>(
       OpenDocument{journal_.new_document(), std::move(document), view, std::move(remarks), origin});
@@ -39,9 +38,11 @@ const OpenDocument* Session::find(uint64_t id) const {
   return place < all_.size() ? all_[place].get() : nullptr;
 }
 
-OpenDocument* Session::on_file(const std::string& path) {
-  for (const auto& open : all_)
-    if (!open->document.path().empty() && same_file(open->document.path(), path)) return open.get();
+OpenDocument* Session::on_file(const std::string& path, const FileIdentity& file) {
+  for (const auto& open : all_) {
+    const Document& d = open->document;
+    if (!d.path().empty() && (is_same_name(d.path(), path) || is_one_file(d.file(), file))) return open.get();
+  }
   return nullptr;
 }
 
@@ -58,18 +59,18 @@ bool Session::gives_way(const OpenDocument& open, Origin to) const {
   return open.origin == Origin::kFirst || (open.origin == Origin::kShipped && to == Origin::kShipped);
 }
 
-OpenDocument& Session::add(Document document, Origin origin, bool per_inch) {
-  auto open = made(std::move(document), origin, per_inch);
+OpenDocument& Session::add(Document document, Origin origin) {
+  auto open = made(std::move(document), origin);
   if (gives_way(active(), origin)) all_[active_] = std::move(open);
   else all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(++active_), std::move(open));
   return active();
 }
 
-void Session::replace(uint64_t id, Document document, bool per_inch) {
+void Session::replace(uint64_t id, Document document) {
   const size_t place = place_of(id);
   if (place == all_.size()) return;
   journal_.forget(id);
-  all_[place] = made(std::move(document), Origin::kOwn, per_inch);
+  all_[place] = made(std::move(document), Origin::kOwn);
 }
 
 void Session::show(uint64_t id) {
@@ -96,7 +97,7 @@ void Session::close(uint64_t id, Document (*instead)()) {
   if (place == all_.size()) return;
   journal_.forget(id);
   if (all_.size() == 1) {
-    all_.front() = made(instead(), Origin::kFirst, all_.front()->view.units.per_inch);
+    all_.front() = made(instead(), Origin::kFirst);
     return;
   }
   all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(place));
@@ -180,13 +181,28 @@ SaveJob Session::save_job(uint64_t id, const std::string& path) const {
   const OpenDocument* open = find(id);
   if (open == nullptr) return {};
   const Document& d = open->document;
-  return {id, path, d.writer(), d.history().mark(), {}};
+  SaveJob job{id, path, d.writer(), d.history().mark()};
+  tell_files(job);
+  return job;
+}
+
+void Session::tell_files(SaveJob& job) const {
+  job.others.clear();
+  for (const auto& open : all_) {
+    const Document& d = open->document;
+    if (open->id != job.document) {
+      if (d.file().there) job.others.push_back(d.file());
+    } else {
+      job.own_path = d.path();
+      job.own_file = d.file();
+    }
+  }
 }
 
 void Session::take_saved(const SaveJob& job, const SaveResult& result) {
   OpenDocument* open = find(job.document);
   if (open == nullptr || !is_written(result)) return;
-  open->document.mark_saved(job.path, result->file, job.mark);
+  open->document.mark_saved(result->path, result->file, job.mark);
   open->origin = Origin::kOwn;
   keep_unsaved(*open);
 }
@@ -200,17 +216,17 @@ void Session::forget_all() {
   for (const auto& open : all_) journal_.forget(open->id);
 }
 
-OpenDocument* Session::take_back(const LeftWork& left, OpenResult back, bool per_inch) {
+OpenDocument* Session::take_back(const LeftWork& left, OpenResult back) {
   const auto taken =
       std::erase_if(left_, [&](const LeftWork& l) { return back.document && l.journal == left.journal; });
   if (taken == 0) return nullptr;
-  OpenDocument* there = back.document->path().empty() ? nullptr : on_file(back.document->path());
+  OpenDocument* there = back.document->path().empty() ? nullptr : on_file(back.document->path(), back.document->file());
   if (there != nullptr && there->document.is_saved()) {
     show(there->id);
-    replace(there->id, std::move(*back.document), per_inch);
+    replace(there->id, std::move(*back.document));
   } else {
     if (there != nullptr) back.document->without_file(back.document->name());
-    add(std::move(*back.document), Origin::kOwn, per_inch);
+    add(std::move(*back.document), Origin::kOwn);
   }
   journal_.replace(left, active().id);
   return &active();

@@ -42,7 +42,7 @@ struct OpenDocument {
 class Session {
  public:
   /// Unsaved work is kept in the folder `recovery`; `first` is the initial document.
-  Session(std::string recovery, Document first, bool per_inch);
+  Session(std::string recovery, Document first);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -54,8 +54,9 @@ class Session {
   /// Null if it is no longer open.
   OpenDocument* find(uint64_t id);
   const OpenDocument* find(uint64_t id) const;
-  /// The document of this file; null if none is open.
-  OpenDocument* on_file(const std::string& path);
+  /// The document of this file, by its name, and by the file as it was read just now, which may have other names; null
+  /// if none is open. No disk is asked.
+  OpenDocument* on_file(const std::string& path, const FileIdentity& file = {});
   std::vector<uint64_t> unsaved() const;
   /// Unique for every state of every document; grows with the edits of a document.
   uint64_t revision() const { return (active().id << kRevisionBits) + active().document.revision(); }
@@ -63,9 +64,9 @@ class Session {
   bool is_of_active(uint64_t revision) const { return revision >> kRevisionBits == active().id; }
 
   /// Opens a tab beside the active one, or replaces it (see Origin), and shows it.
-  OpenDocument& add(Document document, Origin origin, bool per_inch);
+  OpenDocument& add(Document document, Origin origin);
   /// Replaces the document of a tab, with a new view: for a reload.
-  void replace(uint64_t id, Document document, bool per_inch);
+  void replace(uint64_t id, Document document);
   void show(uint64_t id);
   /// The next tab (1) or the previous (-1), wrapping around.
   void step(int by);
@@ -83,6 +84,8 @@ class Session {
   bool go_to(size_t step);
   /// What a save of the document as it is now needs; it is written by write() of save.h, on any thread.
   SaveJob save_job(uint64_t id, const std::string& path) const;
+  /// Updates the files in it of this document and the others.
+  void tell_files(SaveJob& job) const;
   /// After write(): what was written counts as saved, edits made meanwhile do not. The document keeps its old file and
   /// its unsaved changes if it failed.
   void take_saved(const SaveJob& job, const SaveResult& result);
@@ -99,7 +102,7 @@ class Session {
   const std::vector<LeftWork>& left() const { return left_; }
   /// Opens what bring_back() made of that work (bring_back.h, for any thread), replacing the tab of its file if that
   /// has no unsaved changes. Null if it could not be read, or has been opened already: its journal stays.
-  OpenDocument* take_back(const LeftWork& left, OpenResult back, bool per_inch);
+  OpenDocument* take_back(const LeftWork& left, OpenResult back);
   void discard(size_t left);
 
   /// The error of the journal until a retry succeeds.
@@ -111,7 +114,7 @@ class Session {
 
  private:
   static constexpr int kRevisionBits = 32;
-  std::unique_ptr<OpenDocument> made(Document document, Origin origin, bool per_inch);
+  std::unique_ptr<OpenDocument> made(Document document, Origin origin);
   bool gives_way(const OpenDocument& open, Origin to) const;
   bool followed(OpenDocument& open, bool changed);
   /// Goes to another step of the history by `go`.

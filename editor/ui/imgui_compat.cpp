@@ -99,6 +99,21 @@ bool letter_down(char letter) { return ImGui::IsKeyDown(letter); }
 
 #endif
 
+void use_clipboard(const ClipboardFunctions& functions) {
+#if IMGUI_VERSION_NUM >= 19110
+  static ClipboardFunctions kept;
+  kept = functions;
+  ImGuiPlatformIO& io = ImGui::GetPlatformIO();
+  io.Platform_GetClipboardTextFn = [](ImGuiContext*) { return kept.text(kept.of); };
+  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) { kept.set_text(kept.of, text); };
+#else
+  ImGuiIO& io = ImGui::GetIO();
+  io.GetClipboardTextFn = functions.text;
+  io.SetClipboardTextFn = functions.set_text;
+  io.ClipboardUserData = functions.of;
+#endif
+}
+
 void use_keyboard(bool on) {
   ImGuiIO& io = ImGui::GetIO();
   if (on) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
@@ -129,6 +144,18 @@ void show_keyboard_frame() {
   g.NavCursorVisible = true;
 #else
   g.NavDisableHighlight = false;
+#endif
+}
+
+void begin_at_first_item() { ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true); }
+
+void use_up_arrow() {
+  ImGui::NavMoveRequestCancel();
+  ImGuiContext& g = *ImGui::GetCurrentContext();  // the pointer may rest on another menu
+#if IMGUI_VERSION_NUM >= 19140
+  g.NavHighlightItemUnderNav = true;
+#else
+  g.NavDisableMouseHover = true;
 #endif
 }
 
@@ -184,6 +211,7 @@ ImTextureID texture_of(unsigned gl_name) {
 #if IMGUI_VERSION_NUM >= 19140
   return static_cast<ImTextureID>(gl_name);
 #else
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): names of textures are pointers in this version of ImGui
   return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(gl_name));
 #endif
 }

@@ -55,6 +55,10 @@ unsigned keyboard_item();
 bool keyboard_frame_shown();
 /// Shows that frame.
 void show_keyboard_frame();
+/// Gives the keyboard to the first item of the menu or dialog that is being drawn; call before its items.
+void begin_at_first_item();
+/// The arrow that was pressed is used up: ImGui leads it nowhere.
+void use_up_arrow();
 /// Draws it around the item drawn last, where ImGui does not.
 void draw_keyboard_frame();
 /// Gives the keyboard to the item drawn last; a text field is opened.
@@ -66,6 +70,15 @@ void press_keyboard_item();
 ImGuiItemFlags last_item_flags();
 /// A list that the arrows enter and leave.
 bool begin_list(const char* id, ImVec2 size);
+
+/// Where text fields and panels copy to and paste from, instead of the backend's own way. `text` may give null; what it
+/// gives stays until it is called again. `of` is passed to both.
+struct ClipboardFunctions {
+  const char* (*text)(void* of);
+  void (*set_text)(void* of, const char* text);
+  void* of;
+};
+void use_clipboard(const ClipboardFunctions& functions);
 
 ImTextureID texture_of(unsigned gl_name);
 

@@ -85,7 +85,7 @@ void pan(benchmark::State& state, Size size, float pitch) {
   Screen screen;
   if (!screen.problem().empty()) return state.SkipWithError(screen.problem().c_str());
   const Document document(design_of(size, ShedControl::kTreadling));
-  DocumentView view = view_of(document, false);
+  DocumentView view = view_of(document);
   DraftPictures pictures;
   screen.frame(document, view, [&](PanelContext& c) { draw_grids(c, view, pictures); });
   view.draft.pitch = pitch;

@@ -8,8 +8,8 @@ const path = require('path');
 const { spawn, spawnSync } = require('child_process');
 
 // Measured with 200 (WEFTLIGHT_DRAFTS=200): 175 MB after 40, 176 MB at the end.
-const kDrafts = { parallel: 6, memory: Number(process.env.WEFTLIGHT_DRAFTS || 40) };
-const kEarly = 20;        // number of sets after which memory must not grow
+const kDrafts = { parallel: 4, memory: Number(process.env.WEFTLIGHT_DRAFTS || 24) };
+const kEarly = 12;        // number of sets after which memory must not grow
 const kMaxGrowth = 1.1;
 const kArguments = ['--target', 'gltf', '--size', '16', '-o'];
 

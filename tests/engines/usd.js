@@ -1,5 +1,5 @@
 // node usd.js WEFTLIGHT TINYUSDZ_FOLDER DRAFT...
-// Reads exported .usdz with tinyusdz, checks the alignment of the .usdz, and that the .mtlx is well formed: every node that is
+// Reads exported .usdz and curves with tinyusdz, checks the alignment of the .usdz, and that the .mtlx is well formed: every node that is
 // referenced exists. Exits with 0, 1 or 77 (tinyusdz is not installed).
 'use strict';
 const fs = require('fs');
@@ -51,6 +51,26 @@ function issues_of_stage(tiny, file) {
   return wrong;
 }
 
+/// The lists of each BasisCurves have the lengths that its counts ask for, and tinyusdz reads the stage.
+function issues_of_curves(tiny, file) {
+  const text = fs.readFileSync(file, 'utf8'), wrong = [];
+  const loader = new tiny.TinyUSDZLoaderNative();
+  if (!loader.loadFromBinary(new Uint8Array(fs.readFileSync(file)), path.basename(file))) wrong.push(`${file}: tinyusdz: ${loader.error()}`);
+  const prims = text.split('def BasisCurves').slice(1);
+  if (prims.length < 2) wrong.push(`${file}: has ${prims.length} BasisCurves`);
+  for (const prim of prims) {
+    const list = (name) => prim.split(`${name} = [`)[1].split(']')[0];
+    const counts = list('curveVertexCounts').split(', ').map(Number), vertices = counts.reduce((a, b) => a + b, 0);
+    const lengths = { points: vertices, widths: vertices, 'primvars:displayColor': counts.length, 'primvars:thread': counts.length };
+    for (const [name, length] of Object.entries(lengths)) {
+      const found = list(name).split(name === 'points' || name === 'primvars:displayColor' ? '), ' : ', ').length;
+      if (found !== length) wrong.push(`${file}: ${name} has ${found} entries instead of ${length}`);
+    }
+    if (counts.some((n) => n < 4)) wrong.push(`${file}: a cubic curve needs four points`);
+  }
+  return wrong;
+}
+
 async function main([weftlight, tinyusdz, ...drafts]) {
   if (!fs.existsSync(tinyusdz)) { console.log('skipped: tinyusdz is not installed (./check installs it with npm; was the network there?)'); return 77; }
   const tiny = await reader(tinyusdz);
@@ -60,6 +80,9 @@ async function main([weftlight, tinyusdz, ...drafts]) {
     for (const draft of drafts) {
       const name = path.basename(draft, '.wif'), base = path.join(folder, name, name);
       execFileSync(weftlight, ['export', draft, '--target', 'materialx', '--size', '64', '-o', folder], { stdio: ['ignore', 'ignore', 'inherit'] });
+      const curves = path.join(folder, `${name}.usda`);
+      execFileSync(weftlight, ['curves', draft, '--patch', '4x4', '--as', 'fibres', '-o', curves], { stdio: ['ignore', 'ignore', 'inherit'] });
+      wrong = wrong.concat(issues_of_curves(tiny, curves));
       wrong = wrong.concat(issues_of_archive(`${base}.usdz`), issues_of_mtlx(`${base}.mtlx`), issues_of_stage(tiny, `${base}.usdz`));
     }
   } finally {

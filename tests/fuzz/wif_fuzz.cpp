@@ -29,7 +29,7 @@ Design edited(Design design, uint64_t dice) {
   for (int i = 0; i <= upto(3); ++i) {
     const Draft& d = design.draft;
     const int end = upto(d.ends()), pick = upto(d.picks()), shaft = upto(d.shafts), treadle = upto(d.treadles);
-    switch (upto(10)) {
+    switch (upto(11)) {
       case 0:
         design = with_threading(std::move(design), end, shaft, true, upto(2) == 0);
         break;
@@ -57,6 +57,11 @@ Design edited(Design design, uint64_t dice) {
         break;
       case 8:
         design.notes.push_back("a\nb");
+        break;
+      case 9:
+        design.plan.width_mm = static_cast<float>(upto(2000));
+        design.plan.sleying = {upto(3), 1 + upto(3)};
+        design.plan = with_purchase(std::move(design.plan), {design.yarns.front().name, 0, 0, 1});
         break;
       default:
         design = with_rising(std::move(design), upto(2) == 0);

@@ -46,10 +46,11 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
   void SetUp() override {
     OnDisplay::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    const auto word = [](bool is) { return is ? "true" : "false"; };
-    std::ofstream(folder_ / "config/weftlight/settings.json")
-        << R"({"width": 1280, "height": 800, "end1_right": )" << word(GetParam().end1_right) << R"(, "pick1_bottom": )"
-        << word(GetParam().pick1_bottom) << R"(, "threading_below": )" << word(GetParam().threading_below) << "}";
+    const bool from_the_left = !GetParam().end1_right && !GetParam().pick1_bottom;
+    settings({{"end1_right", GetParam().end1_right},
+              {"pick1_bottom", GetParam().pick1_bottom},
+              {"threading_below", GetParam().threading_below},
+              {"cloth", from_the_left}});  // beside the cloth, which is busy, too
     put(draft_, wif::write_new_wif(twill(GetParam().leading)));
   }
 

@@ -81,6 +81,39 @@ TEST_F(DeskTest, ANewDraftIsMadeByKeyboardAlone) {
   EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); })) << "Enter on a row is for the dialog";
 }
 
+TEST_F(DeskTest, TypingFindsAWeaveByItsUse) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:twill") && w.has("dialog:Create"); }));
+  display_.type("lace curtain");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:canvas") && !w.has("weave:twill"); }));
+  EXPECT_TRUE(w.has("weave.unit_size")) << "the first that is found is chosen";
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() % 10 == 0; })) << "whole repeats of huck";
+}
+
+TEST_F(DeskTest, JoinsTheDraftWithAnother) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  const int ends = design_of(before).draft.ends();
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu:Draft"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu.join"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type(draft_.string());
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return w.has("join.first"); }));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 2 * ends; })) << "the draft does not follow";
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Join"));
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Join"); }));
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "the join was more than one undo step";
+}
+
 TEST_F(DeskTest, EscapeClosesTheListAndKeepsTheDialog) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -104,12 +137,20 @@ TEST_F(DeskTest, AltAndF10OpenTheMenus) {
   for (const char* key : {"F10", "Alt_L"}) {
     display_.key(key);
     ASSERT_TRUE(comes_true([&] { return w.has("menu.new"); })) << key << " opens no menu";
+    display_.key("Right");
+    ASSERT_TRUE(comes_true([&] { return w.has("menu.undo") && !w.has("menu.new"); })) << "Right opens the next menu";
     display_.key("Escape");
-    ASSERT_TRUE(comes_true([&] { return !w.has("menu.new"); }));
+    ASSERT_TRUE(comes_true([&] { return !w.has("menu.undo"); }));
   }
+  // Return runs the first item and closes the menu.
+  display_.key("F10 Right Right Right");
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.zoom_in"); }));
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("menu.zoom_in"); })) << "Enter runs the first item";
 }
 
 TEST_F(DeskTest, ARatioThatCannotBeReadMakesNoDraft) {
+  show_cloth();
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string before = w.live();
@@ -150,6 +191,7 @@ TEST_F(DeskTest, ThePaletteSaysWhenNothingFitsAndWhatACommandNeeds) {
 }
 
 TEST_F(DeskTest, TheViewsOfTheClothAreReachableInASmallWindow) {
+  show_cloth();
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.resize(900, 600);
@@ -161,9 +203,10 @@ TEST_F(DeskTest, TheViewsOfTheClothAreReachableInASmallWindow) {
 }
 
 TEST_F(DeskTest, TheMapComesWithTheScrollAndGoes) {
+  show_cloth();
   put(draft_, straight_draft(400, 8));
   Window w(display_, folder_, draft_);
-  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_TRUE(comes_true([&] { return is_settled(w); })) << "as long as the cloth is drawn, so is the map";
   display_.move(w.cell("drawdown", 3, 3));
   for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
   ASSERT_TRUE(comes_true([&] { return w.has("minimap"); }));
@@ -171,6 +214,7 @@ TEST_F(DeskTest, TheMapComesWithTheScrollAndGoes) {
 }
 
 TEST_F(DeskTest, AnotherClothIsNotShownInPlaceOfTheOneToCome) {
+  show_cloth();
   design::Design d = design_of(straight_draft(900, 16));
   unsigned seed = 1;
   for (int end = 0; end < 900; ++end) {

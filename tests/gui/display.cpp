@@ -117,8 +117,10 @@ Display::Display(int width, int height) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return;
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
+  // -noreset: otherwise the server begins anew when its last client leaves, and drops one that comes just then.
   server_ =
-      Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen, "-nolisten", "tcp"}, {}, ends[1]);
+      Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen, "-nolisten", "tcp", "-noreset"},
+              {}, ends[1]);
   close(ends[1]);
   // Xvfb writes the number and its newline separately, and exits if nobody reads the second.
   std::string number;
@@ -198,7 +200,7 @@ int Window::frame() const {
   return now.is_object() ? now["frame"].get<int>() : 0;
 }
 
-bool Window::is_ready() const { return map().is_object() && has("view") && !live().empty(); }
+bool Window::is_ready() const { return size_of("threading").first > 0 && !live().empty(); }
 
 Point Window::cell(const std::string& name, int a, int b) const {
   const nlohmann::json now = map();
@@ -230,6 +232,14 @@ std::pair<Point, Point> Window::place_of(const std::string& name) const {
       if (control["name"] == name)
         return {{control["x"].get<double>(), control["y"].get<double>()},
                 {control["w"].get<double>(), control["h"].get<double>()}};
+  return {};
+}
+
+std::string Window::name_after(const std::string& prefix) const {
+  const nlohmann::json now = map();
+  if (now.is_object())
+    for (const auto& control : now["controls"])
+      if (const std::string name = control["name"]; name.starts_with(prefix)) return name.substr(prefix.size());
   return {};
 }
 

@@ -91,6 +91,8 @@ class Window {
   /// Columns and rows of a grid, as they were last drawn.
   std::pair<int, int> size_of(const std::string& grid) const;
   bool has(const std::string& control) const;
+  /// The rest of the first name that begins so; empty if there is none.
+  std::string name_after(const std::string& prefix) const;
   Point middle_of(const std::string& control) const;
   /// Position and size of a control.
   std::pair<Point, Point> place_of(const std::string& control) const;

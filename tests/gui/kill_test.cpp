@@ -132,6 +132,7 @@ void KillTest::take_up(const Window& w, const Painted& before, Clock::time_point
 }
 
 TEST_F(KillTest, NothingOlderThanHalfASecondIsLost) {
+  show_cloth();
   const char* wanted = std::getenv("WEFTLIGHT_KILLS");
   const int kills = wanted != nullptr ? std::atoi(wanted) : 3;
   const std::string original = bytes_of(draft_);

@@ -15,11 +15,6 @@ class LibraryTest : public OnDisplay {
   /// Without zenity, so that the window uses its own file dialogs.
   static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
 
-  void settings(const nlohmann::json& more) const {
-    nlohmann::json all = {{"width", 1280}, {"height", 800}};
-    all.update(more);
-    put(folder_ / "config/weftlight/settings.json", all.dump());
-  }
   void press(const Window& w, const std::string& control) const {
     ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control << " is not there";
     display_.click(w.middle_of(control));
@@ -67,6 +62,7 @@ TEST_F(LibraryTest, TheLibraryOpensCopies) {
 }
 
 TEST_F(LibraryTest, AnUnreadableEnvironmentImageChangesNothing) {
+  show_cloth();
   put(folder_ / "words.hdr", "these are words");
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -84,6 +80,7 @@ TEST_F(LibraryTest, AnUnreadableEnvironmentImageChangesNothing) {
 }
 
 TEST_F(LibraryTest, ViewsOfTheClothAreSavedByName) {
+  show_cloth();
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const auto from_menu = [&](const std::string& item) {
@@ -116,6 +113,7 @@ TEST_F(LibraryTest, ViewsOfTheClothAreSavedByName) {
 }
 
 TEST_F(LibraryTest, ThePictureIsLimitedByErrorOrByTime) {
+  show_cloth();
   settings({{"inspector_tab", 2}});
   {
     Window w(display_, folder_, draft_, without_dialogs());

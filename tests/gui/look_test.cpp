@@ -235,7 +235,7 @@ void LookTest::shoot_closest_weave(const Window& w) {
 }
 
 void LookTest::shoot_all(const Window& w) {
-  for (const char* tab : {"Threads", "Yarns", "Cloth", "Analysis"}) {
+  for (const char* tab : {"Threads", "Yarns", "Cloth", "Analysis", "Plan"}) {
     ASSERT_NO_FATAL_FAILURE(press(w, std::string("inspector:") + tab));
     shoot(std::string("tab_") + static_cast<char>(std::tolower(tab[0])) + (tab + 1));
     if (HasFatalFailure()) return;

@@ -11,6 +11,7 @@ namespace {
 class LostDisplayTest : public OnDisplay {};
 
 TEST_F(LostDisplayTest, AllUnsavedWorkIsBack) {
+  show_cloth();
   const std::string original = bytes_of(draft_), errors = (folder_ / "errors").string();
   std::string last;
   {

@@ -12,7 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSameCloth = 0.02;  // RMS of 1; how many passes a picture has goes by the clock
+// RMS of 1. How many passes a picture has goes by the clock: the same draft is up to 0.08 apart on a busy machine,
+// another one 0.14.
+constexpr double kSameCloth = 0.11;
 
 class Offscreen : public OnDisplay {
  protected:
@@ -22,7 +24,7 @@ class Offscreen : public OnDisplay {
 #endif
     OnDisplay::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    put(draft_, straight_draft(8));  // an edit of one end is seen
+    put(draft_, straight_draft(4));  // an edit of one end is seen
     put(folder_ / "config/weftlight/settings.json", R"({"width": 1280, "height": 800, "toured": true})");
   }
 
@@ -36,33 +38,10 @@ class Offscreen : public OnDisplay {
   }
   std::string said() const { return bytes_of(folder_ / "said"); }
 
-  /// The cloth of a window, once two screenshots are the same.
-  std::string cloth(const Window& w) const {
-    std::string last, now;
-    EXPECT_TRUE(comes_true([&] {
-      if (!w.has("view.picture") || w.has("view.busy") || w.has("view.refining")) return false;
-      const auto [place, size] = w.place_of("view");
-      last = std::exchange(now, display_.picture({place.x + 20, place.y + 60}, {size.x - 40, size.y - 140}));
-      return !now.empty() && now == last;
-    })) << "the window shows no cloth";
-    return now;
-  }
-
   std::string on_screen() const { return "DISPLAY=" + display_.name() + " WAYLAND_DISPLAY="; }
 
   static inline const std::string kNoEgl = std::string("LD_PRELOAD=") + WEFTLIGHT_NO_EGL;
 };
-
-/// RMS difference of two screenshots of the same size, of 1.
-double apart(const std::string& a, const std::string& b) {
-  if (a.size() != b.size() || a.empty()) return 1;
-  double sum = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    const double d = (static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])) / 255.0;
-    sum += d * d;
-  }
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
 
 TEST_F(Offscreen, AHiddenWindowDrawsThePictureOfEgl) {
   const fs::path by_egl = folder_ / "egl.png", by_window = folder_ / "window.png", unwanted = folder_ / "none.png";
@@ -78,17 +57,23 @@ TEST_F(Offscreen, TheWindowShowsItsClothWithoutEgl) {
   std::string by_egl;
   {
     Window w(display_, folder_, draft_, {"WEFTLIGHT_OFFSCREEN=egl"});
-    by_egl = cloth(w);
+    by_egl = still_picture(w);
     display_.key("ctrl+q");
     ASSERT_EQ(w.process().wait(), 0);
   }
   Window w(display_, folder_, draft_, {kNoEgl});
-  EXPECT_LT(apart(cloth(w), by_egl), kSameCloth);
+  EXPECT_LT(apart(still_picture(w), by_egl), kSameCloth);
   const std::string before = w.live();
   ASSERT_NO_FATAL_FAILURE(paint(w));
-  EXPECT_TRUE(comes_true([&] { return apart(cloth(w), by_egl) > kSameCloth; }))
+  EXPECT_TRUE(comes_true([&] { return apart(still_picture(w), by_egl) > kSameCloth; }))
       << "the cloth does not follow the draft";
   EXPECT_NE(w.live(), before);
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == before; }));
+  EXPECT_TRUE(comes_true([&] { return apart(still_picture(w), by_egl) < kSameCloth; }))
+      << "the cloth does not follow the undo";
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0);
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "design/edits.h"
 #include "display.h"
@@ -42,7 +44,7 @@ class OnDisplay : public testing::Test {
     folder_ = mkdtemp(name);
     draft_ = folder_ / "straight.wif";
     std::filesystem::create_directories(folder_ / "config/weftlight");
-    std::ofstream(folder_ / "config/weftlight/settings.json") << R"({"width": 1280, "height": 800})";
+    settings({});
     put(draft_, straight_draft());
   }
   void TearDown() override {
@@ -50,6 +52,14 @@ class OnDisplay : public testing::Test {
   }
   /// An environment without zenity, so that the window uses its own file dialogs.
   static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
+
+  /// What the next window starts with. The cloth is hidden, so that it costs nothing where only the draft is tested.
+  void settings(nlohmann::json more) const {
+    more.merge_patch({{"width", 1280}, {"height", 800}});
+    if (!more.contains("cloth")) more["cloth"] = false;
+    put(folder_ / "config/weftlight/settings.json", more.dump());
+  }
+  void show_cloth() const { settings({{"cloth", true}}); }
 
   /// Paints an end on shaft 3 and waits for the window.
   void paint(const Window& w, int end = 1) const {
@@ -62,6 +72,35 @@ class OnDisplay : public testing::Test {
     ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "no dialog with the button " << button;
     display_.click(w.middle_of("dialog:" + button));
     ASSERT_TRUE(comes_true([&] { return !w.has("dialog:" + button); })) << button;
+  }
+  static bool is_settled(const Window& w) {
+    return w.is_ready() && w.has("view.picture") && !w.has("view.busy") && !w.has("view.refining");
+  }
+  /// The cloth, without the line of statistics below it.
+  std::string picture(const Window& w) const {
+    const auto [place, size] = w.place_of("view");
+    return display_.picture({place.x + 20, place.y + 60}, {size.x - 40, size.y - 140});
+  }
+  /// The cloth once two screenshots are the same.
+  std::string still_picture(const Window& w) const {
+    std::string last, now;
+    comes_true([&] {
+      last = std::move(now);
+      now = picture(w);
+      return is_settled(w) && !now.empty() && now == last;
+    });
+    return now;
+  }
+  /// RMSE of two pictures of the same size, relative to 1; 1 for different sizes. On a busy machine a picture may have
+  /// fewer passes.
+  static double apart(const std::string& a, const std::string& b) {
+    if (a.size() != b.size() || a.empty()) return 1;
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+      const double d = (static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])) / 255.0;
+      sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(a.size()));
   }
   static void put(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;

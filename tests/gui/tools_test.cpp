@@ -51,6 +51,7 @@ TEST_F(ToolsTest, PrintsThePreviewedSheets) {
 }
 
 TEST_F(ToolsTest, ExportsThePreviewedSetAndFollowsTheDraft) {
+  show_cloth();
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const fs::path other = folder_ / "textures/straight";
@@ -112,37 +113,36 @@ TEST_F(ToolsTest, ShowsTheDifferencesOfTwoDrafts) {
   EXPECT_TRUE(comes_true([&] { return !w.has("difference.same"); }));
 }
 
-TEST_F(ToolsTest, TheYarnRequirementsHaveLengthsAndCosts) {
+TEST_F(ToolsTest, ThePlanOfTheClothIsKeptInTheFileAndUndone) {
   {
     Window w(display_, folder_, draft_, without_dialogs());
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
     const std::string original = w.live();
-    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Analysis"));
-    ASSERT_TRUE(comes_true([&] { return w.has("section.need"); }));
-    for (const char* above : {"section.floats", "section.weave", "section.heddles", "section.analysis"}) {
-      const double at = w.place_of("section.need").first.y;
-      ASSERT_NO_FATAL_FAILURE(click(w, above));
-      ASSERT_TRUE(comes_true([&] { return w.place_of("section.need").first.y < at; })) << above << " did not close";
-    }
-    ASSERT_NO_FATAL_FAILURE(click(w, "section.need"));
-    ASSERT_TRUE(comes_true([&] { return w.has("need:1") && w.has("need:2"); })) << "warp and weft";
-    EXPECT_FALSE(w.has("need.cost")) << "no price is known yet";
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Plan"));
+    ASSERT_TRUE(comes_true([&] { return w.has("plan.width") && w.has("plan.finished"); }));
+    EXPECT_EQ(w.live(), original) << "looking at the plan changes nothing";
     const auto type = [&](const std::string& control, const std::string& keys) {
       ASSERT_NO_FATAL_FAILURE(click(w, control + ":figure"));
       display_.key("ctrl+a " + keys + " Return");
     };
-    ASSERT_NO_FATAL_FAILURE(type("plan.length", "2 5 0"));
-    ASSERT_NO_FATAL_FAILURE(type("plan.shrinkage", "1 2"));
-    ASSERT_NO_FATAL_FAILURE(type("price:1", "4 2"));
-    EXPECT_TRUE(comes_true([&] { return w.has("need.cost"); }));
-    EXPECT_EQ(w.live(), original) << "a plan is not part of the draft";
+    ASSERT_NO_FATAL_FAILURE(type("plan.width", "5 0"));
+    ASSERT_TRUE(comes_true([&] { return design_of(w.live()).plan.width_mm == 500; }));
+    ASSERT_NO_FATAL_FAILURE(click(w, "plan.units:Imperial"));
+    ASSERT_NO_FATAL_FAILURE(type("plan.length", "1 0"));
+    ASSERT_TRUE(comes_true([&] { return design_of(w.live()).plan.length_mm == 254; })) << "inches";
+    display_.key("ctrl+z");
+    ASSERT_TRUE(comes_true([&] { return design_of(w.live()).plan.length_mm == 0; })) << "undone";
+    EXPECT_EQ(design_of(w.live()).plan.width_mm, 500);
+    ASSERT_NO_FATAL_FAILURE(type("plan.waste", "3 0"));
+    ASSERT_TRUE(comes_true([&] { return design_of(w.live()).plan.loom_waste_mm == 762; }));
+    display_.key("ctrl+s");
+    ASSERT_TRUE(comes_true([&] { return design_of(bytes_of(draft_)).plan.loom_waste_mm == 762; }));
     display_.key("ctrl+q");
     EXPECT_EQ(w.process().wait(), 0);
   }
   const auto kept = nlohmann::json::parse(bytes_of(folder_ / "config/weftlight/settings.json"));
-  EXPECT_NEAR(kept["shrinkage"].get<double>(), 0.12, 1e-6);
-  const std::string yarn = design_of(straight_draft()).yarns.front().name;
-  EXPECT_EQ(kept["yarn_prices"][yarn].get<double>(), 42) << "the price is saved for the yarn";
+  EXPECT_NEAR(kept["loom_waste_cm"].get<double>(), 76.2, 1e-4) << "for the next new draft";
+  EXPECT_TRUE(kept["imperial"].get<bool>());
 }
 
 TEST_F(ToolsTest, WeavesPickByPickAndSavesThePlaceWithTheDraft) {
@@ -160,7 +160,7 @@ TEST_F(ToolsTest, WeavesPickByPickAndSavesThePlaceWithTheDraft) {
   ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:3"); }));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; })) << "it is saved with the draft";
   display_.key("Escape");
-  EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.has("view"); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.is_ready(); }));
 }
 
 /// The window connects to the address and sends the lift of each pick that the loom requests.
@@ -251,6 +251,7 @@ TEST_F(ToolsTest, Pick1CanBeAtTheBottom) {
 }
 
 TEST_F(ToolsTest, OnASmallScreenEverythingFits) {
+  show_cloth();
   const Display small(1000, 640);
   ASSERT_TRUE(small.is_up());
   Window w(small, folder_, draft_);
@@ -264,6 +265,7 @@ TEST_F(ToolsTest, OnASmallScreenEverythingFits) {
 }
 
 TEST_F(ToolsTest, AFlatSwatchFillsThePane) {
+  show_cloth();
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("view.picture") && !w.has("view.busy"); }));
   const auto [at, size] = w.place_of("view");

@@ -186,6 +186,28 @@ TEST_F(WaitingTest, AReadThatHangsKeepsNeitherAnotherNorTheEndOfTheProgram) {
   EXPECT_EQ(w.process().wait(), 0);
 }
 
+TEST_F(WaitingTest, AShareThatAnswersNothingKeepsNeitherTheWindowNorOtherDrafts) {
+  const fs::path other = folder_ / "other.wif", beside = folder_ / "beside.wif";
+  put(other, original_);
+  std::vector<std::string> dead = on_a_slow_disk();
+  dead.emplace_back("WEFTLIGHT_DEAD_DISK=1");
+  Window w(display_, folder_, draft_, dead);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  disk_hangs();
+  ASSERT_NO_FATAL_FAILURE(type_path(w, draft_)) << "it is open, and looked at";
+  ASSERT_NO_FATAL_FAILURE(paint_on(w, 1));
+  ASSERT_NO_FATAL_FAILURE(type_path(w, other));
+  ASSERT_TRUE(comes_true([&] { return w.has("tab.shown:2"); })) << "a draft elsewhere is not opened";
+  ASSERT_NO_FATAL_FAILURE(paint_on(w, 2));
+  display_.key("ctrl+shift+s");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type(beside.string());
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return fs::exists(beside); })) << "a draft elsewhere is not saved";
+  disk_ends();
+}
+
 TEST_F(WaitingTest, QuittingDoesNotWaitForADraftThatIsBeingOpened) {
   disk_hangs();
   Window w(display_, folder_, draft_, on_a_slow_disk());
@@ -197,6 +219,7 @@ TEST_F(WaitingTest, QuittingDoesNotWaitForADraftThatIsBeingOpened) {
 }
 
 TEST_F(WaitingTest, AWindowComesBeforeASlowFile) {
+  show_cloth();
   disk_hangs();
   Window w(display_, folder_, draft_, on_a_slow_disk());
   ASSERT_NO_FATAL_FAILURE(wait_for_a_picture());

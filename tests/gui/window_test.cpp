@@ -45,39 +45,6 @@ class WindowTest : public OnDisplay {
     put(draft_, twill());
   }
 
-  static bool is_settled(const Window& w) {
-    return w.is_ready() && w.has("view.picture") && !w.has("view.busy") && !w.has("view.refining");
-  }
-
-  /// The cloth, without the line of statistics below it.
-  std::string picture(const Window& w) const {
-    const auto [place, size] = w.place_of("view");
-    return display_.picture({place.x + 20, place.y + 60}, {size.x - 40, size.y - 140});
-  }
-
-  /// The cloth once two screenshots are the same.
-  std::string still_picture(const Window& w) const {
-    std::string last, now;
-    comes_true([&] {
-      last = std::move(now);
-      now = picture(w);
-      return is_settled(w) && !now.empty() && now == last;
-    });
-    return now;
-  }
-
-  /// RMSE of two pictures of the same size, relative to 1; 1 for different sizes. On a busy machine a picture may have
-  /// fewer passes.
-  static double apart(const std::string& a, const std::string& b) {
-    if (a.size() != b.size() || a.empty()) return 1;
-    double sum = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-      const double d = (static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])) / 255.0;
-      sum += d * d;
-    }
-    return std::sqrt(sum / static_cast<double>(a.size()));
-  }
-
   std::string drawdown_of(const fs::path& wif) const {
     const fs::path out = folder_ / "drawdown.txt";
     const std::string command = std::string(WEFTLIGHT_BINARY) + " drawdown " + wif.string() + " -o " + out.string();
@@ -92,6 +59,7 @@ class WindowTest : public OnDisplay {
 };
 
 TEST_F(WindowTest, PaintsUndoesSavesAndOpensAgain) {
+  show_cloth();
   const std::string original = bytes_of(draft_);
   const Design before = design_of(original);
   std::string saved;
@@ -234,6 +202,7 @@ TEST_F(WindowTest, SelectsCopiesPastesAndUndoes) {
 }
 
 TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
+  show_cloth();
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
   const std::string alone = still_picture(w);
@@ -321,6 +290,7 @@ TEST_F(WindowTest, TheThicknessOfSelectedEndsIsSaved) {
   // Written by another program, in inches; only the lines of the selected ends may change.
   std::ofstream(draft_, std::ios::binary)
       << twill() + "[WARP]\nUnits=Inches\n[WARP THICKNESS]\n1=.0200 ; as spun\n9= 0.030\n";
+  settings({{"imperial", true}});
   const std::string original = bytes_of(draft_);
   std::string saved;
   {
@@ -394,7 +364,7 @@ TEST_F(WindowTest, AsksBeforeUnsavedWorkIsLost) {
 
 TEST_F(WindowTest, QuickClicksAreSeparateSteps) {
   Window w(display_, folder_, draft_);
-  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   std::vector<std::string> steps = {w.live()};
   for (int end = 1; end <= 6; ++end) display_.click(w.cell("threading", end, end % 4 + 2 > 4 ? 1 : end % 4 + 2));
   const auto moved = [&] {
@@ -434,6 +404,7 @@ TEST_F(WindowTest, EscapeClosesAMenuAndKeysWorkAgain) {
 }
 
 TEST_F(WindowTest, AnyWindowSizeWorksAndTheInspectorCanBeHidden) {
+  show_cloth();
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
   EXPECT_TRUE(w.has("threads.which"));
@@ -456,9 +427,22 @@ TEST_F(WindowTest, AnyWindowSizeWorksAndTheInspectorCanBeHidden) {
   quit(w);
 }
 
+TEST_F(WindowTest, TheDraftCanHaveTheWindowToItself) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_FALSE(w.has("view") || w.has("split")) << "the setting was not kept";
+  ASSERT_NO_FATAL_FAILURE(paint(w));
+  display_.key("shift+F4");
+  EXPECT_TRUE(comes_true([&] { return is_settled(w); })) << "the cloth does not come back";
+  display_.key("shift+F4");
+  EXPECT_TRUE(comes_true([&] { return !w.has("view"); }));
+  display_.key("f");
+  EXPECT_TRUE(comes_true([&] { return w.has("view"); })) << "a command about the cloth changes what nobody sees";
+}
+
 TEST_F(WindowTest, ATipAppearsWhenThePointerRests) {
   Window w(display_, folder_, draft_);
-  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.move(w.middle_of("save"));
   EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "the button has no tip";
   display_.move(w.cell("drawdown", 8, 8));

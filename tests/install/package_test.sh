@@ -54,6 +54,26 @@ for verb in info render export; do grep -q "weftlight $verb" <(zcat -f "$page") 
 if command -v appstreamcli >/dev/null; then
   appstreamcli validate --no-net "$share"/metainfo/*.xml >"$root/log" || { cat "$root/log"; fail "the AppStream data"; }
 fi
+# The module for Python: a package of its own, which finds the program's files.
+grep -q dist-packages <(dpkg-deb -c "$deb"; tar -tzf "$archive") && fail "the program's packages hold the Python module"
+module=$(find "$root/packages" -maxdepth 1 -name 'python3-weftlight_*.deb')
+if [[ -n $module ]]; then
+  depends=$(dpkg-deb -f "$module" Depends)
+  for package in "weftlight (= $(dpkg-deb -f "$deb" Version))" python3-numpy 'python3 (>= 3.' libopenimageio; do
+    [[ $depends == *$package* ]] || fail "the Python module does not depend on $package: $depends"
+  done
+  dpkg_there --force-script-chrootless -i "$module"
+  python=$system/usr/lib/python3/dist-packages
+  for file in __init__.py __init__.pyi py.typed; do [[ -e $python/weftlight/$file ]] || fail "$file is not installed"; done
+  grep -qaF "$source" "$python"/weftlight/*.so && fail "the Python module names the folder of its source"
+  if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+    (cd / && PYTHONPATH=$python PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "
+import sys, weftlight
+design = weftlight.read('$share/weftlight/presets/drafts/starter.wif').design
+weftlight.reference(design, 8, 8, spp=1)  # the drape and the lights are found") || fail "the Python module"
+  fi
+  dpkg_there --force-script-chrootless -P python3-weftlight
+fi
 dpkg_there -P weftlight
 left=$(find "$system" -path "$system/var/lib/dpkg" -prune -o -type f -print)
 [[ -z $left ]] || fail "left behind: $left"

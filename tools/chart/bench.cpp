@@ -68,6 +68,7 @@ FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& st
   picture.around.light_radius_rad = std::asin(kKeyRadius);
   picture.around.light_irradiance = kIrradiance;
   picture.seed = seed;
+  picture.fibre_detail = true;
   return picture;
 }
 

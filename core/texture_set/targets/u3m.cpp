@@ -16,9 +16,9 @@
 namespace weftlight::texture_set {
 
 using base::write_file_atomically;
-using cloth::Cloth, cloth::ThreadBody, cloth::srgb_from_linear;
+using cloth::Cloth, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::srgb_from_linear;
 using design::Design, design::Yarn;
-using draft::BitMatrix, draft::Face, draft::Rgb;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::drawdown;
 using files::ZipEntry, files::ZipKind, files::write_zip;
 
 namespace {
@@ -127,12 +127,13 @@ json physics(const SetFacts& set) {
     parts.push_back({{"ratio", total > 0 ? g / total : 1.0}, {"type", type}, {"name", nullptr}});
   const double area_m2 = static_cast<double>(cloth.width_mm) * static_cast<double>(cloth.depth_mm) * 1e-6;
   const SurfaceTexels &front = set.front.small(), &back = set.back.small();
+  const BitMatrix weave = lay_out(set.design, drawdown(set.design.draft), Face::kFront, Period::kRepeat).up;
   return {{"thickness", static_cast<double>(front.high_mm + back.high_mm)},
           {"weight", total / area_m2},
           {"devices", {{"fab", "null"}}},
           {"composition", {{"parts", parts}}},
           {"material_type", {{"type", "Woven"}, {"name", nullptr}}},
-          {"construction", {{"type", construction_of(set.design, cloth.up)}, {"name", nullptr}}}};
+          {"construction", {{"type", construction_of(set.design, weave)}, {"name", nullptr}}}};
 }
 
 json image(const SetFacts& set, const std::string& suffix, Face face) {

@@ -12,14 +12,12 @@ namespace weftlight::session {
 using design::Design;
 using draft::System;
 
-DocumentView view_of(const Document& document, bool per_inch) {
-  constexpr double kMmPerCm = 10;
+DocumentView view_of(const Document& document) {
   DocumentView v;
   v.cloth.camera = orbit_of(document.now().scene);
   v.drawing.given = {document.now().draft.shafts, document.now().draft.treadles};
   v.units.warp = document.unit(System::kWarp);
   v.units.weft = document.unit(System::kWeft);
-  v.units.per_inch = per_inch || v.units.warp.mm != kMmPerCm;
   return v;
 }
 

@@ -22,10 +22,9 @@ using wif::WifUnit;
 
 class Document;
 
-/// The units in which the sett is shown.
-struct SettUnits {
-  bool per_inch = false;  // ends and picks per inch; else per centimetre
-  WifUnit warp, weft;     // of the opened file
+/// The units of thickness and spacing in the opened file.
+struct FileUnits {
+  WifUnit warp, weft;
 };
 
 struct DocumentView {
@@ -38,12 +37,11 @@ struct DocumentView {
   DifferenceView differences;
   std::optional<RejectedEdit> rejected_edit;  // the last edit that the loom cannot weave
   AtLoom at_loom;
-  SettUnits units;
+  FileUnits units;
 };
 
-/// The view of a document that was just opened: fitted, with the camera of the draft. `per_inch` is used if the file
-/// does not tell its unit.
-DocumentView view_of(const Document& document, bool per_inch);
+/// The view of a document that was just opened: fitted, with the camera of the draft.
+DocumentView view_of(const Document& document);
 /// Called after every change of the design: limits selection, cursor, colour and yarn to what still exists.
 void follow_document(DocumentView& view, const Document& document);
 /// Scrolls difference `index` to the middle of the pane.

@@ -8,7 +8,7 @@
 namespace weftlight::session {
 namespace {
 
-constexpr float kNearest = 0.01f, kFurthest = 8.0f;
+constexpr float kNearest = 0.001f, kFurthest = 8.0f;
 
 }  // namespace
 

@@ -46,6 +46,19 @@ FileChange changed_since(const std::string& path, FileIdentity& known) {
   return FileChange::kNone;
 }
 
+bool is_one_file(const FileIdentity& a, const FileIdentity& b) {
+  // With the time, since a file system gives the number of a removed file to another one.
+  return a.there && b.there && a.device == b.device && a.inode == b.inode && a.size == b.size &&
+         a.modified_ns == b.modified_ns;
+}
+
+bool is_same_name(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;
+  const fs::path full_a = fs::absolute(a, error), full_b = fs::absolute(b, error);
+  return full_a.lexically_normal() == full_b.lexically_normal();
+}
+
 bool same_file(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   std::error_code error;

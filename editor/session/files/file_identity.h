@@ -30,7 +30,12 @@ enum class FileChange { kNone, kContent, kGone };
 /// decides, and `known` gets the new time if the content is the same.
 FileChange changed_since(const std::string& path, FileIdentity& known);
 
-/// True if both paths lead to one file, or would once it exists.
+/// True if both are one file on one disk, unchanged in size and time; its names may differ. No disk is asked.
+bool is_one_file(const FileIdentity& a, const FileIdentity& b);
+/// True if both paths name one file, links apart. No disk is asked.
+bool is_same_name(const std::string& a, const std::string& b);
+/// True if both paths lead to one file, or would once it exists. Asks the disk, which may hang: not for the window's
+/// thread.
 bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace weftlight::session

@@ -13,6 +13,7 @@
 namespace weftlight::session {
 
 using base::config_folder, base::is_utf8, base::read_file, base::write_file_atomically;
+using design::kMaxClothMm, design::kMaxSpare;
 
 namespace {
 
@@ -103,7 +104,9 @@ Settings settings_from(std::string_view text) {
   s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
   take(json, "heavy_lines", s.heavy_lines);
   s.heavy_lines = std::clamp(s.heavy_lines, 0, 64);
-  take(json, "per_inch", s.per_inch);
+  take(json, "per_inch", s.imperial);  // of earlier versions
+  take(json, "imperial", s.imperial);
+  take(json, "cloth", s.cloth);
   take(json, "inspector", s.inspector);
   take(json, "toured", s.toured);
   take(json, "start_page", s.start_page);
@@ -111,13 +114,11 @@ Settings settings_from(std::string_view text) {
   take(json, "picture_ms", s.picture_ms);
   if (!(s.picture_ms >= kMinPictureMs && s.picture_ms <= kMaxPictureMs)) s.picture_ms = Settings{}.picture_ms;
   take(json, "loom_waste_cm", s.loom_waste_cm);
-  take(json, "shrinkage", s.shrinkage);
   take(json, "spare_yarn", s.spare_yarn);
   take_prices(json, s.yarn_prices);
   const Settings usual;
-  if (!(s.loom_waste_cm >= 0 && s.loom_waste_cm <= kMaxLoomWasteCm)) s.loom_waste_cm = usual.loom_waste_cm;
-  if (!(s.shrinkage >= 0 && s.shrinkage <= kMaxShare)) s.shrinkage = usual.shrinkage;
-  if (!(s.spare_yarn >= 0 && s.spare_yarn <= kMaxShare)) s.spare_yarn = usual.spare_yarn;
+  if (!(s.loom_waste_cm >= 0 && s.loom_waste_cm <= kMaxClothMm / 10)) s.loom_waste_cm = usual.loom_waste_cm;
+  if (!(s.spare_yarn >= 0 && s.spare_yarn <= kMaxSpare)) s.spare_yarn = usual.spare_yarn;
   take(json, "split", s.split);
   take(json, "width", s.width);
   take(json, "height", s.height);
@@ -144,14 +145,14 @@ std::string settings_text(const Settings& s) {
                                {"tiled", s.tiled},
                                {"show_repeat", s.show_repeat},
                                {"drawdown_style", static_cast<int>(s.drawdown_style)},
-                               {"per_inch", s.per_inch},
+                               {"imperial", s.imperial},
+                               {"cloth", s.cloth},
                                {"inspector", s.inspector},
                                {"toured", s.toured},
                                {"start_page", s.start_page},
                                {"by_time", s.by_time},
                                {"picture_ms", s.picture_ms},
                                {"loom_waste_cm", s.loom_waste_cm},
-                               {"shrinkage", s.shrinkage},
                                {"spare_yarn", s.spare_yarn},
                                {"yarn_prices", writable(s.yarn_prices)},
                                {"split", s.split},

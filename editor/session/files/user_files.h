@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "design/design.h"
+
 namespace weftlight::session {
 
 enum class DrawdownStyle { kThreads, kColor, kStructure };
@@ -13,7 +15,6 @@ enum class DrawdownStyle { kThreads, kColor, kStructure };
 /// Comparison with the ray-traced reference: split by a slider, or the difference.
 enum class Compare { kOff, kSplit, kDifference };
 
-inline constexpr float kMaxLoomWasteCm = 1000, kMaxShare = 0.6f;
 inline constexpr float kMinPictureMs = 5, kMaxPictureMs = 5000;
 
 struct Settings {
@@ -24,20 +25,21 @@ struct Settings {
   bool tiled = false;            // the drawdown repeats beyond its edges
   bool show_repeat = false;      // outlined in the drawdown
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
-  int heavy_lines = 5;                      // a heavier grid line every n threads; 0: none
-  bool per_inch = false;                    // ends and picks per inch
-  bool inspector = true;                    // the inspector is shown
-  float split = 0;                          // fraction of the width for the draft; 0 fits it
-  int width = 1440, height = 900;           // of the window
-  std::vector<std::string> recent;          // paths, most recent first
-  std::string loom_address;                 // of the loom last connected
-  std::map<std::string, std::string> keys;  // shortcuts set by the user, by action id; empty: none
-  float loom_waste_cm = 60, shrinkage = 0.08f, spare_yarn = 0.05f;  // for the yarn estimate; the last two are fractions
-  std::map<std::string, float> yarn_prices;                         // per kilogram, by yarn name
-  bool by_time = false;                                             // time budget instead of an error tolerance
-  float picture_ms = 60;                                            // that budget, for the pass of the cloth
-  bool start_page = true;                                           // the gallery opens at the start
-  bool toured = false;                                              // the tour was finished or skipped
+  int heavy_lines = 5;                           // a heavier grid line every n threads; 0: none
+  bool imperial = false;                         // inches, yards, ounces and pounds; ends and picks per inch
+  bool cloth = true;                             // the cloth is computed and shown beside the draft
+  bool inspector = true;                         // the inspector is shown
+  float split = 0;                               // fraction of the width for the draft; 0 fits it
+  int width = 1440, height = 900;                // of the window
+  std::vector<std::string> recent;               // paths, most recent first
+  std::string loom_address;                      // of the loom last connected
+  std::map<std::string, std::string> keys;       // shortcuts set by the user, by action id; empty: none
+  float loom_waste_cm = 60, spare_yarn = 0.05f;  // last planned, for the next new draft; the second is a fraction
+  std::map<std::string, float> yarn_prices;      // last planned, of a kilogram, by yarn name
+  bool by_time = false;                          // time budget instead of an error tolerance
+  float picture_ms = 60;                         // that budget, for the pass of the cloth
+  bool start_page = true;                        // the gallery opens at the start
+  bool toured = false;                           // the tour was finished or skipped
   // State of the open window; not saved.
   int tour = -1;  // step of the tour; -1 if it is not shown
   int inspector_tab = 0;
@@ -54,6 +56,10 @@ Settings settings_from(std::string_view json);
 std::string settings_text(const Settings& settings);
 void save_settings(const Settings& settings);
 void remember(Settings& settings, const std::string& path);
+/// The loom waste and spare yarn of the plan become those of new drafts, and its prices are offered for their yarns.
+void remember_plan(Settings& settings, const design::ClothPlan& plan);
+/// A new draft on the loom for which the last was planned.
+design::Design with_usual_plan(design::Design draft, const Settings& settings);
 /// Removes the path from the recent files.
 void forget(Settings& settings, const std::string& path);
 

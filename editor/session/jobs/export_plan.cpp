@@ -11,7 +11,8 @@
 namespace weftlight::session {
 
 using base::tr;
-using texture_set::check_set_folder, texture_set::file_name_of, texture_set::listed_files, texture_set::size_for;
+using texture_set::check_set_folder, texture_set::file_name_of, texture_set::kTileOfYarns, texture_set::listed_files,
+    texture_set::set_density;
 
 namespace fs = std::filesystem;
 
@@ -19,12 +20,13 @@ std::vector<ExportJob> jobs_of(const ExportPlan& plan, const Design& design, con
                                const std::string& version) {
   const fs::path file(draft_path.empty() ? "untitled.wif" : draft_path);
   const std::string name = file_name_of(file.stem().string());
-  const int size = plan.by_density ? size_for(design, plan.texels_per_mm, 10 * plan.tile_cm) : plan.size;
   std::vector<ExportJob> out;
   for (const ExportTarget* target : plan.targets) {
     TextureSetOptions o;
     o.target = target, o.name = name, o.source = file.filename().string(), o.draft_path = draft_path;
-    o.program_version = version, o.size = size, o.alpha = plan.alpha, o.tile_mm = 10 * plan.tile_cm;
+    o.program_version = version, o.size = plan.size, o.alpha = plan.alpha;
+    o.tile_mm = plan.tile_cm < 0 ? kTileOfYarns : 10 * plan.tile_cm;
+    if (plan.by_density) set_density(o, design, plan.texels_per_mm);
     if (!target->raw) o.mips = plan.mips;
     fs::path folder = fs::path(plan.folder) / name;
     if (plan.targets.size() > 1) folder /= target->id;

@@ -19,7 +19,7 @@ struct ExportPlan {
   bool by_density = false;
   int size = 1024;           // texels of the longer side, a power of two 16..8192
   float texels_per_mm = 40;  // with by_density: the least density
-  float tile_cm = 0;         // least width and height of the tile; 0: one repeat
+  float tile_cm = -1;        // least width and height of the tile; 0: one repeat; negative: as its yarns need
   Alpha alpha = Alpha::kAuto;
   std::optional<MipContainer> mips;  // files with mipmaps beside the images; raw sets have their own
   std::string folder;                // each set is a folder inside it

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "base/user_folders.h"
 #include "platform/durable_file.h"
 #include "platform/file.h"
 #include "platform/unique_name.h"
@@ -115,6 +116,8 @@ void remove_session(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string recovery_folder() { return (fs::path(base::state_folder()) / "recovery").string(); }
 
 Recovery::Recovery(std::string root)
     : root_(std::move(root)), folder_((fs::path(root_) / platform::unique_name()).string()) {}

@@ -22,10 +22,13 @@ struct LeftWork {
   int64_t written_ns = 0;           // time of its last entry, since 1970
 };
 
+/// Where Weftlight keeps it, and reports of its crashes (crash_reports.h).
+std::string recovery_folder();
+
 /// Thread-safe.
 class Recovery {
  public:
-  /// `root` is state_folder()/recovery; it is created when needed.
+  /// `root` is recovery_folder(), or another in tests; it is created when needed.
   explicit Recovery(std::string root);
   /// Removes the folder of the session if no journal is left in it.
   ~Recovery();

@@ -8,13 +8,15 @@
 #include "analysis/difference.h"
 #include "base/text.h"
 #include "ui/widgets.h"
+#include "views/analysis/plan_panel.h"
 
 namespace weftlight::views {
 
-using analysis::WeaveLayer, analysis::loom_use, analysis::firm_sett_per_cm, analysis::thread_list,
-    analysis::weave_layers, analysis::wraps_per_cm, analysis::yarn_report;
+using analysis::Units, analysis::WeaveLayer, analysis::cloth_measures, analysis::kInch_mm, analysis::sett_text,
+    analysis::loom_use, analysis::firm_sett_per_cm, analysis::thread_list, analysis::weave_layers,
+    analysis::wraps_per_cm;
 using base::arg, base::fill, base::tr, base::tr_n;
-using draft::Draft, draft::fewest_for;
+using draft::Draft, draft::System, draft::fewest_for;
 using ui::fitted, ui::row_label, ui::section, ui::text_button;
 
 namespace {
@@ -25,7 +27,7 @@ void analyse(const PanelContext& c, AnalysisState& s) {
   s.loom = loom_use(c.design.draft);
   s.fewest = fewest_for(c.cells);
   s.firm_sett = firm_sett_per_cm(c.cells, s.layers, 1);
-  s.yarn = yarn_report(c.design, {});
+  s.measures = cloth_measures(c.design);
 }
 
 void fact(const PanelContext& c, const char* label, const std::string& value, const char* tip = "") {
@@ -41,9 +43,9 @@ std::string layers_text(const std::vector<WeaveLayer>& layers) {
   const auto loose =
       static_cast<int>(std::count_if(layers.begin(), layers.end(), [](const WeaveLayer& l) { return l.loose(); }));
   const int bound = static_cast<int>(layers.size()) - loose;
-  const std::string threads = fill(tr_n("{count} loose thread", "{count} loose threads", loose), arg("count", loose));
+  std::string threads = fill(tr_n("{count} loose thread", "{count} loose threads", loose), arg("count", loose));
   if (bound == 0) return threads;
-  const std::string text = fill(tr_n("{count} layer", "{count} separate layers", bound), arg("count", bound));
+  std::string text = fill(tr_n("{count} layer", "{count} separate layers", bound), arg("count", bound));
   return loose == 0 ? text : fill(tr("{layers}, {threads}"), arg("layers", text), arg("threads", threads));
 }
 
@@ -81,15 +83,19 @@ void draw_loom(const PanelContext& c, const AnalysisState& s) {
   if (picks > 0) fact(c, tr("Empty sheds"), fill(tr_n("{count} pick", "{count} picks", picks), arg("count", picks)));
 }
 
-void draw_yarn_use(const PanelContext& c, const AnalysisState& s) {
+void draw_setts(const PanelContext& c, const AnalysisState& s) {
+  const Units units = units_of(c.settings);
   fact(c, tr("Sett"),
-       fill(tr("{ends:.1f} ends, {picks:.1f} picks per cm"), arg("ends", s.yarn.ends_per_cm),
-            arg("picks", s.yarn.picks_per_cm)));
+       fill(tr("{ends}, {picks}"), arg("ends", sett_text(s.measures.draft_ends_per_cm, System::kWarp, units)),
+            arg("picks", sett_text(s.measures.draft_picks_per_cm, System::kWeft, units))),
+       tr("As the draft is drawn; the plan has those on the loom and in the finished cloth"));
   const double wraps = wraps_per_cm(c.design.yarns.front().diameter_mm);
   fact(c, tr("Firm sett"),
-       fill(tr("{sett:.1f} per cm ({wraps:.1f} wraps)"), arg("sett", wraps * s.firm_sett), arg("wraps", wraps)),
-       tr("Ends per cm on the loom for a firm cloth of the first yarn in this weave, from its wraps per cm "
-          "(Ashenhurst); in all layers together"));
+       fill(units == Units::kImperial ? tr("{sett}, from {wraps:.1f} wraps per inch")
+                                      : tr("{sett}, from {wraps:.1f} wraps per cm"),
+            arg("sett", sett_text(wraps * s.firm_sett, System::kWarp, units)),
+            arg("wraps", units == Units::kImperial ? wraps * kInch_mm / 10 : wraps)),
+       tr("On the loom, for a firm cloth of the first yarn in this weave (Ashenhurst); in all layers together"));
 }
 
 }  // namespace
@@ -105,7 +111,7 @@ void draw_analysis(PanelContext& c, AnalysisState& s) {
   if (s.revision == 0) return;
   draw_layers(c, s);
   draw_loom(c, s);
-  draw_yarn_use(c, s);
+  draw_setts(c, s);
 }
 
 }  // namespace weftlight::views

@@ -1,6 +1,7 @@
 #pragma once
 // The draft as a weave and on a loom: layers, fewest shafts and treadles, sett.
 
+#include "analysis/measures.h"
 #include "analysis/threads.h"
 #include "analysis/weave_layers.h"
 #include "draft/factor.h"
@@ -17,7 +18,7 @@ struct AnalysisState {
   analysis::LoomUse loom;
   LoomSize fewest;
   double firm_sett = 0;  // as a fraction of the wraps
-  analysis::YarnReport yarn;
+  analysis::ClothMeasures measures;
 };
 
 /// Drafts of up to kLiveCrossings are analysed after every edit, larger ones on request.

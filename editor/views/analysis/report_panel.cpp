@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/warping.h"
 #include "base/text.h"
 #include "session/editing/selection_state.h"
 #include "ui/imgui_compat.h"
@@ -12,6 +13,7 @@
 
 namespace weftlight::views {
 
+using analysis::cloth_measures, analysis::heddles_for;
 using base::arg, base::fill, base::tr, base::tr_n;
 using design::Design;
 using draft::BitGrid, draft::Draft, draft::Face, draft::System, draft::clipped;
@@ -93,21 +95,25 @@ void draw_floats(Panel& c, const Report* r) {
   draw_float_list(c, *r);
 }
 
+/// Those of the planned cloth.
 void draw_heddles(PanelContext& c, const analysis::LoomUse& use) {
-  const int max_heddles =
-      use.heddles.empty() ? 1 : std::max(1, *std::max_element(use.heddles.begin(), use.heddles.end()));
+  const int64_t planned = cloth_measures(c.design).ends;
+  const std::vector<int64_t> heddles = heddles_for(c.design.draft, planned).on_shaft;
+  const int64_t max_heddles = heddles.empty() ? 1 : std::max<int64_t>(1, std::ranges::max(heddles));
+  muted_text(c, fill(tr_n("For the {count} end of the plan", "For the {count} ends of the plan", planned),
+                     arg("count", planned)));
   const float height = ImGui::GetTextLineHeight();
-  for (size_t shaft = 0; shaft < std::min(kShownHeddles, use.heddles.size()); ++shaft) {
+  for (size_t shaft = 0; shaft < std::min(kShownHeddles, heddles.size()); ++shaft) {
     row_label(c, fill(tr("Shaft {number}"), arg("number", shaft + 1)).c_str(), nullptr);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float figure = c.style.px(52), room = std::max(1.0f, ImGui::GetContentRegionAvail().x - figure);
-    const float length = room * static_cast<float>(use.heddles[shaft]) / static_cast<float>(max_heddles);
+    const float length = room * static_cast<float>(heddles[shaft]) / static_cast<float>(max_heddles);
     const float top = at.y + ImGui::GetStyle().FramePadding.y;
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, top + 2}, {at.x + std::max(1.0f, length), top + height - 2},
                                               blend(c.style.color.panel, c.style.color.accent, 0.6f), c.style.px(3));
     ImGui::SetCursorScreenPos({at.x + room + c.style.px(8), at.y});
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(std::to_string(use.heddles[shaft]).c_str());
+    ImGui::TextUnformatted(std::to_string(heddles[shaft]).c_str());
   }
   const int ends = use.unthreaded_ends, picks = use.empty_picks;
   if (ends > 0)

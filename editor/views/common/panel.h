@@ -21,6 +21,7 @@ using ui::Context;
 
 /// What the panels of one frame tell each other and the window. Reset for every frame.
 struct FrameNotes {
+  double now_s = 0;  // when the frame began, by the window's clock; ImGui's stands still between frames
   Hover hover;
   const char* hint = "";        // how to use what is under the pointer, for the status bar; translated
   bool crosshair = false;       // the cursor is a crosshair

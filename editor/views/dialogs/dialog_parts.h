@@ -22,8 +22,9 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
 /// The result for what draw_buttons returned.
 DialogResult dialog_result(int button, int cancel_button = 1);
 
-/// The weaves of weave_kinds() by family. True if another was chosen. Sizes in pixels at 96 dpi.
-bool draw_weave_list(PanelContext& c, int& chosen, float width, float height);
+/// The weaves of weave_kinds() by family, those that have the `typed` words. True if another was chosen. Sizes in
+/// pixels at 96 dpi.
+bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float width, float height);
 /// A row for each parameter of the weave. True if one changed.
 bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values);
 DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
@@ -31,6 +32,8 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
 MaybeEdit restored(const WeaveOverPrompt& p);
 DialogResult draw_sections(PanelContext& c, SectionsPrompt& p);
 MaybeEdit restored(const SectionsPrompt& p);
+DialogResult draw_join(PanelContext& c, JoinPrompt& p);
+MaybeEdit restored(const JoinPrompt& p);
 DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p);
 MaybeEdit restored(const ClosestWeavePrompt& p);
 DialogResult draw_gallery(PanelContext& c, GalleryPrompt& p);

@@ -16,8 +16,8 @@ namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using draft::kMaxShafts, draft::kMaxThreads;
-using ui::Colors, ui::begin_list, ui::blend, ui::close_popups_above, ui::fitted, ui::key_pressed, ui::muted_text,
-    ui::open_popups, ui::row_label, ui::segmented, ui::text_button;
+using ui::Colors, ui::begin_list, ui::begin_padded_child, ui::blend, ui::close_popups_above, ui::fitted,
+    ui::key_pressed, ui::muted_text, ui::open_popups, ui::push_font, ui::row_label, ui::segmented, ui::text_button;
 
 namespace {
 
@@ -128,6 +128,8 @@ DialogResult draw(PanelContext& c, WeaveOverPrompt& p) { return draw_weave_over(
 
 DialogResult draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_weave(c, p); }
 
+DialogResult draw(PanelContext& c, JoinPrompt& p) { return draw_join(c, p); }
+
 DialogResult draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
 DialogResult draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
@@ -138,13 +140,16 @@ DialogResult draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, 
 
 DialogResult draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
 
-DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
+constexpr float kRecoveryWidth = 480;
+constexpr int kDeleteReports = 100;  // no button of the lower row
+
+void draw_left_work(PanelContext& c, RecoveryPrompt& p) {
   constexpr int kMaxRows = 8;
   heading(c, tr("Recover unsaved work?"));
   muted_text(c, tr_n("Weftlight closed before this draft was saved.",
                      "Weftlight closed before these drafts were saved. The newest is first.",
                      static_cast<int>(p.rows.size())));
-  const float width = c.style.px(480), when = c.style.px(230);
+  const float width = c.style.px(kRecoveryWidth), when = c.style.px(230);
   const float line = 2 * ImGui::GetTextLineHeightWithSpacing() + c.style.px(4);
   const int shown = std::min(static_cast<int>(p.rows.size()), kMaxRows);
   begin_list("##left", {width, static_cast<float>(shown) * (line + ImGui::GetStyle().ItemSpacing.y)});
@@ -165,6 +170,41 @@ DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
     ImGui::PopID();
   }
   ImGui::EndChild();
+}
+
+/// True if they are to be deleted.
+bool draw_reports(PanelContext& c, RecoveryPrompt& p) {
+  if (!p.rows.empty()) ImGui::Dummy({0, c.style.px(8)});
+  heading(c, tr("Weftlight crashed"));
+  const float width = c.style.px(kRecoveryWidth);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  muted_text(c, tr("This report says where the program stopped and which commands came last. It holds nothing of your "
+                   "drafts, and is sent nowhere. Copy it to tell the makers."));
+  ImGui::PopTextWrapPos();
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+  begin_padded_child("reports", {width, c.style.px(150)});
+  push_font(c.style.font.mono);
+  ImGui::TextUnformatted(p.reports.c_str());
+  ImGui::PopFont();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+  c.map.add_item("recovery.report");
+  if (text_button(c, "dialog:Copy report", tr("Copy report"), nullptr)) {
+    ImGui::SetClipboardText(p.reports.c_str());
+    p.copied = true;
+  }
+  ImGui::SameLine();
+  const bool remove = text_button(c, "dialog:Delete report", tr("Delete report"), nullptr);
+  ImGui::SameLine();
+  if (p.copied) muted_text(c, tr("Copied"));
+  else ImGui::NewLine();
+  return remove;
+}
+
+DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
+  if (!p.rows.empty()) draw_left_work(c, p);
+  if (!p.reports.empty() && draw_reports(c, p)) return dialog_result(kDeleteReports);
+  if (p.rows.empty()) return dialog_result(draw_buttons(c, {mark("Later")}, true), 0);
   std::vector<std::string> buttons{mark("Recover"), mark("Later"), mark("Discard")};
   if (p.rows.size() > 1) buttons.insert(buttons.begin() + 1, mark("Recover all"));
   const int pressed = draw_buttons(c, buttons, true);
@@ -176,6 +216,7 @@ DialogResult draw(PanelContext& c, RecoveryPrompt& p) {
 MaybeEdit restored(const Dialog& dialog) {
   if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return restored(*over);
   if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return restored(*sections);
+  if (const auto* join = std::get_if<JoinPrompt>(&dialog)) return restored(*join);
   if (const auto* closest = std::get_if<ClosestWeavePrompt>(&dialog)) return restored(*closest);
   return {};
 }
@@ -198,6 +239,8 @@ bool update_dialog(Dialog& dialog, bool& busy) {
 
 RecoveryPrompt::Button RecoveryPrompt::button(int pressed) const {
   constexpr Button kButtons[] = {Button::kOne, Button::kAll, Button::kLater, Button::kDiscard};
+  if (pressed == kDeleteReports) return Button::kDeleteReports;
+  if (rows.empty()) return Button::kLater;
   const int skipped = rows.size() > 1 || pressed == 0 ? 0 : 1;
   return kButtons[std::clamp(pressed + skipped, 0, 3)];
 }

@@ -11,6 +11,7 @@
 #include "views/dialogs/gallery.h"
 #include "views/dialogs/print_dialog.h"
 #include "views/dialogs/weave_preview.h"
+#include "weaves/joined_drafts.h"
 #include "weaves/table.h"
 
 namespace weftlight::views {
@@ -18,7 +19,7 @@ namespace weftlight::views {
 using design::Assembly, design::Design, design::WeaveUse;
 using draft::System;
 using session::ClosestWeave, session::MaybeEdit;
-using weaves::ClothSize, weaves::WeaveValues;
+using weaves::ClothSize, weaves::Joining, weaves::WeaveValues;
 
 /// A question with up to four buttons; the result is the index of the pressed one, -1 for Escape. Buttons, here and in
 /// the other prompts, are marked texts.
@@ -43,6 +44,7 @@ struct WeavePrompt {
   ClothSize repeat{0, 0};
   bool own_size = false;  // the size was typed; otherwise it is whole repeats
   std::shared_ptr<WeavePreview> preview{};
+  std::string typed{};  // to find a weave
 };
 /// The weave with its default parameters, near that size.
 WeavePrompt prompt_for(int kind, ClothSize about);
@@ -57,7 +59,8 @@ struct WeaveOverPrompt {
   WeaveUse use;
   std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
-  std::string why{};  // what could not be done as requested
+  std::string why{};    // what could not be done as requested
+  std::string typed{};  // to find a weave
 };
 /// Threading and treadling from named sections. The draft shows them while the dialog is open.
 struct SectionsPrompt {
@@ -68,6 +71,16 @@ struct SectionsPrompt {
   std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
   std::string why{};  // what could not be made
+};
+/// The draft and another one in one cloth. The draft shows it while the dialog is open.
+struct JoinPrompt {
+  std::string name;  // of the other draft
+  std::shared_ptr<const Design> other;
+  Joining joining;
+  std::shared_ptr<const Design> base;  // before the dialog
+  uint64_t stroke = 0;
+  bool shown = false;  // the draft shows it
+  std::string why{};   // why they cannot be joined so
 };
 /// The closest weave that the loom can make to an edit beyond its limits. The draft shows it while the dialog is open.
 struct ClosestWeavePrompt {
@@ -88,20 +101,22 @@ struct NamesPrompt {
 struct NotesPrompt {
   std::string title, author, notes;  // notes: one per line
 };
-/// Unsaved work to recover, a row each.
+/// Unsaved work to recover, a row each, and reports of crashes; at least one of the two.
 struct RecoveryPrompt {
   struct Row {
     std::string name, when, where;
   };
   std::vector<Row> rows;
+  std::string reports{};  // empty: none
   int chosen = 0;
-  enum class Button { kOne, kAll, kLater, kDiscard };
-  /// Meaning of the pressed button. With several rows there is also one for all.
+  bool copied = false;  // the reports are on the clipboard
+  enum class Button { kOne, kAll, kLater, kDiscard, kDeleteReports };
+  /// Meaning of the pressed button. With several rows there is also one for all, without any only kLater.
   Button button(int pressed) const;
 };
 using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
                             ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
-                            RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt>;
+                            RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt, JoinPrompt>;
 
 /// kOpen while the dialog is open, kDone with `button`, kCancelled by Cancel or Escape.
 enum class DialogOutcome { kOpen, kDone, kCancelled };

@@ -98,8 +98,12 @@ void draw_size(PanelContext& c, ExportPlan& plan, float width) {
     plan.size = 512 << step;
   }
   slider(c,
-         {"export.tile", tr("Tile"), 0, 50, plan.tile_cm > 0 ? tr("%.0f cm") : tr("1 repeat"),
-          tr("Minimum width of the tile. More repeats show more variation of the yarns; 0 is one repeat")},
+         {"export.tile", tr("Tile"), -1, 50,
+          plan.tile_cm > 0   ? tr("%.0f cm")
+          : plan.tile_cm < 0 ? tr("Automatic")
+                             : tr("1 repeat"),
+          tr("Minimum width of the tile; 0 is one repeat. More repeats show more variation of the yarns. Automatic: up "
+             "to 5 cm for yarns with slubs, melange or unevenness, else one repeat")},
          plan.tile_cm);
   plan.tile_cm = std::round(plan.tile_cm);
 }

@@ -16,10 +16,10 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::mark, base::problem_of, base::tr;
+using base::arg, base::fill, base::mark, base::tr;
 using print::NamedPart, print::Paper, print::PrintFormat, print::PrintOptions, print::SheetPicture, print::kPapers,
     print::kParts, print::picture_of_sheet;
-using ui::begin_combo, ui::begin_list, ui::begin_padded_child, ui::end_combo, ui::fitted, ui::hit_area, ui::icon_button,
+using ui::begin_combo, ui::begin_list, ui::begin_padded_child, ui::end_combo, ui::fitted, ui::icon_button,
     ui::row_label, ui::segmented, ui::slider;
 
 SheetPreview::SheetPreview(std::shared_ptr<const Design> design, std::function<void()> wake)

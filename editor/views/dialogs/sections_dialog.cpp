@@ -23,9 +23,9 @@ using draft::Rgb, draft::System, draft::kMaxThreads;
 using session::Edit, session::MaybeEdit;
 using ui::begin_list, ui::fitted, ui::icon_button, ui::muted_text, ui::row_label, ui::segmented, ui::text_button,
     ui::with_alpha;
-using weaves::OrderItem, weaves::OrderRow, weaves::assembled, weaves::assembled_threads, weaves::free_section_name,
-    weaves::item_at, weaves::list_of, weaves::order_rows, weaves::order_text, weaves::read_order, weaves::section_name,
-    weaves::section_of, weaves::with_section;
+using weaves::OrderItem, weaves::OrderRow, weaves::Turn, weaves::assembled, weaves::assembled_threads,
+    weaves::free_section_name, weaves::item_at, weaves::list_of, weaves::order_rows, weaves::order_text,
+    weaves::read_order, weaves::section_name, weaves::section_of, weaves::with_section;
 
 namespace {
 
@@ -139,7 +139,7 @@ void draw_sections(PanelContext& c, Page& page) {
   page.changed = true;
 }
 
-enum class RowRequest { kNone, kUp, kDown, kRemove, kGroup, kUngroup };
+enum class RowRequest { kNone, kUp, kDown, kRemove, kGroup, kUngroup, kTurn };
 
 RowRequest draw_row(PanelContext& c, const OrderRow& row, int index, int& times) {
   const std::string number = std::to_string(index + 1);
@@ -158,6 +158,9 @@ RowRequest draw_row(PanelContext& c, const OrderRow& row, int index, int& times)
     ImGui::SameLine(0, c.style.px(4));
     if (text_button(c, (std::string(id) + ":" + number).c_str(), label, tip)) requested = to;
   };
+  constexpr const char* kTurns[] = {"\xE2\x86\x92", "\xE2\x86\x90", "<>"};
+  button("sections.turn", kTurns[static_cast<size_t>(row.turn)],
+         tr("Forth, back (A') or forth and back (A<>), turning on single threads"), RowRequest::kTurn);
   button("sections.up", "\xE2\x86\x91", tr("Move up"), RowRequest::kUp);
   button("sections.down", "\xE2\x86\x93", tr("Move down"), RowRequest::kDown);
   if (row.section.empty()) button("sections.loose", "( )", tr("Ungroup"), RowRequest::kUngroup);
@@ -172,6 +175,7 @@ void apply_request(std::vector<OrderItem>& items, const OrderRow& row, RowReques
   const auto at = static_cast<size_t>(row.path.back());
   if (requested == RowRequest::kUp && at > 0) std::swap(list[at], list[at - 1]);
   if (requested == RowRequest::kDown && at + 1 < list.size()) std::swap(list[at], list[at + 1]);
+  if (requested == RowRequest::kTurn) list[at].turn = static_cast<Turn>((static_cast<int>(list[at].turn) + 1) % 3);
   if (requested == RowRequest::kRemove) list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
   if (requested == RowRequest::kGroup) {
     const size_t many = std::min<size_t>(2, list.size() - at);
@@ -191,7 +195,9 @@ void apply_request(std::vector<OrderItem>& items, const OrderRow& row, RowReques
 void draw_order(PanelContext& c, Page& page) {
   constexpr size_t kMaxRows = 200;  // more can be typed
   row_label(c, tr("Order"),
-            tr("Names of sections, each with its number of repeats, and brackets for groups: A 4x, (B C) 3x, A"));
+            tr("Names of sections, each with its number of repeats, and brackets for groups: A 4x, (B C) 3x, A. A' "
+               "goes back, A<> forth "
+               "and back"));
   ImGui::SetNextItemWidth(c.style.px(kWidth - 112));
   page.changed |= ImGui::InputTextWithHint("##order", "A 4x, (B C) 3x, A", &page.assembly.order);
   c.map.add_item("sections.order");

@@ -13,11 +13,10 @@
 namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr;
-using design::Design;
-using draft::BitMatrix, draft::Face, draft::System, draft::drawdown, draft::kMaxThreads;
+using draft::kMaxThreads;
 using ui::begin_list, ui::muted_text;
-using weaves::ClothSize, weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::new_draft,
-    weaves::repeat_of, weaves::weave_kinds, weaves::whole_repeats;
+using weaves::ClothSize, weaves::WeaveKind, weaves::allowed_values, weaves::repeat_of, weaves::weave_kinds,
+    weaves::whole_repeats;
 
 namespace {
 
@@ -34,8 +33,10 @@ void update_size(WeavePrompt& p) {
   p.ends = whole.ends, p.picks = whole.picks;
 }
 
-/// Also tells if the size cuts off the last repeat.
-void draw_repeat(PanelContext& c, const WeavePrompt& p) {
+/// Of the repeat and the loom. Also tells if the size cuts off the last repeat.
+void draw_needs(PanelContext& c, const WeavePrompt& p) {
+  muted_text(c, fill(tr("Shafts: {shafts}, treadles: {treadles}"), arg("shafts", p.preview->shafts()),
+                     arg("treadles", p.preview->treadles())));
   if (p.repeat.ends <= 0 || p.repeat.picks <= 0) return;
   const bool cut = p.ends % p.repeat.ends != 0 || p.picks % p.repeat.picks != 0;
   const char* text =
@@ -69,12 +70,12 @@ WeavePrompt prompt_for(int kind, ClothSize about) {
 
 DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   heading(c, tr("New draft"));
-  if (draw_weave_list(c, p.kind, kListWidth, kHeight)) {
+  if (draw_weave_list(c, p.kind, p.typed, kListWidth, kHeight)) {
     p.values = allowed_values(kind_of(p), {});
     update_size(p);
   }
   ImGui::SameLine(0, c.style.px(16));
-  begin_list("weave", {c.style.px(kColumn), c.style.px(kHeight)});
+  begin_list("weave", {c.style.px(kColumn) + ImGui::GetStyle().ScrollbarSize, c.style.px(kHeight)});
   const WeaveKind& kind = kind_of(p);
   if (!p.preview) p.preview = std::make_shared<WeavePreview>();
   p.preview->draw(c, kind, p.values, p.repeat, c.style.px(kColumn), c.style.px(kPicture));
@@ -87,7 +88,7 @@ DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
   number(c, "weave.ends", tr("Ends"), p.ends, 1, kMaxThreads);
   number(c, "weave.picks", tr("Picks"), p.picks, 1, kMaxThreads);
   p.own_size = p.own_size || ends != p.ends || picks != p.picks;
-  draw_repeat(c, p);
+  draw_needs(c, p);
   ImGui::EndChild();
   const int button = draw_buttons(c, {mark("Create"), mark("Cancel")}, true);
   return dialog_result(button == 0 && !refused.empty() ? -1 : button);

@@ -5,16 +5,19 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
-using base::tr;
-using ui::begin_combo, ui::begin_padded_child, ui::end_combo, ui::muted_text, ui::row_label;
+using base::arg, base::fill, base::tr;
+using ui::begin_combo, ui::begin_padded_child, ui::end_combo, ui::key_pressed, ui::letter_down, ui::muted_text,
+    ui::row_label;
 using weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues, weaves::allowed_values,
     weaves::weave_kinds;
 
@@ -65,24 +68,102 @@ bool draw_value(PanelContext& c, const WeaveParameter& n, const WeaveValues& all
   return pick_from(c, std::string("weave.").append(n.id), choices_of(n, all), value);
 }
 
-}  // namespace
+bool any_letter_down() {
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if (letter_down(letter)) return true;
+  return false;
+}
 
-bool draw_weave_list(PanelContext& c, int& chosen, float width, float height) {
-  const int before = chosen;
+/// What is typed while no field has the keyboard, so that a letter in the list finds as in a list of files.
+void take_typing(std::string& typed) {
+  const ImGuiIO& io = ImGui::GetIO();
+  // The letter of the key that opened the dialog is none of it.
+  bool& listens = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("listens"));
+  if (ImGui::IsWindowAppearing()) listens = false;
+  if (!listens) {
+    listens = io.InputQueueCharacters.empty() && !any_letter_down();
+    return;
+  }
+  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) return;
+  for (const ImWchar ch : io.InputQueueCharacters)
+    if (ch < 0x80 && (ch > ' ' || (ch == ' ' && !typed.empty()))) typed += static_cast<char>(ch);
+  if (key_pressed(ImGuiKey_Backspace) && !typed.empty()) typed.resize(base::cut_utf8(typed, typed.size() - 1).size());
+}
+
+std::string lowered(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// The weaves whose name, family or description has every typed word.
+std::vector<int> found_weaves(const std::string& typed) {
+  std::vector<int> found;
+  for (int i = 0; i < static_cast<int>(weave_kinds().size()); ++i) {
+    const WeaveKind& kind = weave_kinds()[static_cast<size_t>(i)];
+    const std::string text = lowered(std::string(tr(kind.name)) + " " + tr(kind.family) + " " + tr(kind.description));
+    std::istringstream words(lowered(typed));
+    bool all = true;
+    for (std::string word; words >> word;) all = all && text.find(word) != std::string::npos;
+    if (all) found.push_back(i);
+  }
+  return found;
+}
+
+/// The found weaves below the names of their families.
+void draw_found(PanelContext& c, const std::vector<int>& found, const std::string& typed, int& chosen, ImVec2 size) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, c.style.color.panel);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(8), c.style.px(6)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {c.style.px(8), c.style.px(4)});
-  begin_padded_child("weaves", {c.style.px(width), c.style.px(height)});
+  begin_padded_child("weaves", size);
+  // What was chosen before the list appeared, or by typing, is seen.
+  const bool scroll =
+      ImGui::IsWindowAppearing() || ImGui::GetStateStorage()->GetInt(ImGui::GetID("chosen"), -1) != chosen;
   std::string family;
-  for (int i = 0; i < static_cast<int>(weave_kinds().size()); ++i) {
+  for (const int i : found) {
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(i)];
     if (family != kind.family) muted_text(c, tr((family = kind.family).c_str()));
     const std::string id = std::string("weave:") + kind.id;
-    if (list_row(c, id.c_str(), (std::string("  ") + tr(kind.name)).c_str(), i == chosen)) chosen = i;
+    const bool was = i == chosen;
+    if (list_row(c, id.c_str(), (std::string("  ") + tr(kind.name)).c_str(), was)) chosen = i;
+    if (was && scroll && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   }
+  if (found.empty()) muted_text(c, fill(tr("No weave matches \"{typed}\"."), arg("typed", typed)));
+  ImGui::GetStateStorage()->SetInt(ImGui::GetID("chosen"), chosen);
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();
+}
+
+/// Up and Down in the field go through what it found.
+void step_choice(const std::vector<int>& found, int& chosen) {
+  const int by = key_pressed(ImGuiKey_DownArrow) ? 1 : key_pressed(ImGuiKey_UpArrow) ? -1 : 0;
+  const auto at = std::ranges::find(found, chosen);
+  if (by == 0 || at == found.end()) return;
+  const auto next =
+      std::clamp<std::ptrdiff_t>(at - found.begin() + by, 0, static_cast<std::ptrdiff_t>(found.size()) - 1);
+  chosen = found[static_cast<size_t>(next)];
+}
+
+}  // namespace
+
+bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float width, float height) {
+  const int before = chosen;
+  const float field = ImGui::GetFrameHeight() + c.style.px(6);
+  const ImVec2 at = ImGui::GetCursorPos();
+  take_typing(typed);
+  const std::vector<int> found = found_weaves(typed);
+  if (!found.empty() && std::ranges::find(found, chosen) == found.end()) chosen = found.front();
+  ImGui::BeginGroup();
+  // The field stands above the list and comes after it for the keyboard, which begins in the list.
+  ImGui::SetCursorPosY(at.y + field);
+  draw_found(c, found, typed, chosen, {c.style.px(width), c.style.px(height) - field});
+  ImGui::SetCursorPos(at);
+  ImGui::SetNextItemWidth(c.style.px(width));
+  ImGui::InputTextWithHint("##find", tr("Type to find"), &typed);
+  c.map.add_item("weave.find");
+  if (ImGui::IsItemActive()) step_choice(found, chosen);
+  ImGui::EndGroup();
   return chosen != before;
 }
 

@@ -40,13 +40,13 @@ MaybeEdit preview_edit(WeaveOverPrompt& p) {
 DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   DialogResult result;
   heading(c, p.whole ? tr("Weave over the draft") : tr("Weave over the selected threads"));
-  bool changed = draw_weave_list(c, p.kind, kListWidth, kHeight);
+  bool changed = draw_weave_list(c, p.kind, p.typed, kListWidth, kHeight);
   if (changed || p.use.values.empty()) {
     p.use.values = allowed_values(kind_of(p), {});
     changed = true;
   }
   ImGui::SameLine(0, c.style.px(16));
-  begin_list("numbers", {c.style.px(kColumn), c.style.px(kHeight)});
+  begin_list("numbers", {c.style.px(kColumn) + ImGui::GetStyle().ScrollbarSize, c.style.px(kHeight)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
   muted_text(c, tr(kind_of(p).description));
   ImGui::PopTextWrapPos();

@@ -72,6 +72,7 @@ void WeavePreview::make(const Key& key, ClothSize repeat, float largest, ImU32 l
   const ShownWeave shown = shown_weave(repeat, key.width, key.height, largest);
   GeneratedWeave made = new_draft(*key.kind, key.values, {shown.ends, shown.picks});
   note_ = std::move(made.note);
+  shafts_ = made.design.draft.shafts, treadles_ = made.design.draft.treadles;
   const int width = static_cast<int>(key.width), height = static_cast<int>(key.height);
   CellImage image = shown.cell >= 1 ? cells_as_pixels(made.design, shown, width, height, line)
                                     : reduced(made.design, shown, width, height);

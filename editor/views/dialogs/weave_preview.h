@@ -28,6 +28,9 @@ class WeavePreview {
             float height);
   /// What could not be used as written.
   const std::string& note() const { return note_; }
+  /// Of the loom that weaves it.
+  int shafts() const { return shafts_; }
+  int treadles() const { return treadles_; }
 
  private:
   struct Key {
@@ -41,6 +44,7 @@ class WeavePreview {
 
   Key key_;
   std::string note_;
+  int shafts_ = 0, treadles_ = 0;
   PixelTexture texture_;
 };
 

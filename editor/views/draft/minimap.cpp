@@ -66,7 +66,7 @@ float scroll_at(const Axis& axis, float t) {
 void Minimap::follow(const DraftContext& c, const DraftLayout& l) {
   constexpr double kShownS = 2.5;
   const Part now{l.pitch, l.drawdown.x.scroll, l.drawdown.y.scroll};
-  const double seconds = ImGui::GetTime();
+  const double seconds = c.frame.now_s;
   const bool switched_on = c.settings.minimap && !std::exchange(wanted_, c.settings.minimap) && part_.pitch > 0;
   const bool moved = part_.pitch > 0 && !(now == part_);
   part_ = now;
@@ -84,7 +84,10 @@ void Minimap::apply_input(DraftContext& c, const DraftLayout& l) {
   hit_area("minimap", {at->width() + 2 * pad, at->height() + 2 * pad});
   c.map.add_item("minimap");
   on_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  if (on_) c.frame.hint = tr("Whole drawdown: click or drag to go there");
+  if (on_) {
+    c.map.add_item("minimap.stays");
+    c.frame.hint = tr("Whole drawdown: click or drag to go there");
+  }
   if (!ImGui::IsItemActive()) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float end = scroll_at(l.drawdown.x, (mouse.x - at->min.x) / at->width());

@@ -19,7 +19,7 @@ class Minimap {
   void apply_input(DraftContext& c, const DraftLayout& layout);
   /// Shows it, because the pointer is on a scroll bar.
   void call() { called_ = true; }
-  /// The time at which it goes; negative if it is not shown, or stays.
+  /// The time at which it goes, by the window's clock; negative if it is not shown.
   double goes_at_s() const { return goes_at_s_; }
   /// Call after the grids are drawn.
   void draw(ImDrawList* dl, const DraftContext& c, const DraftLayout& layout);

@@ -305,22 +305,16 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   return edit;
 }
 
-/// Also changes the default, unless the file has a unit of its own.
-void set_sett_unit(PanelContext& c, const SettUnits& units, bool inches) {
-  if (units.warp.mm == static_cast<double>(kMmPerCm))
-    c.wanted.change_settings([inches](Settings& s) { s.per_inch = inches; });
-  c.wanted.change_view([inches](DocumentView& v) { v.units.per_inch = inches; });
-}
-
 /// The spacing as sett: threads per centimetre or inch.
-MaybeEdit draw_sett(PanelContext& c, const SettUnits& units, const Subject& s) {
+MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   const bool warp = s.system == System::kWarp;
   const char* tip = warp ? tr("Sett: ends per centimetre or inch") : tr("Sett: picks per centimetre or inch");
   row_label(c, warp ? tr("Ends") : tr("Picks"), tip);
-  const float unit = units.per_inch ? kMmPerInch : kMmPerCm;
+  const bool inches = c.settings.imperial;
+  const float unit = inches ? kMmPerInch : kMmPerCm;
   const SharedLength& spacing = s.shared.spacing;
   float sett = unit / std::max(spacing.mixed() ? (spacing.low + spacing.high) / 2 * 1.0001f : spacing.low, 1e-3f);
-  const SliderSpec field{"threads.sett", "", 0.5f, units.per_inch ? 500.0f : 200.0f, "%.2f", tip};
+  const SliderSpec field{"threads.sett", "", 0.5f, inches ? 500.0f : 200.0f, "%.2f", tip};
   const float width = c.style.px(66);
   MaybeEdit edit;
   if (number_field(c, field, spacing.mixed(), width, sett) && sett > 0)
@@ -332,8 +326,9 @@ MaybeEdit draw_sett(PanelContext& c, const SettUnits& units, const Subject& s) {
   muted_text(c, tr("per"));
   ImGui::SameLine();
   constexpr const char* kUnits[] = {mark("cm"), mark("inch")};
-  int chosen = units.per_inch ? 1 : 0;
-  if (segmented(c, "threads.per", kUnits, chosen)) set_sett_unit(c, units, chosen == 1);
+  int chosen = inches ? 1 : 0;
+  if (segmented(c, "threads.per", kUnits, chosen))
+    c.wanted.change_settings([chosen](Settings& settings) { settings.imperial = chosen == 1; });
   return edit;
 }
 
@@ -344,7 +339,7 @@ std::string in_unit(const SharedLength& length, double unit_mm) {
 }
 
 /// Thickness and spacing in the unit of the file, if that is not the centimetre.
-void draw_file_words(const PanelContext& c, const SettUnits& units, const Subject& s) {
+void draw_file_words(const PanelContext& c, const FileUnits& units, const Subject& s) {
   const WifUnit& unit = s.system == System::kWarp ? units.warp : units.weft;
   if (unit.mm == static_cast<double>(kMmPerCm)) return;
   const SharedLength &thickness = s.shared.thickness, &spacing = s.shared.spacing;
@@ -362,7 +357,7 @@ void draw_file_words(const PanelContext& c, const SettUnits& units, const Subjec
 
 }  // namespace
 
-MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const SettUnits& units,
+MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const FileUnits& units,
                        std::string& typed) {
   Panel c{panel, chosen};
   if (c.focus.starts_with("threads.")) open_section("section.threads");
@@ -379,7 +374,7 @@ MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, co
   take(draw_color(c, s));
   take(draw_length(c, s, kThickness));
   take(draw_length(c, s, kSpacing));
-  take(draw_sett(c, units, s));
+  take(draw_sett(c, s));
   draw_file_words(c, units, s);
   return edit;
 }

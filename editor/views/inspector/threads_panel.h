@@ -8,9 +8,9 @@
 
 namespace weftlight::views {
 
-using session::MaybeEdit, session::SettUnits, session::ThreadChoice;
+using session::FileUnits, session::MaybeEdit, session::ThreadChoice;
 
 /// `typed`: the text that names the threads while it is typed.
-MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const SettUnits& units, std::string& typed);
+MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const FileUnits& units, std::string& typed);
 
 }  // namespace weftlight::views

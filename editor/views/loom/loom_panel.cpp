@@ -4,165 +4,33 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <vector>
 
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/common/cell_image.h"
+#include "views/loom/loom_drawing.h"
 
 namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::Design;
-using draft::BitMatrix, draft::ShedControl, draft::System, draft::lifts;
-using session::DocumentView, session::Settings, session::go_to_pick, session::keep_to_section, session::place_of,
-    session::to_press;
-using ui::blend, ui::draw_swatch, ui::fitted, ui::font_size, ui::muted_text, ui::push_font, ui::reading_color,
-    ui::row_label, ui::segmented, ui::text_button, ui::with_alpha;
-
-std::string press_text(const Draft& draft, int pick) {
-  const std::vector<int> marks = to_press(draft, pick);
-  const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
-  if (marks.empty()) return liftplan ? tr("Lift nothing") : tr("No treadle");
-  std::string numbers;
-  for (const int mark : marks) numbers.append(numbers.empty() ? "" : " + ").append(std::to_string(mark + 1));
-  const char* text = !liftplan ? tr("Treadle {numbers}") : draft.rising ? tr("Lift {numbers}") : tr("Lower {numbers}");
-  return fill(text, arg("numbers", numbers));
-}
+using session::DocumentView, session::LoomWork, session::Settings, session::go_to, session::keep_to_section,
+    session::put_tabby_between;
+using ui::begin_combo, ui::blend, ui::end_combo, ui::fitted, ui::muted_text, ui::push_font, ui::row_label,
+    ui::segmented, ui::text_button;
 
 namespace {
 
-using Panel = ViewContext<AtLoom>;
+using Panel = ViewContext<LoomView>;
 
 // Pixels at 96 dpi.
-constexpr float kMargin = 28, kFoot = 150, kLargestShaft = 64, kMinForStrip = 900;
-constexpr float kStripPitch = 20, kWovenShare = 0.6f;  // fraction of the strip before the current pick
-
-struct PixelRect {
-  ImVec2 min, max;
-  float width() const { return max.x - min.x; }
-  float height() const { return max.y - min.y; }
-};
-
-void draw_text(ImFont* font, float size, ImVec2 at, ImU32 color, const std::string& text) {
-  ImGui::GetWindowDrawList()->AddText(font, size, at, color, text.c_str());
-}
-
-float width_of(ImFont* font, float size, const std::string& text) {
-  return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
-}
-
-/// The shafts, numbered from the left; those that are up in the pick are filled.
-void draw_shafts(const PanelContext& c, const BitMatrix& up, int pick, PixelRect room) {
-  const int shafts = c.design.draft.shafts;
-  const float gap = c.style.px(shafts > 16 ? 3 : 6);
-  const float side =
-      std::floor(std::min(c.style.px(kLargestShaft), (room.width() + gap) / static_cast<float>(shafts) - gap));
-  if (side < 4) return;
-  ImDrawList* dl = ImGui::GetWindowDrawList();
-  for (int s = 0; s < shafts; ++s) {
-    const bool on = up.get(pick, s) == c.design.draft.rising;
-    const float x = room.min.x + static_cast<float>(s) * (side + gap);
-    const ImVec2 a{x, room.min.y}, b{x + side, room.min.y + side};
-    dl->AddRectFilled(a, b, on ? c.style.color.accent : c.style.color.raised, c.style.px(4));
-    if (!on) dl->AddRect(a, b, c.style.color.line_strong, c.style.px(4));
-    const std::string number = std::to_string(s + 1);
-    const float size = std::min(side * 0.5f, font_size(c.style.font.title));
-    if (size < 8) continue;
-    draw_text(c.style.font.title, size,
-              {x + (side - width_of(c.style.font.title, size, number)) / 2, a.y + (side - size) / 2},
-              on ? reading_color(c.style.color.accent) : c.style.color.muted, number);
-  }
-}
-
-/// The drawdown around the pick, with woven picks above it and later ones below, or reversed if pick 1 is at the
-/// bottom.
-void draw_strip(const PanelContext& c, int pick, PixelRect room) {
-  const Draft& d = c.design.draft;
-  const float pitch = c.style.px(kStripPitch);
-  const int rows = std::max(1, static_cast<int>(room.height() / pitch));
-  const int woven = static_cast<int>(static_cast<float>(rows) * kWovenShare);
-  const bool up = c.settings.pick1_bottom;
-  const int pick_row = up ? rows - 1 - woven : woven;  // the row of the pick
-  const int columns = std::min(d.ends(), static_cast<int>(room.width() / pitch));
-  const auto warp = thread_colors(d, System::kWarp), weft = thread_colors(d, System::kWeft);
-  ImDrawList* dl = ImGui::GetWindowDrawList();
-  const float width = static_cast<float>(columns) * pitch;
-  for (int row = 0; row < rows; ++row) {
-    const int p = up ? pick + pick_row - row : pick - pick_row + row;
-    if (p < 0 || p >= d.picks()) continue;
-    const float y = room.min.y + static_cast<float>(row) * pitch;
-    const float alpha = p > pick ? 0.35f : 1.0f;
-    for (int i = 0; i < columns; ++i) {
-      const int end = c.settings.end1_right ? columns - 1 - i : i;
-      const ImU32 color = c.cells.get(p, end) ? warp[static_cast<size_t>(end)] : weft[static_cast<size_t>(p)];
-      const float x = room.min.x + static_cast<float>(i) * pitch;
-      dl->AddRectFilled({x, y}, {x + pitch - 1, y + pitch - 1}, with_alpha(color, alpha));
-    }
-    draw_text(c.style.font.mono_small, font_size(c.style.font.mono_small),
-              {room.min.x + width + c.style.px(8), y + (pitch - font_size(c.style.font.mono_small)) / 2},
-              p == pick ? c.style.color.accent : c.style.color.muted, std::to_string(p + 1));
-  }
-  const float y = room.min.y + static_cast<float>(pick_row) * pitch;
-  dl->AddRect({room.min.x - 3, y - 2}, {room.min.x + width + 2, y + pitch + 1}, c.style.color.accent, 2, 0, 2);
-}
-
-/// The colour of this pick, and the next colour or how long this one lasts.
-void draw_colors(const PanelContext& c, int pick, int next, ImVec2 at, float room) {
-  const Draft& d = c.design.draft;
-  const auto color = [&](int p) { return d.weft.color[static_cast<size_t>(p)]; };
-  const auto yarn = [&](int p) {
-    return c.design.yarns[static_cast<size_t>(d.weft.yarn[static_cast<size_t>(p)])].name;
-  };
-  const float side = c.style.px(40), size = font_size(c.style.font.text);
-  draw_swatch(c, at, {at.x + side, at.y + side}, to_u32(d.palette[static_cast<size_t>(color(pick))]));
-  const float x = at.x + side + c.style.px(12);
-  draw_text(c.style.font.text, size, {x, at.y + c.style.px(2)}, c.style.color.text,
-            fitted(fill(tr("Colour {number}, {yarn}"), arg("number", color(pick) + 1), arg("yarn", yarn(pick))),
-                   room - side));
-  if (color(next) == color(pick)) {
-    int same = 0;
-    while (pick + same < d.picks() && color(pick + same) == color(pick)) ++same;
-    return draw_text(c.style.font.text, size, {x, at.y + side / 2}, c.style.color.muted,
-                     same > 1 ? fill(tr_n("for {count} pick", "for {count} picks", same), arg("count", same)) : "");
-  }
-  draw_text(c.style.font.text, size, {x, at.y + side / 2}, c.style.color.muted, tr("then"));
-  const float then = x + width_of(c.style.font.text, size, tr("then")) + c.style.px(10);
-  draw_swatch(c, {then, at.y + side / 2}, {then + c.style.px(18), at.y + side / 2 + c.style.px(18)},
-              to_u32(d.palette[static_cast<size_t>(color(next))]));
-}
-
-void draw_pick(Panel& c, const BitMatrix& up, const loom::WeavingState& place, PixelRect room) {
-  const Draft& d = c.design.draft;
-  const int pick = place.next_pick;
-  ImFont *big = c.style.font.big, *title = c.style.font.title;
-  const float tall = std::min(font_size(big), room.height() * 0.38f), line = font_size(title);
-  const std::string number = std::to_string(pick + 1);
-  draw_text(title, line * 0.6f, room.min, c.style.color.muted, tr("Pick"));
-  float y = room.min.y + line * 0.6f;
-  draw_text(big, tall, {room.min.x, y}, c.style.color.text, number);
-  const float beside = room.min.x + width_of(big, tall, number) + c.style.px(16);
-  draw_text(title, line * 0.6f, {beside, y + tall * 0.64f}, c.style.color.muted,
-            fill(tr("of {count}"), arg("count", d.picks())));
-  c.map.add("loom.pick:" + number, room.min.x, y, beside - room.min.x, tall);
-  y += tall + c.style.px(14);
-  const std::string press = press_text(d, pick);
-  const float fits = std::min(1.0f, room.width() / std::max(1.0f, width_of(title, line, press)));
-  draw_text(title, line * fits, {room.min.x, y}, c.style.color.text, press);
-  y += line + c.style.px(14);
-  draw_shafts(c, up, pick, {{room.min.x, y}, room.max});
-  y += c.style.px(kLargestShaft) + c.style.px(18);
-  const loom::WeavingState after = loom::advanced(place, c.view.section, d.picks());
-  if (y + c.style.px(40) < room.max.y) draw_colors(c, pick, after.next_pick, {room.min.x, y}, room.width());
-}
+constexpr float kMargin = 28, kFoot = 190, kMinForStrip = 900;
 
 std::string line_text(const LoomLine& line, loom::Protocol protocol) {
   switch (line.state) {
     case LoomLink::State::kOff:
-      return tr("Not connected. Space or a click: next pick; Backspace: previous pick");
+      return tr("Not connected. Space or a click: next step; Backspace: previous step; T: tabby");
     case LoomLink::State::kConnecting:
       return line.why.empty() ? tr("Connecting to the loom\xE2\x80\xA6")
                               : fill(tr("Trying again: {reason}"), arg("reason", line.why));
@@ -174,9 +42,10 @@ std::string line_text(const LoomLine& line, loom::Protocol protocol) {
              : tr("Connected. The loom asks for each pick");
 }
 
-void draw_line(Panel& c, const LoomLine& line, std::string& address) {
+void draw_line(Panel& c, std::string& address) {
+  const LoomLine& line = c.view.line;
   constexpr const char* kProtocols[] = {mark("Plain"), "S\xC3\xA9guin", "Toika ES"};
-  int protocol = static_cast<int>(c.view.protocol);
+  int protocol = static_cast<int>(c.view.at_loom.protocol);
   row_label(c, tr("Loom address"), tr("tcp:HOST:PORT or serial:/dev/ttyUSB0, followed by :BAUD if it is not 9600"));
   ImGui::SetNextItemWidth(c.style.px(220));
   const bool enter =
@@ -192,20 +61,92 @@ void draw_line(Panel& c, const LoomLine& line, std::string& address) {
   if (text_button(c, off ? "loom.connect" : "loom.disconnect", off ? tr("Connect") : tr("Disconnect"), nullptr) ||
       (enter && off))
     c.wanted.add_action(off ? "loom_connect" : "loom_disconnect");
-  const bool bad = !line.why.empty() || !c.view.remark.empty();
+}
+
+/// What the loom, the page or the draft has to tell.
+void draw_status(Panel& c) {
+  const LoomLine& line = c.view.line;
+  const AtLoom& at = c.view.at_loom;
+  const bool bad = !line.why.empty() || !at.remark.empty() || !c.view.page_error.empty();
+  std::string text = at.remark.empty() ? c.view.page_error : at.remark;
+  if (text.empty()) text = line_text(line, at.protocol);
   ImGui::PushStyleColor(ImGuiCol_Text, bad ? c.style.color.warn : c.style.color.muted);
   row_label(c, "", nullptr);
-  ImGui::TextUnformatted(
-      fitted(c.view.remark.empty() ? line_text(line, c.view.protocol) : c.view.remark, ImGui::GetContentRegionAvail().x)
-          .c_str());
+  ImGui::TextUnformatted(fitted(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   c.map.add_item(line.state == LoomLink::State::kConnected ? "loom.connected" : "loom.line");
+}
+
+std::string address_text(const platform::OwnAddress& one) {
+  if (one.this_machine_only) return fill(tr("{address} (this machine only)"), arg("address", one.address));
+  return fill(tr("{address} ({network})"), arg("address", one.address), arg("network", one.network));
+}
+
+/// "482 913": six digits are read in two groups.
+std::string spaced(const std::string& code) {
+  constexpr size_t kGroup = 3;
+  std::string text = code.substr(0, kGroup);
+  if (code.size() > kGroup) text.append(" ").append(code, kGroup);
+  return text;
+}
+
+std::string page_text(const PhoneLink::Status& page) {
+  const platform::PageRefusals& refused = page.refusals;
+  if (refused.connections + refused.requests > 0)
+    return fill(tr("Turned away: {connections} connections, {requests} requests; the last from {peer}"),
+                arg("connections", refused.connections), arg("requests", refused.requests), arg("peer", refused.peer));
+  if (page.code.empty()) return tr("Pairing is closed after too many wrong codes");
+  return fill(tr_n("{count} device is paired", "{count} devices are paired", static_cast<long long>(page.paired)),
+              arg("count", page.paired));
+}
+
+void draw_served_page(Panel& c) {
+  const PhoneLink::Status& page = c.view.page;
+  ImGui::AlignTextToFramePadding();
+  push_font(c.style.font.mono);
+  ImGui::TextUnformatted(page.url.c_str());
+  c.map.add_item("loom.page_url:" + page.url);
+  ImGui::SameLine(0, c.style.px(16));
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.accent);
+  ImGui::TextUnformatted(spaced(page.code).c_str());
+  c.map.add_item("loom.page_code:" + page.code);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  ImGui::SameLine(0, c.style.px(16));
+  if (text_button(c, "loom.page_renew", tr("New code"), tr("A new code, and all tries again")))
+    c.wanted.add_action("loom_page_code");
+  ImGui::SameLine();
+  if (text_button(c, "loom.page_off", tr("Stop"), tr("Stop the page and forget who was paired")))
+    c.wanted.add_action("loom_page_off");
+  ImGui::SameLine(0, c.style.px(12));
+  muted_text(c, fitted(page_text(page), ImGui::GetContentRegionAvail().x));
+}
+
+/// The page for a phone: where it shall be, or where it is, and the code to pair with.
+void draw_page(Panel& c, std::string& page_address) {
+  row_label(c, tr("Page for a phone"),
+            tr("A page that shows this step, for a phone or tablet in the local network: read and step only. It is not "
+               "encrypted; use it in a network that you trust"));
+  if (c.view.page.open) return draw_served_page(c);
+  const auto chosen = std::ranges::find(c.view.own_addresses, page_address, &platform::OwnAddress::address);
+  ImGui::SetNextItemWidth(c.style.px(290));
+  if (begin_combo(c, "loom.page_address",
+                  chosen == c.view.own_addresses.end() ? page_address.c_str() : address_text(*chosen).c_str())) {
+    for (const platform::OwnAddress& one : c.view.own_addresses) {
+      if (ImGui::Selectable(address_text(one).c_str(), one.address == page_address)) page_address = one.address;
+      c.map.add_item("loom.page_address:" + one.address);
+    }
+    end_combo();
+  }
+  ImGui::SameLine();
+  if (text_button(c, "loom.page", tr("Serve page"), tr("Serve the page at this address, and show a code to pair with")))
+    c.wanted.add_action("loom_page");
 }
 
 /// First and last pick of the section, counted from 1.
 void draw_section(Panel& c) {
   const int picks = c.design.draft.picks();
-  const loom::PickRange now = c.view.section;
+  const loom::PickRange now = c.view.at_loom.section;
   int first = now.first < now.end ? now.first + 1 : 1, last = now.first < now.end ? now.end : picks;
   row_label(c, tr("Section"), tr("Picks to weave again and again"));
   push_font(c.style.font.mono);
@@ -229,23 +170,72 @@ void draw_section(Panel& c) {
   if (text_button(c, "loom.whole", tr("Whole draft"), nullptr))
     c.wanted.gesture([](DocumentView& v, const Design& d) { return keep_to_section(v.at_loom, d, {}).edit; });
   ImGui::SameLine(0, c.style.px(20));
-  ImGui::AlignTextToFramePadding();
-  const auto woven = c.view.place.woven;
-  muted_text(c, fill(tr_n("Woven: {count} pick", "Woven: {count} picks", woven), arg("count", woven)));
+  bool between = c.design.loom.tabby_between;
+  if (ImGui::Checkbox(tr("Tabby between pattern picks"), &between))
+    c.wanted.gesture(
+        [between](DocumentView& v, const Design& d) { return put_tabby_between(v.at_loom, d, between).edit; });
+  c.map.add_item("loom.tabby_between");
+  ImGui::SameLine(0, c.style.px(20));
+  muted_text(c, c.view.step.progress);
 }
 
-void draw_steps(PanelContext& c) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(22), c.style.px(10)});
-  if (text_button(c, "loom.back", tr("Back"), tr("Previous pick   Backspace"))) c.wanted.add_action("loom_back");
+/// The end or dent to go on from, counted from 1.
+void draw_place(Panel& c) {
+  const bool ends = c.view.step.work == LoomWork::kThread;
+  row_label(c, ends ? tr("Next end") : tr("Next dent"), tr("Go on from here"));
+  push_font(c.style.font.mono);
+  ImGui::SetNextItemWidth(c.style.px(130));
+  int number = c.view.step.number;
+  const bool changed = ImGui::InputInt("##place", &number);
+  c.map.add_item("loom.place");
+  ImGui::PopFont();
+  if (changed)
+    c.wanted.gesture(
+        [number](DocumentView& v, const Design& d) { return go_to(v.at_loom, d, std::max(number, 1) - 1).edit; });
+  ImGui::SameLine(0, c.style.px(20));
+  ImGui::AlignTextToFramePadding();
+  muted_text(c, c.view.step.progress);
+  if (ends || c.design.plan.reed.dents > 0) return;
+  ImGui::SameLine(0, c.style.px(20));
+  muted_text(c, tr("No reed is chosen under Plan: one end in each dent, or as its sleying says"));
+}
+
+const char* next_label(LoomWork work) {
+  if (work == LoomWork::kThread) return tr("Next end");
+  return work == LoomWork::kSley ? tr("Next dent") : tr("Next pick");
+}
+
+const char* first_label(LoomWork work) {
+  if (work == LoomWork::kThread) return tr("First end");
+  return work == LoomWork::kSley ? tr("First dent") : tr("First pick");
+}
+
+void draw_steps(Panel& c) {
+  constexpr const char* kWorks[] = {mark("Thread"), mark("Sley"), mark("Weave")};
+  const LoomWork work = c.view.at_loom.work;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(18), c.style.px(10)});
+  int chosen = static_cast<int>(work);
+  if (segmented(c, "loom.work", kWorks, chosen, c.style.px(230)))
+    c.wanted.change_view([chosen](DocumentView& v) {
+      v.at_loom.work = static_cast<LoomWork>(chosen);
+      v.at_loom.remark.clear();
+    });
+  ImGui::SameLine(0, c.style.px(16));
+  if (text_button(c, "loom.back", tr("Back"), tr("Previous step   Backspace"))) c.wanted.add_action("loom_back");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.paper);
-  if (text_button(c, "loom.next", tr("Next pick"), tr("Next pick   Space"))) c.wanted.add_action("loom_next");
+  if (text_button(c, "loom.next", next_label(work), tr("Next step   Space"))) c.wanted.add_action("loom_next");
   ImGui::PopStyleColor(3);
   ImGui::SameLine();
-  if (text_button(c, "loom.first_pick", tr("First pick"), tr("Start the section again")))
-    c.wanted.gesture([](DocumentView& v, const Design& d) { return go_to_pick(v.at_loom, d, 0).edit; });
+  if (work == LoomWork::kWeave) {
+    if (text_button(c, "loom.tabby", tr("Tabby"), tr("A tabby pick before this one, from the two sheds by turns   T")))
+      c.wanted.add_action("loom_tabby");
+    ImGui::SameLine();
+  }
+  if (text_button(c, "loom.first_pick", first_label(work), tr("Start again from the first")))
+    c.wanted.gesture([](DocumentView& v, const Design& d) { return go_to(v.at_loom, d, 0).edit; });
   ImGui::SameLine();
   if (text_button(c, "loom.done", tr("Leave loom"), tr("Back to the draft, which keeps your place   F9")))
     c.wanted.add_action("loom");
@@ -254,26 +244,28 @@ void draw_steps(PanelContext& c) {
 
 }  // namespace
 
-void draw_loom(const PanelContext& panel, const AtLoom& at_loom, const LoomLine& line, std::string& address) {
-  Panel c{panel, at_loom};
+void draw_loom(const PanelContext& panel, const LoomView& view, std::string& address, std::string& page_address) {
+  Panel c{panel, view};
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   const float margin = c.style.px(kMargin), foot = c.style.px(kFoot);
   PixelRect room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
-  const loom::WeavingState place = place_of(c.view, c.design);
-  const bool strip = size.x >= c.style.px(kMinForStrip);
-  if (place.next_pick < c.design.draft.picks() && room.height() > 40) {
+  if (view.step.of > 0 && room.height() > 40) {
     const float right = room.max.x;
-    if (strip) room.max.x = at.x + size.x * 0.56f;
-    draw_pick(c, lifts(c.design.draft), place, room);
+    const bool strip = size.x >= c.style.px(kMinForStrip);
+    if (strip) room.max.x = at.x + size.x * (view.step.work == LoomWork::kWeave ? 0.56f : 0.45f);
+    draw_step(c, view.step, room);
     if (strip)
-      draw_strip(c, place.next_pick, {{room.max.x + margin, room.min.y}, {right - c.style.px(48), room.max.y}});
+      draw_surroundings(c, view.step, {{room.max.x + margin, room.min.y}, {right - c.style.px(48), room.max.y}});
   }
   ImGui::SetCursorScreenPos({at.x + margin, at.y + std::max(0.0f, size.y - foot - c.style.px(8))});
   ImGui::BeginGroup();
   draw_steps(c);
   ImGui::Dummy({0, c.style.px(2)});
-  draw_section(c);
-  draw_line(c, line, address);
+  if (view.step.work == LoomWork::kWeave) draw_section(c);
+  else draw_place(c);
+  draw_line(c, address);
+  draw_page(c, page_address);
+  draw_status(c);
   ImGui::EndGroup();
 }
 

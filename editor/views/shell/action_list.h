@@ -14,10 +14,12 @@ namespace weftlight::views {
 
 using session::ActionItem;
 
-/// The row at the top: menus, toolbar, and the title in the middle. `open_first`: the keyboard opens the
-/// first menu. Returns the id of the chosen action or "".
+constexpr int kNoMenu = -1;
+/// The row at the top: menus, toolbar, and the title in the middle. `opens`: the menu, counted from 0, that the
+/// keyboard opens in this frame; afterwards the one that it opens in the next. Returns the id of the chosen action or
+/// "".
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title,
-                          bool open_first = false);
+                          int& opens);
 
 /// The items of an open menu, with submenus. Named `prefix` + id in the map.
 std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
+#include "ui/keyboard.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
 
@@ -12,7 +13,8 @@ namespace weftlight::views {
 
 using base::tr;
 using session::ActionItem;
-using ui::icon_button, ui::show_keyboard_frame;
+using ui::begin_at_first_item, ui::icon_button, ui::key_pressed, ui::open_popups, ui::show_keyboard_frame,
+    ui::use_up_arrow;
 
 namespace {
 
@@ -29,20 +31,52 @@ bool draw_menu_item(const PanelContext& c, const ActionItem& item, const std::st
   return chosen;
 }
 
-std::string draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu, bool opens) {
+/// -1 or 1: the arrow that leads from an open menu of the bar to its neighbour, 0: none. An arrow that opens or closes
+/// a submenu is not for the bar.
+int step_to_neighbour(int popups_before) {
+  if (popups_before != 1 || open_popups() != 1) return 0;
+  const int step =
+      static_cast<int>(key_pressed(ImGuiKey_RightArrow)) - static_cast<int>(key_pressed(ImGuiKey_LeftArrow));
+  if (step != 0) use_up_arrow();
+  return step;
+}
+
+struct DrawnMenu {
   std::string chosen;
+  int step = 0;
+};
+
+DrawnMenu draw_menu(const PanelContext& c, std::span<const ActionItem> items, const std::string& menu, bool opens) {
+  DrawnMenu drawn;
   if (opens) {
     ImGui::OpenPopup(tr(menu.c_str()));
     show_keyboard_frame();
   }
   const bool open = ImGui::BeginMenu(tr(menu.c_str()));
   c.map.add_item("menu:" + menu);
-  if (!open) return chosen;
+  if (!open) return drawn;
+  if (opens) begin_at_first_item();  // ImGui reuses the window of the neighbour, with the item chosen there
   std::vector<ActionItem> own;
   for (const ActionItem& item : items)
     if (item.menu == menu) own.push_back(item);
-  chosen = draw_menu_items(c, own, "menu.");
+  const int popups = open_popups();
+  drawn.chosen = draw_menu_items(c, own, "menu.");
+  if (!opens) drawn.step = step_to_neighbour(popups);
   ImGui::EndMenu();
+  return drawn;
+}
+
+std::string draw_menus(const PanelContext& c, std::span<const ActionItem> items, int& opens) {
+  const std::vector<std::string> menus = menus_of(items);
+  const auto count = static_cast<int>(menus.size());
+  std::string chosen;
+  int next = kNoMenu;
+  for (int i = 0; i < count; ++i) {
+    DrawnMenu drawn = draw_menu(c, items, menus[static_cast<size_t>(i)], i == opens);
+    if (!drawn.chosen.empty()) chosen = std::move(drawn.chosen);
+    if (drawn.step != 0) next = (i + drawn.step + count) % count;
+  }
+  opens = next;
   return chosen;
 }
 
@@ -94,12 +128,11 @@ std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> i
 }
 
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title,
-                          bool open_first) {
+                          int& opens) {
   std::string chosen;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(8), c.style.px(9)});
   if (ImGui::BeginMainMenuBar()) {
-    for (const std::string& menu : menus_of(items))
-      if (std::string id = draw_menu(c, items, menu, std::exchange(open_first, false)); !id.empty()) chosen = id;
+    chosen = draw_menus(c, items, opens);
     ImGui::Dummy({c.style.px(12), 0});
     if (std::string id = draw_toolbar(c, items); !id.empty()) chosen = id;
     draw_title(c, title, ImGui::GetCursorPosX());

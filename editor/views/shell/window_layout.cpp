@@ -18,11 +18,12 @@ float shared_width(const Style& style, float width, bool inspector) {
   return std::max(1.0f, width - (inspector && has_room(style, width) ? style.px(kInspector) : 0.0f));
 }
 
-WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, bool inspector) {
+WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, WantedPanes wanted) {
   WindowLayout l;
   const float status = std::min(style.px(kStatusBar), std::max(0.0f, size.y)), height = std::max(0.0f, size.y - status);
-  l.room = shared_width(style, size.x, inspector);
-  const float draft = std::floor(l.room * split), gap = std::min(style.px(kSplitter), std::max(0.0f, l.room - draft));
+  l.room = shared_width(style, size.x, wanted.inspector);
+  const float draft = wanted.cloth ? std::floor(l.room * split) : l.room;
+  const float gap = std::min(style.px(kSplitter), std::max(0.0f, l.room - draft));
   l.draft = {at, {draft, height}};
   l.splitter = {{at.x + draft, at.y}, {gap, height}};
   l.cloth = {{at.x + draft + gap, at.y}, {l.room - draft - gap, height}};

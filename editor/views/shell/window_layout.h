@@ -1,6 +1,6 @@
 #pragma once
-// The layout of the window: draft and cloth side by side, the inspector at the right, the status bar below. Works for
-// any window size; panes without room are left out.
+// The layout of the window: draft and cloth side by side, or the draft alone; the inspector at the right, the status
+// bar below. Works for any window size; panes without room are left out.
 
 #include <imgui.h>
 
@@ -20,9 +20,14 @@ struct WindowLayout {
   float room = 1;  // total width of draft and cloth
 };
 
+/// Panes that the user wants beside the draft.
+struct WantedPanes {
+  bool cloth = true, inspector = true;
+};
+
 /// Total width of draft and cloth in a window of that width.
 float shared_width(const Style& style, float width, bool inspector);
-/// `split`: fraction of that width for the draft. `inspector`: whether the inspector is shown.
-WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, bool inspector);
+/// `split`: fraction of that width for the draft, beside the cloth.
+WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, WantedPanes wanted);
 
 }  // namespace weftlight::views

@@ -95,6 +95,7 @@ class BareEditor {
                         .go_to = nothing,
                         .weave = nothing,
                         .sections = nothing,
+                        .join = nothing,
                         .closest_weave = nothing},
             .cloth = {.reset_view = nothing,
                       .save_view = nothing,
@@ -117,8 +118,15 @@ class BareEditor {
                           }},
             .loom = {.toggle = [this] { view_.at_loom.open = !view_.at_loom.open; },
                      .step = [this](bool forwards) { step_at_loom(forwards); },
+                     .tabby = nothing,
+                     .tabby_between = nothing,
+                     .work = [this](session::LoomWork work) { view_.at_loom.work = work; },
                      .connect = nothing,
-                     .disconnect = nothing},
+                     .disconnect = nothing,
+                     .open_page = nothing,
+                     .close_page = nothing,
+                     .renew_code = nothing,
+                     .serves_page = [] { return true; }},
             .comparison = {.choose_draft = nothing, .report = [] { return static_cast<const Report*>(nullptr); }}};
   }
   void go_to(const std::string& name) {

@@ -35,6 +35,7 @@ TEST(Keys, SavingWorksWhileTypingAndTextFieldsKeepTheirKeys) {
 TEST(Keys, LargeKeysAndPedalsStepAtTheLoom) {
   for (const char* key : {"Space", "Enter", "Right", "Down", "PageDown"}) EXPECT_EQ(key_at_loom(key), "loom_next");
   for (const char* key : {"Delete", "Left", "Up", "PageUp"}) EXPECT_EQ(key_at_loom(key), "loom_back");
+  EXPECT_EQ(key_at_loom("T"), "loom_tabby");
   EXPECT_EQ(key_at_loom("Escape"), "loom");
   EXPECT_EQ(key_at_loom("Ctrl+Z"), "");
 }
@@ -49,6 +50,18 @@ TEST(Table, IdsAndShortcutsAreUnique) {
     EXPECT_TRUE(keys.emplace(a.item.shortcut, a.item.id).second)
         << a.item.shortcut << " runs " << keys[a.item.shortcut] << " and " << a.item.id;
   }
+}
+
+TEST(Table, AnIdWithoutNamesHoldsNothingOfTheUser) {
+  BareEditor editor(small());
+  int with_names = 0;
+  for (const Action& a : make_actions(editor.subjects(), {"/home/anna/cloth.wif"}, {}, {"anna from above"})) {
+    EXPECT_EQ(nameless_id(a.item.id).find("anna"), std::string::npos) << a.item.id;
+    if (a.item.id.find("anna") != std::string::npos) ++with_names;
+    else EXPECT_EQ(nameless_id(a.item.id), a.item.id);
+  }
+  EXPECT_EQ(with_names, 2);
+  EXPECT_EQ(nameless_id("recent:/home/anna/cloth.wif"), "recent");
 }
 
 TEST(Table, UserShortcutsReplaceTheDefaults) {

@@ -29,13 +29,13 @@ using draft::drawdown;
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kMost = 500;  // calls of operator new
+constexpr int kMax = 500;  // calls of operator new
 
 /// Runs `job`, once for each call of operator new that fails, until it ends before the nth call. Returns how often it
 /// failed.
 int at_each_allocation(const std::function<void()>& job, const std::function<void(int n)>& after) {
   int failures = 0;
-  for (int n = 1; n <= kMost; ++n) {
+  for (int n = 1; n <= kMax; ++n) {
     bool reached = false;
     const base::Result<void> done = base::caught([&] {
       const NthFails fails(n);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <fstream>
 #include <new>
 #include <stdexcept>
 #include <vector>
@@ -29,6 +30,26 @@ TEST(Loops, loops_may_be_nested) {
   std::atomic<int> sum{0};
   for_each_job(20, 2, [&](int i) { for_each_job(20, [&](int k) { sum += i * 20 + k; }); });
   EXPECT_EQ(sum, 400 * 399 / 2);
+}
+
+/// Bytes of this process in memory.
+long resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  long pages = 0, resident = 0;
+  file >> pages >> resident;
+  return resident * 4096;
+}
+
+TEST(Loops, a_thousand_loops_take_no_memory) {
+  const auto loops = [](int count) {
+    for (int i = 0; i < count; ++i) for_each_job(20, 2, [](int) {});
+  };
+  if (core_count() < 2) GTEST_SKIP() << "one core: loops need no threads";
+  loops(200);
+  const long before = resident_bytes();
+  if (before == 0) GTEST_SKIP() << "the system does not tell what is in memory";
+  loops(2000);
+  EXPECT_LT(resident_bytes() - before, 4 << 20);
 }
 
 TEST(Loops, exceptions_of_a_job_are_rethrown) {

@@ -93,6 +93,11 @@ TEST_F(ExitCodes, bad_usage_is_2) {
            {"drape", draft(), "-o", path("own.glb"), "--mesh", "plane"},
            {"drape", draft(), "-o", path("own.glb"), "--mesh", "tent"},
            {"drape", draft(), "-o", path("own.png")},
+           {"curves", draft(), "-o", path("curves.obj")},
+           {"curves", draft()},
+           {"curves", draft(), "-o", path("curves.usda"), "--as", "ropes"},
+           {"curves", draft(), "-o", path("curves.usda"), "--patch", "0x5"},
+           {"curves", draft(), "-o", path("curves.usda"), "--patch", "5"},
        }) {
     const Ran ran = run(args);
     EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
@@ -113,6 +118,7 @@ TEST_F(ExitCodes, a_bad_draft_is_3_and_the_line_is_named) {
   }
   for (const Args& args : std::vector<Args>{{"render", none, "-o", path("out.png")},
                                             {"drape", none, "-o", path("own.glb")},
+                                            {"curves", none, "-o", path("curves.usda")},
                                             {"reference", none, "-o", path("out.exr")},
                                             {"export", none, "-o", path("set"), "--size", "16"}}) {
     const Ran ran = run(args);
@@ -170,6 +176,7 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
            Args{"reference", draft(), "-o", path("no/out.png"), "--spp", "1"} + kSmall,
            {"export", draft(), "-o", path("file"), "--target", "raw", "--size", "16"},
            {"drape", "plane", "-o", path("no/plane.glb")},
+           {"curves", draft(), "-o", path("no/curves.usda")},
            {"drape", "plane", "-o", path("folder.glb")},
            {"drape", "all", "-o", path("file")},
            {"drape", draft(), "-o", path("no/own.glb"), "--mesh", "sphere"},

@@ -1,6 +1,7 @@
 // What the command line says about arguments that it cannot use, and its help: the program's own words, in one line.
 
 #include "../scratch_fixture.h"
+#include "commands/verbs.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {
@@ -9,6 +10,13 @@ namespace {
 using Args = std::vector<std::string>;
 
 std::string draft() { return fixture_path("twill.wif"); }
+
+std::vector<const char*> names_of_verbs() {
+  std::vector<const char*> names;
+  for (const std::span<const Verb> verbs : {draft_verbs(), cloth_verbs(), shell_verbs()})
+    for (const Verb& verb : verbs) names.push_back(verb.name);
+  return names;
+}
 
 TEST(ParserTexts, name_the_argument_and_what_to_give) {
   const std::vector<std::pair<Args, std::string>> cases{
@@ -24,7 +32,7 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
        "weftlight render: there is no option '--outptu'; did you mean --output?\n"},
       {{"render", draft(), "-o", "a.png", "more"}, "weftlight render: 'more' is one argument too many\n"},
       {{"convert", draft(), "a.wif", "--liftplan", "--treadling"},
-       "weftlight convert: --liftplan and --treadling exclude each other; give only one of them\n"},
+       "weftlight convert: --liftplan and --treadling cannot be given together; leave one out\n"},
       {{"diff", draft()}, "weftlight diff: B is required (Second draft)\n"},
       {{"a.wif", "b.wif"}, "weftlight: 'b.wif' is one argument too many\n"},
       {{"--ui-mpa", "a.json"}, "weftlight: there is no option '--ui-mpa'; did you mean --ui-map?\n"},
@@ -43,9 +51,9 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
 }
 
 TEST(ParserTexts, a_number_is_finite_and_may_have_a_sign) {
-  for (const char* number : {"nan", "inf", "-inf", "", "1e999", "12mm"})
+  for (const char* number : {"nan", "inf", "-inf", "", "1e999", "12 miles"})
     EXPECT_EQ(run({"analyse", draft(), "--length", number}).code, kUsage) << number;
-  for (const char* number : {"+100", "1e2", "100.5"})
+  for (const char* number : {"+100", "1e2", "100.5", "12cm", "20in"})
     EXPECT_EQ(run({"analyse", draft(), "--length", number}).code, kDone) << number;
 }
 
@@ -57,8 +65,7 @@ TEST(ParserTexts, help_shows_options_as_they_are_typed) {
         "\n  --paper a4|a3|a5|letter|legal\n                              Paper size; default: a4\n",
         "\n  --scale 0.5..20             Side of a grid cell in mm"})
     EXPECT_NE(help.find(line), std::string::npos) << line << help;
-  for (const char* verb : {"info", "analyse", "print", "weave", "diff", "drawdown", "convert", "render", "reference",
-                           "export", "chart", "response", "drape"}) {
+  for (const char* verb : names_of_verbs()) {
     std::istringstream lines(run({verb, "--help"}).out);
     for (std::string line; std::getline(lines, line);) {
       EXPECT_LE(line.size(), 110u) << line;

@@ -104,7 +104,7 @@ TEST_F(Response, the_response_is_reciprocal) {
 }
 
 TEST_F(Response, the_back_is_the_complement) {
-  for (const char* method : {"cloth", "reference", "repeat"}) {
+  for (const char* method : {"reference", "repeat"}) {
     const std::vector<std::string> options{"--method", method, "--views", "0,40", "--lights", "-30,20"};
     std::vector<std::string> back = options;
     back.insert(back.end(), {"--face", "back"});

@@ -1,4 +1,4 @@
-// analyse, diff, print, weave, and drafts in other formats.
+// analyse, diff, join, print, weave, and drafts in other formats.
 
 #include <gtest/gtest.h>
 
@@ -69,16 +69,19 @@ TEST_F(WeaverVerbs, analyse_counts_the_cost) {
   };
   const auto none = yarn_of({});
   EXPECT_FALSE(none.contains("cost"));
-  EXPECT_FALSE(none["needs"][0].contains("cost"));
+  EXPECT_FALSE(none["buy"][0].contains("cost"));
   const auto one = yarn_of({"--price", "Cotton=40"});
-  EXPECT_NEAR(one["needs"][0]["cost"].get<double>(), 40 * one["needs"][0]["weight_g"].get<double>() / 1000, 1e-9);
+  const auto cotton = one["buy"][one["buy"][0]["yarn"] == "Cotton" ? 0 : 1];
+  EXPECT_NEAR(cotton["cost"].get<double>(), 40 * cotton["weight_g"].get<double>() / 1000, 1e-9);
   EXPECT_FALSE(one.contains("cost")) << "the price of the silk is not known";
   const auto both = yarn_of({"--price", "Cotton=40", "--price", "Silk = fine=200.5"});
   EXPECT_NEAR(both["cost"].get<double>(),
-              both["needs"][0]["cost"].get<double>() + both["needs"][1]["weight_g"].get<double>() / 1000 * 200.5, 1e-9);
+              both["needs"][0]["weight_g"].get<double>() / 1000 * 40 +
+                  both["needs"][1]["weight_g"].get<double>() / 1000 * 200.5,
+              1e-6);
   EXPECT_EQ(yarn_of({"--price", "7"})["cost"], yarn_of({"--price", "Silk = fine=7", "--price", "Cotton=7"})["cost"]);
   EXPECT_NEAR(yarn_of({"--spare", "0.5"})["weight_g"].get<double>(),
-              yarn_of({"--spare", "0"})["weight_g"].get<double>() * 1.5, 1e-9);
+              yarn_of({"--spare", "0"})["weight_g"].get<double>() * 1.5, 1e-6);
 
   const Ran text = run({"analyse", two, "--price", "10"});
   EXPECT_NE(text.out.find("\ncost            0."), std::string::npos) << text.out;
@@ -87,6 +90,36 @@ TEST_F(WeaverVerbs, analyse_counts_the_cost) {
   EXPECT_NE(unknown.said.find("Cotton, Silk = fine"), std::string::npos) << unknown.said;
   for (const char* odd : {"Cotton", "Cotton=", "Cotton=cheap", "Cotton=-1", "nan", "1e9"})
     EXPECT_EQ(run({"analyse", two, "--price", odd}).code, kUsage) << odd;
+}
+
+TEST_F(WeaverVerbs, analyse_plans_a_cloth_in_either_unit) {
+  const std::string file = fixture_path("plan.wif");
+  const auto kept = nlohmann::json::parse(run({"analyse", file, "--json"}).out);
+  EXPECT_EQ(kept["plan"]["pieces"], 3) << "the file's own plan";
+  EXPECT_EQ(kept["plan"]["reed"]["sleying"], "1-2");
+  int64_t heddles = 0;
+  for (const int64_t shaft : kept["heddles"]) heddles += shaft;
+  EXPECT_EQ(heddles, kept["yarn"]["ends"]) << "of the planned cloth, as the yarn";
+  EXPECT_EQ(kept["plan"]["warping"]["ends"], heddles + 2) << "with floating selvedges";
+  int64_t threads = 0;
+  for (const auto& need : kept["yarn"]["needs"])
+    if (need["system"] == "warp") threads += need["threads"].get<int64_t>();
+  EXPECT_EQ(threads, heddles + 2) << "one cloth";
+  const std::vector<std::string> asked = {"analyse",   file,       "--width", "20in",    "--length",
+                                          "1yd",       "--pieces", "1",       "--reed",  "10/in",
+                                          "--sleying", "2",        "--units", "imperial"};
+  const Ran text = run(asked);
+  EXPECT_EQ(text.code, kDone);
+  for (const char* part : {"20.0 in wide, 36.0 in long", "20.0 ends per inch", "10 dents per inch", " yd", " oz"})
+    EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
+  EXPECT_EQ(text.out.find(" cm"), std::string::npos) << text.out;
+  EXPECT_EQ(run({"analyse", file}).out.find(" in wide"), std::string::npos) << "metric unless asked";
+  for (const std::vector<std::string>& odd : std::vector<std::vector<std::string>>{
+           {"--reed", "40"}, {"--sleying", "x"}, {"--width", "5 miles"}, {"--units", "ells"}, {"--pieces", "0"}}) {
+    std::vector<std::string> args = {"analyse", file};
+    args.insert(args.end(), odd.begin(), odd.end());
+    EXPECT_EQ(run(args).code, kUsage) << odd[0];
+  }
 }
 
 TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
@@ -145,6 +178,21 @@ TEST_F(WeaverVerbs, weave_keeps_its_parameters_in_the_file) {
   EXPECT_EQ(weave_command({"twill", path("t.wif"), {"color=red"}, 8, 8, false}), kUsage);
   EXPECT_EQ(weave_command({"nonsense", path("t.wif"), {}, 8, 8, false}), kUsage);
   EXPECT_EQ(weave_command({"twill", "", {}, 8, 8, false}), kUsage);
+}
+
+TEST_F(WeaverVerbs, join_puts_two_drafts_in_one_cloth) {
+  ASSERT_EQ(weave_command({"plain", path("a.wif"), {}, 8, 8, false}), kDone);
+  ASSERT_EQ(weave_command({"twill", path("b.wif"), {}, 8, 8, false}), kDone);
+  EXPECT_EQ(join_command({path("a.wif"), path("b.wif"), path("c.wif"), "1:2", "", ""}), kDone);
+  const OpenedDesign made = open_design(path("c.wif"));
+  ASSERT_TRUE(made.ok);
+  EXPECT_EQ(made.design.draft.ends(), 24);
+  EXPECT_EQ(made.design.draft.picks(), 8);
+  EXPECT_EQ(join_command({path("a.wif"), path("b.wif"), path("d.wif"), "", "", ""}), kUsage);
+  EXPECT_EQ(join_command({path("a.wif"), path("b.wif"), path("d.wif"), "1:1", "1:1", ""}), kUsage);
+  EXPECT_EQ(join_command({path("a.wif"), path("b.wif"), path("d.wif"), "0:1", "", ""}), kUsage);
+  EXPECT_EQ(join_command({path("a.wif"), path("none.wif"), path("d.wif"), "1:1", "", ""}), kBadInput);
+  EXPECT_FALSE(std::filesystem::exists(path("d.wif")));
 }
 
 TEST_F(WeaverVerbs, another_programs_draft_becomes_a_wif) {

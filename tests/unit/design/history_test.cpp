@@ -141,13 +141,82 @@ TEST(History, MemoryIsBoundedByDroppingTheOldest) {
   History h(big);
   for (int i = 0; i < 40; ++i) {
     big.title = std::to_string(i);
-    h.commit(big, "step");
+    h.commit(big, "step");  // a difference in more than cells: both designs are kept
   }
   int undone = 0;
   for (; h.can_undo(); ++undone) h.undo();
   EXPECT_GE(undone, 10);
   EXPECT_LE(undone, 26);
   EXPECT_EQ(h.now().title, std::to_string(39 - undone));
+  EXPECT_EQ(h.label(0), "");
+  while (h.can_redo()) h.redo();
+  EXPECT_EQ(h.now().title, "39");
+}
+
+/// A draft of a towel, 400 by 600 threads, liftplan and all.
+Design towel() {
+  Design d;
+  d.draft = blank_draft(400, 600, 16, 16);
+  return d;
+}
+
+/// Strokes as a weaver makes them: cells of all grids, colours and yarns of threads, now and then something else.
+void stroke(Design& d, unsigned k) {
+  draft::Draft& t = d.draft;
+  const int end = static_cast<int>(k * 7919u % static_cast<unsigned>(t.ends())),
+            pick = static_cast<int>(k * 104729u % 600u);
+  const int shaft = static_cast<int>(k / 5u % 16u);
+  const auto paint = [](draft::BitMatrix& grid, int row, int col) { grid.set(row, col, !grid.get(row, col)); };
+  switch (k % 6) {
+    case 0:
+      return paint(t.threading, end, shaft);
+    case 1:
+      return paint(t.treadling, pick, shaft);
+    case 2:
+      return paint(t.tieup, pick % 16, shaft);
+    case 3:
+      t.warp.color[static_cast<size_t>(end)] ^= 1;
+      return;
+    case 4:
+      t.weft.thickness_mm[static_cast<size_t>(pick)] = 0.1f + 0.01f * static_cast<float>(k % 9);
+      return;
+    default:
+      for (int p = pick; p < std::min(pick + 20, 600); ++p) paint(t.liftplan, p, shaft);
+  }
+}
+
+TEST(History, EveryStrokeComesBack) {
+  Design d = towel();
+  History h(d);
+  std::vector<Design> all{d};
+  for (unsigned k = 0; k < 200; ++k) {
+    stroke(d, k);
+    if (k % 17 == 16) d.title = std::to_string(k);
+    if (k % 41 == 40) d.draft.warp.resize(d.draft.ends() - 1), d.draft.threading.resize(d.draft.ends(), 16);
+    h.commit(d, "stroke", 1 + k / 3);  // three edits a step
+    if (k % 3 == 0) all.push_back(d);
+    else all.back() = d;
+  }
+  ASSERT_EQ(h.steps(), all.size());
+  for (const size_t step : {size_t{0}, all.size() - 1, size_t{30}, size_t{31}, size_t{7}, size_t{60}}) {
+    h.go_to(step);
+    EXPECT_TRUE(h.now() == all[step]) << step;
+  }
+  h.go_to(all.size() - 1);
+  for (size_t step = all.size() - 1; h.can_undo(); h.undo(), --step) EXPECT_TRUE(h.now() == all[step]) << step;
+}
+
+// 100,000 strokes at 300 MB would be 3,000 bytes each.
+TEST(History, StrokesTakeFewBytes) {
+  constexpr unsigned kStrokes = 3000;
+  Design d = towel();
+  History h(d);
+  for (unsigned k = 0; k < kStrokes; ++k) {
+    stroke(d, k);
+    h.commit(d, "stroke");
+  }
+  EXPECT_LT(h.kept_bytes(), kStrokes * 600u);
+  EXPECT_EQ(h.steps(), kStrokes + 1);
 }
 
 }  // namespace

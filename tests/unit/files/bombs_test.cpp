@@ -19,7 +19,7 @@
 namespace weftlight::files {
 namespace {
 
-constexpr long kMostMb = 300;
+constexpr long kMaxMb = 300;
 constexpr unsigned kPatienceS = 60;  // a reader that hangs ends here; none is timed
 
 long peak_kb() {
@@ -138,7 +138,7 @@ class Bombs : public ScratchTest {
     const Taken taken = taken_by(read);
     EXPECT_NE(taken.said.find(wanted), std::string::npos) << taken.said;
     EXPECT_GE(taken.mb, 0);
-    EXPECT_LT(taken.mb, kMostMb) << taken.said;
+    EXPECT_LT(taken.mb, kMaxMb) << taken.said;
   }
   void expect_no_picture(const std::string& name, const std::string& bytes, const std::string& wanted) const {
     const std::string at = file(name, bytes);

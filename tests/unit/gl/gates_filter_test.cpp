@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "design/yarn_presets.h"
 #include "gate.h"
 #include "reference/picture.h"
 
@@ -12,7 +13,7 @@ namespace weftlight::gl {
 
 using base::problem_of;
 using cloth::Cloth, cloth::Period, cloth::lay_out;
-using design::Method, design::method_name;
+using design::Method, design::Yarn, design::method_name, design::yarn_presets;
 using draft::Face, draft::drawdown;
 using drape::Mesh;
 using files::Image;
@@ -55,10 +56,63 @@ TEST_F(Gate, EnergyHoldsFromNearToFar) {
   for (const Method method : {Method::kRepeat, Method::kCloth, Method::kAuto}) {
     const double far = mean(period(method, 32));
     double off = 0;
-    for (float yarns = 1 / 32.0f; yarns < 32; yarns *= 2)
-      off = std::max(off, std::abs(mean(period(method, yarns)) / far - 1));
+    for (int k = -5; k < 5; ++k) off = std::max(off, std::abs(mean(period(method, std::ldexp(1.0f, k))) / far - 1));
     EXPECT_LT(off, 0.02) << method_name(method);
     figure("energy from 1/32 to 32 yarns a pixel, " + std::string(method_name(method)), unfiltered_off, off);
+  }
+}
+
+// The lobes get back what is no longer resolved, so that fibres and plies come into view at the same brightness.
+TEST_F(Gate, FibresAndPliesKeepTheMean) {
+  constexpr int kWidth = 4;  // yarns: a repeat of the twill
+  const Design twill_of_cotton = design;
+  for (const Yarn& yarn : yarn_presets()) {
+    if (yarn.lobes.metallic) continue;  // a highlight that narrow is in few pixels
+    design = twill_of_cotton;
+    for (Yarn& own : design.yarns) own = yarn;
+    lay(1);
+    const auto at = [&](float yarns) {
+      return mean(patch(Method::kYarn, yarns, static_cast<int>(std::lround(kWidth / yarns))));
+    };
+    const double far = at(1);
+    double low = 1, high = 1;
+    for (const float yarns : {1 / 32.0f, 1 / 8.0f}) {
+      const double ratio = at(yarns) / far;
+      low = std::min(low, ratio), high = std::max(high, ratio);
+    }
+    EXPECT_GT(low, 0.92) << yarn.name;
+    EXPECT_LT(high, 1.07) << yarn.name;
+    std::printf("  %s: %.3f to %.3f of the mean at one yarn a pixel\n", yarn.name.c_str(), low, high);
+  }
+}
+
+// Fibres finer than a sample are in its lobes: they do not sparkle while the cloth moves.
+TEST_F(Gate, FibresDoNotSparkle) {
+  constexpr int kSteps = 8, kPixels = 24;
+  const Design twill_of_cotton = design;
+  for (const Yarn& yarn : yarn_presets()) {
+    if (yarn.name != "Cotton" && yarn.name != "Wool") continue;
+    const auto flicker = [&](float groove_depth, float hairiness) {
+      design = twill_of_cotton;
+      for (Yarn& own : design.yarns) own = yarn, own.groove_depth = groove_depth, own.hairiness = hairiness;
+      lay(1);
+      std::vector<std::vector<double>> frames;
+      constexpr float kYarns = 0.2f;
+      for (int step = 0; step < kSteps; ++step) {
+        const float shift = kYarns * kSpacing * static_cast<float>(step) / kSteps;
+        frames.push_back(luminances(patch(Method::kYarn, kYarns, kPixels, glm::vec2(shift, 0))));
+      }
+      // Mean change from one frame to the next.
+      double sum = 0, all = 0;
+      for (size_t f = 1; f < frames.size(); ++f) {
+        for (size_t i = 0; i < frames[f].size(); ++i)
+          sum += std::abs(frames[f][i] - frames[f - 1][i]), all += frames[f][i];
+      }
+      return sum / all;
+    };
+    const double with = flicker(yarn.groove_depth, yarn.hairiness), smooth = flicker(0, 0);
+    figure("change by an eighth of a pixel at 1/5 yarn, " + yarn.name + ", smooth and with fibres", smooth, with);
+    EXPECT_LT(with, 1.25 * smooth + 0.01) << yarn.name;
   }
 }
 
@@ -87,8 +141,8 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
             return mean(patch(held->method, yarns, pixels, {0, 0}, light, towards(0.4f, (90 - degrees) * kPi / 180)));
           };
           const double far = at(32);
-          for (float yarns = 0.125f; yarns < 32; yarns *= 2)
-            held->by_view[view] = std::max(held->by_view[view], std::abs(at(yarns) / far - 1));
+          for (int k = -3; k < 5; ++k)
+            held->by_view[view] = std::max(held->by_view[view], std::abs(at(std::ldexp(1.0f, k)) / far - 1));
           held->worst = std::max(held->worst, held->by_view[view]);
         }
       }

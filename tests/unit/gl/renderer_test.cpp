@@ -6,6 +6,7 @@
 #include "gl/shader_program.h"
 #include "picture.h"
 #include "render_data/method_weights.h"
+#include "render_data/thread_block.h"
 #include "scene/camera.h"
 #include "wif/wif.h"
 
@@ -54,6 +55,46 @@ TEST_F(PictureTest, EveryMethodDrawsTheCloth) {
     EXPECT_GT(stats.shaded_pixels, kSide * kSide / 8);
     EXPECT_GT(stats.texture_bytes, 0u);
   }
+}
+
+/// A 2/2 twill of threads that are all alike; more than 2^24 crossings, which an end and a pick of another colour keep
+/// from repeating, if `large`.
+Design plain_twill(bool large) {
+  Design design = twill(4, 2, kRed, kBlue);
+  const int threads = large ? 4100 : 8;
+  const std::vector<Rgb> palette = design.draft.palette;
+  design.draft = draft::blank_draft(threads, threads, 4, 4);
+  design.draft.palette = palette;
+  for (int i = 0; i < threads; ++i) {
+    design.draft.threading.set(i, i % 4, true), design.draft.treadling.set(i, i % 4, true);
+    design.draft.weft.color[static_cast<size_t>(i)] = 1;
+  }
+  for (int t = 0; t < 4; ++t)
+    for (int s = 0; s < 4; ++s) design.draft.tieup.set(t, s, (t + s) % 4 < 2);
+  if (large) design.draft.warp.color[0] = 1, design.draft.weft.color[0] = 0;
+  for (design::Yarn& yarn : design.yarns) yarn.irregularity = yarn.unevenness = 0;
+  return design;
+}
+
+TEST_F(PictureTest, DraftsOfAnySizeShowSingleThreads) {
+  frame.samples = 8;
+  Stages stages;
+  const auto near_picture = [&](bool large) {
+    stages.update(std::make_shared<const Design>(plain_twill(large)), Effort::kQuick);
+    EXPECT_EQ(stages.packed().strips.empty(), !large);
+    renderer->upload(stages.packed());
+    const float repeat_mm = 4 * stages.packed().mean_spacing_mm;
+    renderer->set_mesh(square(2.5f * repeat_mm, {500 * repeat_mm, 700 * repeat_mm}));
+    return draw();
+  };
+  const Image small = near_picture(false);
+  // The fibres of each thread differ. Without single threads the difference is 0.7.
+  EXPECT_LT(relative_rms(small, near_picture(true)), 0.3);
+  Design painted = plain_twill(true);
+  painted.draft.threading.set(2000, 0, false), painted.draft.threading.set(2000, 2, true);
+  const StageResult result = stages.update(std::make_shared<const Design>(painted), Effort::kQuick);
+  EXPECT_FALSE(result.all_maps || result.patches.strips.empty());
+  EXPECT_TRUE(stages.packed().strips == render_data::cell_strips(draft::drawdown(painted.draft)));
 }
 
 TEST_F(PictureTest, ScaleKeepsThePicturesSize) {

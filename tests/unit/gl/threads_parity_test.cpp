@@ -39,21 +39,30 @@ class PackedThreads {
   ThreadSection thread_body(int system, int thread) const {
     return record_body(texel(record_at(system, thread) + THREAD_BODY));
   }
+  uint thread_cells(int system, int thread, int crossing) const {
+    const auto strips = [](int cells) { return (cells + STRIP_CELLS - 1) / STRIP_CELLS; };
+    const int along = system == 1 ? cloth_.ends : cloth_.picks,
+              before = system == 1 ? 0 : cloth_.picks * strips(cloth_.ends);
+    const int i = before + thread * strips(along) + crossing / STRIP_CELLS;
+    return cloth_.strips[static_cast<size_t>(i)] >> (crossing % STRIP_CELLS);
+  }
   int thread_bin(int system, int bin) const { return static_cast<int>(texel(head_.bins[system] + bin / 4)[bin & 3]); }
-  vec4 crossing_at(int end, int pick) const {
+  vec4 crossing_at(int end, int pick) {
+    if (cloth_.crossings.empty()) return computed_crossing(grid_of(head_, 1), end, pick);
     const render_data::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * cloth_.ends + end)];
     return {glm::unpackHalf1x16(h[0]), glm::unpackHalf1x16(h[1]), glm::unpackHalf1x16(h[2]), glm::unpackHalf1x16(h[3])};
   }
 #define FORMULA
 #include "shaders/threads.glsl"
-// Reads the one before.
+// These read the one before.
+#include "shaders/crossings.glsl"
 #include "shaders/irawan.glsl"
 #undef FORMULA
   ThreadGrid grid() const { return grid_of(head_, side_); }
   vec4 look(int system, int thread) const { return record_color(texel(record_at(system, thread) + THREAD_COLOR)); }
   ThreadTexture pattern(int system, int thread) const {
     const int i = record_at(system, thread) + THREAD_PATTERN;
-    return pattern_on(record_pattern(texel(i), texel(i + 1), texel(i + 2), texel(i + 3)), side_);
+    return pattern_on(record_pattern(texel(i), texel(i + 1), texel(i + 2), texel(i + 3), texel(i + 4)), side_);
   }
   YarnData yarn(int yarn) const {
     const int i = head_.yarns + yarn * YARN_TEXELS;
@@ -74,7 +83,7 @@ using cloth::Cloth, cloth::Period, cloth::Texel, cloth::ThreadBody, cloth::Threa
     cloth::lay_out, cloth::spread_in, cloth::texture_at, cloth::thread_crossings, cloth::thread_texture;
 using cloth::thread_formulas::texture_point;
 using design::Design, design::Twist;
-using draft::BitMatrix, draft::Face, draft::System, draft::drawdown;
+using draft::BitMatrix, draft::CellRect, draft::Face, draft::System, draft::drawdown;
 using light::yarn_data;
 using render_data::PackedCloth, render_data::ThreadKind, render_data::thread_kind, render_data::twill;
 
@@ -123,6 +132,74 @@ PackedCloth packed(const Cloth& cloth) {
   p.crossings = render_data::packed_crossings(crossings);
   p.lobes.threads = render_data::thread_records(cloth, cloth.layers.empty() ? highest_thread(cloth, crossings) : 0);
   return p;
+}
+
+/// The same without stored crossings, as of a draft that has too many of them.
+PackedCloth in_strips(const Cloth& cloth) {
+  PackedCloth p = packed(cloth);
+  p.crossings = {};
+  p.strips = render_data::cell_strips(cloth.up);
+  return p;
+}
+
+/// Threads of two thicknesses, some uneven, that cross at random.
+Cloth unordered(int ends, int picks) {
+  Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
+  d.draft = draft::blank_draft(ends, picks, 2, 2);
+  d.yarns.push_back(d.yarns[0]);
+  d.yarns[1].unevenness = 40;
+  std::mt19937 rng(static_cast<unsigned>(ends * 1000 + picks));
+  for (auto* threads : {&d.draft.warp, &d.draft.weft}) {
+    threads->spacing_mm.assign(threads->color.size(), 0.7f);
+    for (size_t i = 0; i < threads->color.size(); ++i) {
+      threads->yarn[i] = rng() % 3 == 0;
+      if (i % 5 == 0) threads->spacing_mm[i] = 1.1f;
+    }
+  }
+  BitMatrix cells(picks, ends);
+  for (int p = 0; p < picks; ++p)
+    for (int e = 0; e < ends; ++e) cells.set(p, e, rng() % 2 == 0);
+  return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
+}
+
+TEST(ComputedCrossings, AreThoseThatAreStored) {
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), {1, 3}, {3, 1}, {22, 22}, {23, 45}, {64, 9}, {131, 70}}) {
+    const Cloth cloth = unordered(size.x, size.y);
+    const PackedCloth p = in_strips(cloth);
+    PackedThreads threads(p, 1);
+    const std::vector<vec4> stored = thread_crossings(cloth, {0, size.x, 0, size.y});
+    float most = 0;
+    for (int pick = 0; pick < size.y; ++pick) {
+      for (int end = 0; end < size.x; ++end) {
+        const vec4 off = threads.crossing_at(end, pick) - stored[static_cast<size_t>(pick * size.x + end)];
+        for (int i = 0; i < 4; ++i) most = std::max(most, std::abs(off[i]));
+      }
+    }
+    // Sections are rounded where they are packed.
+    EXPECT_LT(most, 2e-4f) << size.x << " x " << size.y;
+  }
+}
+
+TEST(ComputedCrossings, LieBelowABoundForAnyWeave) {
+  const Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
+  const Cloth even = lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft);
+  for (const Cloth& cloth : {even, uneven_twill(), unordered(131, 70)}) {
+    const CellRect all{0, cloth.up.cols(), 0, cloth.up.rows()};
+    const float own = highest_thread(cloth, thread_crossings(cloth, all)), bound = highest_thread(cloth);
+    EXPECT_GE(bound, own);
+    EXPECT_LE(bound, 2 * own);
+    std::printf("  bound %g of %g mm\n", static_cast<double>(bound), static_cast<double>(own));
+  }
+}
+
+TEST(ComputedCrossings, FollowPaintedCells) {
+  Cloth cloth = unordered(131, 70);
+  std::vector<uint32_t> strips = render_data::cell_strips(cloth.up);
+  for (int p = 60; p < 70; ++p)
+    for (int e = 120; e < 131; ++e) cloth.up.set(p, e, (p + e) % 3 == 0);
+  for (const render_data::StripPatch& patch : render_data::cell_strips(cloth.up, {120, 131, 60, 70}))
+    std::ranges::copy(patch.strips, strips.begin() + static_cast<std::ptrdiff_t>(patch.first));
+  EXPECT_EQ(strips, render_data::cell_strips(cloth.up));
 }
 
 TEST(ThreadRecords, ComeBackAsTheyWentIn) {
@@ -182,12 +259,19 @@ constexpr const char* kRayMain = R"(
     if (row == 3) result = vec4(p.axis, p.along);
     if (row == 4) result = vec4(t.groove, t.tone, t.ply, x.fibre_tan);
     if (row == 5) result = vec4(ply_normal(p, x, t.ply, length_mm), 0.0);
+    FibreDetail d = fibre_detail(x, fract(p.along / length_mm), p.turn, sample_size(x, 0.03 * given(2).w, p.normal.z, length_mm), length_mm);
+    SurfaceFrame frame_at = SurfaceFrame(p.normal, p.axis, p.around);
+    float relief = fibre_relief(y.slope_cov.z);
+    if (row == 7) result = vec4(d.texel.groove, d.texel.tone, d.fibre_tan, d.resolved.y);
+    if (row == 8) result = vec4(detail_normal(frame_at, x, d, relief, length_mm, v), ply_light(frame_at, x, d, length_mm, l));
+    if (row == 9) result = vec4(detail_lobes(y, d.resolved, relief).slope_cov, detail_gain(x, d, relief));
     if (row == 6) result = vec4(facet_radiance(y, p.normal, 1.0, p.axis + p.around * x.fibre_tan, vec3(0.0), l, v).key, 0.0);
   }
 )";
-constexpr int kRayRows = 7;
-constexpr std::array<const char*, kRayRows> kRayNames{"first_thread", "threads_block", "normal, turn",  "axis, along",
-                                                      "texture_at",   "ply_normal",    "facet_radiance"};
+constexpr int kRayRows = 10;
+constexpr std::array<const char*, kRayRows> kRayNames{
+    "first_thread", "threads_block",  "normal, turn", "axis, along",   "texture_at",
+    "ply_normal",   "facet_radiance", "fibre_detail", "detail_normal", "detail_lobes"};
 
 vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
   using namespace cloth::thread_formulas;
@@ -201,6 +285,11 @@ vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
   const ThreadTexture x = t.pattern(hit.system, thread);
   const Texel texel = texture_at(x, texture_point(x, glm::fract(p.along / length), p.turn, c[2].w, 1.0f));
   const vec4 look = t.look(hit.system, thread);
+  const FibreDetail detail =
+      fibre_detail(x, glm::fract(p.along / length), p.turn, sample_size(x, 0.03f * c[2].w, p.normal.z, length), length);
+  const SurfaceFrame frame{p.normal, p.axis, p.around};
+  const formulas::YarnLobes y = formulas::yarn_of(t.yarn(static_cast<int>(look.w)), vec3(look));
+  const float relief = fibre_relief(y.slope_cov.z);
   switch (row) {
     case 0:
       return {hit.system, thread, hit.at.z, 0};
@@ -214,10 +303,14 @@ vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
       return {texel.groove, texel.tone, texel.ply, x.fibre_tan};
     case 5:
       return {t.ply_normal(p, x, texel.ply, length), 0};
-    default: {
-      const formulas::YarnLobes y = formulas::yarn_of(t.yarn(static_cast<int>(look.w)), vec3(look));
+    case 6:
       return {formulas::facet_radiance(y, p.normal, 1, p.axis + p.around * x.fibre_tan, vec3(0), l, v).key, 0};
-    }
+    case 7:
+      return {detail.texel.groove, detail.texel.tone, detail.fibre_tan, detail.resolved.y};
+    case 8:
+      return {detail_normal(frame, x, detail, relief, length, v), ply_light(frame, x, detail, length, l)};
+    default:
+      return {formulas::detail_lobes(y, detail.resolved, relief).slope_cov, detail_gain(x, detail, relief)};
   }
 }
 
@@ -264,23 +357,41 @@ TEST(ThreadRecords, TellOfWhatKindTheThreadsAre) {
   EXPECT_FALSE(thread_kind({}).even || thread_kind({}).smooth);
 }
 
+/// Uploads a cloth; its strips, if it has any, first wrong, then in patches that begin and end anywhere.
+void upload_in_pieces(GpuCloth& gpu, const PackedCloth& cloth) {
+  PackedCloth wrong = cloth;
+  for (uint32_t& strip : wrong.strips) strip = ~strip;
+  gpu.upload(wrong);
+  render_data::ClothPatches patches;
+  size_t first = 0;
+  for (const size_t end : {size_t{7}, size_t{1030}, size_t{4000}, cloth.strips.size()}) {
+    if (end <= first || end > cloth.strips.size()) continue;
+    const auto at = cloth.strips.begin();
+    patches.strips.push_back({first, {at + static_cast<std::ptrdiff_t>(first), at + static_cast<std::ptrdiff_t>(end)}});
+    first = end;
+  }
+  gpu.upload(patches);
+}
+
 TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
   // A ray that grazes an edge, or the border of a fibre, may go either way by its last bit. On llvmpipe none does.
   constexpr double kEdges = 0.01;
   constexpr float kTolerance = 2e-3f;
   const Design even = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
-  for (const Cloth& cloth :
-       {uneven_twill(), pockets(), lay_out(even, drawdown(even.draft), Face::kFront, Period::kWholeDraft)}) {
-    const PackedCloth p = packed(cloth);
+  const Cloth even_cloth = lay_out(even, drawdown(even.draft), Face::kFront, Period::kWholeDraft);
+  const std::array cloths{packed(uneven_twill()), packed(pockets()), packed(even_cloth), in_strips(even_cloth),
+                          in_strips(unordered(300, 200))};
+  for (const PackedCloth& p : cloths) {
     // The defines leave out code only here: the C++ has the whole text.
     const ThreadKind kind = thread_kind(p.lobes.threads);
     std::vector<std::string> defines;
+    if (p.crossings.empty()) defines.push_back("COMPUTED_CROSSINGS");
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
     if (kind.smooth) defines.push_back("SMOOTH_YARNS");
-    SCOPED_TRACE(std::to_string(cloth.layers.size()) + " layers, " + (kind.even ? "even" : "uneven"));
+    SCOPED_TRACE("cloth " + std::to_string(&p - cloths.data()));
     GpuCloth gpu_cloth;
-    gpu_cloth.upload(p);
+    upload_in_pieces(gpu_cloth, p);
     gpu_cloth.bind();
     const std::vector<RayCase> cases = ray_cases(p, 2000, 7, [](int, float u) { return 0.3f * u; });
     const std::vector<vec4> all =
@@ -364,11 +475,15 @@ constexpr const char* kMethodMain = R"(
   if (row == 5) result = vec4(gradient_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), lattice_point(lattice_of(lattice_for(e.x, vec4(0.1, 0.2, 0.3, 0.4), vec4(0.5, 0.6, 0.7, 9.0), 21)), 5, 3, e.y).x);
   if (row == 6) result = vec4(flyaway_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), flyaway_fraction(e.w));
   if (row == 7) result = vec4(flyaway_sky(color, color * e.x), 0.0);
+  FaceFlyaway f = face_flyaway(uint(1000.0 * e.x), uint(10.0 * e.y), vec2(0.5 + e.z, 0.5 + e.w), 0.5 + e.x);
+  if (row == 8) result = vec4(f.middle, f.reach, f.bend);
+  if (row == 9) result = vec4(flyaway_at(f, f.middle + f.way * (f.reach * (e.y - 0.5)), vec2(0.1, 0.0), vec2(0.0, 0.1)), fuzz_left(e.z, e.x, e.y), face_cell(e.x, e.y, 0.2));
 )";
-constexpr int kMethodRows = 8;
+constexpr int kMethodRows = 10;
 constexpr std::array<const char*, kMethodRows> kMethodNames{
     "facet_radiance, key", "facet_radiance, diffuse", "system_radiance", "response_coord, half_slopes",
-    "engine_radiance",     "gradient, region, slope", "flyaway_key",     "flyaway_sky"};
+    "engine_radiance",     "gradient, region, slope", "flyaway_key",     "flyaway_sky",
+    "face_flyaway",        "flyaway_at, fuzz_left"};
 
 vec4 method_on_cpu(const MethodCase& given, int row) {
   using namespace formulas;
@@ -399,8 +514,15 @@ vec4 method_on_cpu(const MethodCase& given, int row) {
               .x};
     case 6:
       return {flyaway_key(color, color * e.x, normalize(vec3(e) - 0.5f), vec3(0, 0, 1), l, v), flyaway_fraction(e.w)};
-    default:
+    case 7:
       return {flyaway_sky(color, color * e.x), 0};
+    default: {
+      const FaceFlyaway f = face_flyaway(static_cast<uint32_t>(1000 * e.x), static_cast<uint32_t>(10 * e.y),
+                                         {0.5f + e.z, 0.5f + e.w}, 0.5f + e.x);
+      if (row == 8) return {f.middle, f.reach, f.bend};
+      return {flyaway_at(f, f.middle + f.way * (f.reach * (e.y - 0.5f)), {0.1f, 0}, {0, 0.1f}),
+              fuzz_left(e.z, e.x, e.y), face_cell(e.x, e.y, 0.2f)};
+    }
   }
 }
 

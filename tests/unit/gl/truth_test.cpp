@@ -42,6 +42,7 @@ class Truth : public Gate {
   }
   Image traced(float yarns, int pixels, int rays_a_pixel, const glm::vec3& view, const Surroundings& around) {
     FlatPicture p;
+    p.fibre_detail = true;
     p.width = p.height = pixels, p.spp = rays_a_pixel;
     p.step_x_mm = {yarns * kSpacing, 0}, p.step_y_mm = {0, yarns * kSpacing};
     p.view = view, p.around = around;

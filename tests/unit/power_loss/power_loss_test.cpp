@@ -96,12 +96,12 @@ TEST_F(PowerLoss, EveryStrokeIsInTheFileOrInTheJournal) {
   fs::create_directories(recovery_folder());
   Disk disk(dir_);
   {
-    session::Session session(recovery_folder(), session::Document(designs[0]), false);
+    session::Session session(recovery_folder(), session::Document(designs[0]));
     wif::WifRead read = wif::read_wif(base::read_file(path("a.wif")).value_or(""));
     const uint64_t id =
         session
             .add(session::Document(std::move(*read.file), {}, path("a.wif"), session::identify(path("a.wif"))),
-                 session::Origin::kOwn, false)
+                 session::Origin::kOwn)
             .id;
     texts.push_back(session.active().document.writer()());
     for (int stroke = 1; stroke <= 6; ++stroke) {

@@ -8,6 +8,7 @@
 #include "../yarns.h"
 #include "design/edits.h"
 #include "design/fibre.h"
+#include "weaves/table.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::wif {
@@ -15,10 +16,10 @@ namespace weftlight::wif {
 using design::Yarn, design::with_new_palette_color, design::with_thickness, design::with_thread_color,
     design::with_thread_yarn, design::yarn_presets;
 using draft::Face, draft::System;
-using weaves::Lean, weaves::Recipe, weaves::glen_check, weaves::herringbone, weaves::houndstooth, weaves::huck_lace,
-    weaves::log_cabin, weaves::make_design, weaves::overshot, weaves::plain, weaves::satin, weaves::shadow_weave,
-    weaves::summer_and_winter, weaves::twill, weaves::twill_damask, weaves::undulating_twill, weaves::waffle,
-    weaves::with_colors, weaves::with_sett;
+using weaves::Lean, weaves::Recipe, weaves::glen_check, weaves::herringbone, weaves::houndstooth, weaves::log_cabin,
+    weaves::WeaveKind, weaves::complete_values, weaves::find_weave, weaves::make_design, weaves::overshot,
+    weaves::plain, weaves::satin, weaves::shadow_weave, weaves::summer_and_winter, weaves::twill, weaves::twill_damask,
+    weaves::undulating_twill, weaves::waffle, weaves::with_colors, weaves::with_sett;
 
 namespace {
 
@@ -83,13 +84,13 @@ Design herringbone_tweed() {
 }
 
 Design houndstooth_check() {
-  Design d = with_colors(houndstooth({64, 64}), palette({0x1d1c1f, 0xf1ece0}), {}, {});
+  Design d = with_colors(houndstooth({2, 2}, 4, {64, 64}), palette({0x1d1c1f, 0xf1ece0}), {}, {});
   return titled(in_yarns(std::move(d), yarn("Wool"), yarn("Wool")), "Houndstooth",
                 {"2/2 twill, four dark and four light threads in both systems."});
 }
 
 Design glen() {
-  Design d = with_colors(glen_check({192, 192}), palette({0x33363d, 0xdcd6ca}), {}, {});
+  Design d = with_colors(glen_check({2, 2}, {}, {192, 192}), palette({0x33363d, 0xdcd6ca}), {}, {});
   // An overcheck of one thread in each large check.
   d = with_new_palette_color(std::move(d), hex(0x7a2e2b));
   for (const int at : {24, 72, 120, 168}) {
@@ -107,7 +108,9 @@ Design waffle_towel() {
 }
 
 Design huck() {
-  Design d = with_colors(huck_lace({60, 60}), palette({0xf4f1e8, 0xe3ebe9}), {{0, 1}}, {{1, 1}});
+  const WeaveKind& kind = *find_weave("huck");
+  Design d = with_colors(kind.make(complete_values(kind, {}), {60, 60}).design, palette({0xf4f1e8, 0xe3ebe9}), {{0, 1}},
+                         {{1, 1}});
   return titled(in_yarns(std::move(d), yarn("Linen"), yarn("Linen"), 1.25f), "Huck lace",
                 {"Lace spots over a plain ground, set a little open."});
 }

@@ -13,7 +13,7 @@
 namespace weftlight::print {
 
 using base::problem_of;
-using design::Design, design::to_liftplan, design::with_size;
+using design::Design, design::to_liftplan, design::with_purchase, design::with_size;
 using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::Threads;
 using weaves::overshot;
 
@@ -74,13 +74,13 @@ TEST(Print, ExtremeDraftsPrint) {
 TEST(Print, OnlySelectedPartsArePrinted) {
   const Design d = overshot_design(40, 40);
   PrintOptions o;
-  o.parts = {true, false, false, false, false};
+  o.parts = {true, false, false, false, false, false};
   EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, 1) << "the grids alone";
-  o.parts = {false, false, false, false, true};
+  o.parts = {false, false, false, false, true, false};
   EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, 1) << "the swatch alone";
-  o.parts = {false, true, true, true, false};
+  o.parts = {false, true, true, true, false, true};
   EXPECT_EQ(problem_of(printed(d, PrintFormat::kPdf, o)), "");
-  o.parts = {false, false, false, false, false};
+  o.parts = {false, false, false, false, false, false};
   EXPECT_EQ(problem_of(printed(d, PrintFormat::kPdf, o)), "nothing was selected for printing");
 }
 
@@ -88,14 +88,24 @@ TEST(Print, ThePlannedClothAndTheNameArePrinted) {
   Design d = overshot_design(40, 40);
   d.title.clear();
   PrintOptions o, planned;
-  o.parts = planned.parts = {false, false, false, true, false};
   const auto sheet = [&d](const PrintOptions& options) { return picture_of_sheet(d, options, 0, 2)->pixels; };
-  planned.plan.length_mm = 2500;
-  EXPECT_NE(sheet(planned), sheet(o)) << "more yarn";
-  PrintOptions priced = planned;
-  priced.plan.price_per_kg.assign(d.yarns.size(), 40);
-  EXPECT_NE(sheet(priced), sheet(planned)) << "its cost";
-  o.parts = {true, false, false, false, false};
+  // Each part says something of the plan: yarn, heddles, the plan itself.
+  for (bool PrintParts::*part : {&PrintParts::yarn, &PrintParts::heddles, &PrintParts::plan}) {
+    o.parts = {false, false, false, false, false, false};
+    o.parts.*part = true;
+    const std::vector<uint32_t> before = sheet(o);
+    d.plan.width_mm = 2500;
+    EXPECT_NE(sheet(o), before);
+    d.plan.width_mm = 0;
+    EXPECT_EQ(sheet(o), before);
+  }
+  o.parts = {false, false, false, true, false, false};
+  const std::vector<uint32_t> metric = sheet(o);
+  planned.parts = o.parts, planned.units = Units::kImperial;
+  EXPECT_NE(sheet(planned), metric) << "yards and ounces";
+  d.plan = with_purchase(d.plan, {d.yarns[0].name, 250, 0, 40});
+  EXPECT_NE(sheet(o), metric) << "its cost";
+  o.parts = {true, false, false, false, false, false};
   PrintOptions named = o;
   named.name = "towel";
   EXPECT_NE(sheet(named), sheet(o));
@@ -129,7 +139,7 @@ TEST(Print, Pick1IsAtTheTopOrAtTheBottom) {
     d.draft.weft.color[static_cast<size_t>(i)] = i < 4 ? 0 : 1;
   }
   PrintOptions o;
-  o.parts = {true, false, false, false, false};
+  o.parts = {true, false, false, false, false, false};
   o.cell_mm = 5;
   o.heavy_lines = 0;
   const SheetPicture down = picture_of_sheet(d, o, 0, 2).value();
@@ -153,7 +163,7 @@ TEST(Print, TheGridsAreArrangedAsInTheWindow) {
   Design d = overshot_design(12, 12);
   for (Rgb& c : d.draft.palette) c = {1, 1, 1};
   PrintOptions o;
-  o.parts = {true, false, false, false, false};
+  o.parts = {true, false, false, false, false, false};
   o.cell_mm = 5;
   o.heavy_lines = 0;
   const auto marks = [&](const PrintOptions& asked) {
@@ -178,7 +188,7 @@ TEST(Print, TheGridsAreArrangedAsInTheWindow) {
 /// Shares of red, green and blue among the pixels of the swatch.
 std::array<double, 3> swatch_shares(const Design& design) {
   PrintOptions o;
-  o.parts = {false, false, false, false, true};
+  o.parts = {false, false, false, false, true, false};
   const SheetPicture s = picture_of_sheet(design, o, 0, 10).value();
   std::array<double, 3> count{};
   for (int y = 220; y < 780; ++y)  // the swatch lies from 20 mm to 80 mm
@@ -223,7 +233,7 @@ TEST(Print, TheSwatchOfAnOpenClothShowsThePaper) {
 TEST(Print, OneRepeatAndARangeOfSheets) {
   PrintOptions o;
   o.cell_mm = 4;
-  o.parts = {true, false, false, false, false};
+  o.parts = {true, false, false, false, false, false};
   const Design d = overshot_design(480, 480);
   const int all = printed(d, PrintFormat::kPdf, o)->sheets;
   ASSERT_GT(all, 3);

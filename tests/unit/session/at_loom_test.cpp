@@ -15,7 +15,10 @@
 #include "../scratch.h"
 #include "../straight_draft.h"
 #include "design/edits.h"
+#include "draft/drawdown.h"
+#include "session/loom/cloth_so_far.h"
 #include "session/loom/loom_link.h"
+#include "session/loom/shown_step.h"
 
 namespace weftlight::session {
 
@@ -26,6 +29,8 @@ namespace {
 void take(Design& d, const LoomStep& step) {
   if (step.edit) d = step.edit->apply(std::move(d));
 }
+
+ShownStep shown(const AtLoom& at, const Design& d) { return shown_step(at, d, draft::lifts(d.draft), loom_groups(d)); }
 
 TEST(AtLoom, AStepByHandWeavesOnePickAndTheDraftKeepsThePlace) {
   AtLoom at;
@@ -82,6 +87,103 @@ TEST(AtLoom, TreadlesToPressOrShaftsToLift) {
   EXPECT_EQ(to_press(d.draft, 2), (std::vector<int>{0, 2}));
   EXPECT_TRUE(to_press(d.draft, 9).empty());
   EXPECT_EQ(to_press(to_liftplan(d).draft, 1), std::vector<int>{1});
+}
+
+TEST(AtLoom, ThreadsEndByEndAndKeepsThePlace) {
+  AtLoom at;
+  at.work = LoomWork::kThread;
+  Design d = straight_draft(4);
+  for (const int next : {1, 2, 3, 4, 4}) {
+    take(d, step_by_hand(at, d, true, false));
+    EXPECT_EQ(d.loom.next_end, next);
+  }
+  EXPECT_TRUE(shown(at, d).done());
+  EXPECT_EQ(shown(at, d).what, "All ends are threaded");
+  take(d, step_by_hand(at, d, false, false));
+  const ShownStep last = shown(at, d);
+  EXPECT_EQ(last.number, 4);
+  EXPECT_EQ(last.what, "Shaft 4");
+  EXPECT_EQ(last.shafts, (std::vector<bool>{false, false, false, true}));
+  take(d, go_to(at, d, 1));
+  EXPECT_EQ(shown(at, d).number, 2);
+  EXPECT_EQ(d.loom.next_pick, 0) << "weaving has a place of its own";
+  d.draft.threading.set(1, 1, false);
+  EXPECT_EQ(shown(at, d).what, "No heddle");
+}
+
+TEST(AtLoom, SleysByTheReedOfThePlan) {
+  AtLoom at;
+  at.work = LoomWork::kSley;
+  Design d = straight_draft(5);
+  d.plan.sleying = {2, 1, 0};
+  EXPECT_EQ(dents_on_loom(d), 4) << "2 1 0 2, and none is empty at the end";
+  std::vector<std::string> texts;
+  for (int i = 0; i < 5; ++i) {
+    texts.push_back(shown(at, d).what);
+    take(d, step_by_hand(at, d, true, false));
+  }
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"Ends 1 and 2", "End 3", "Leave empty", "Ends 4 and 5", "All dents are sleyed"}));
+  d.plan.floating_selvedges = true;
+  EXPECT_EQ(dents_on_loom(d), 6);
+  take(d, go_to(at, d, 0));
+  EXPECT_EQ(shown(at, d).what, "Floating selvedge");
+  EXPECT_EQ(ends_in_dent(d, 1).count, 2);
+  EXPECT_TRUE(ends_in_dent(d, 5).floating);
+}
+
+TEST(AtLoom, SectionsAreThoseOfTheOrderOrTheRepeats) {
+  Design d = straight_draft(4);
+  EXPECT_EQ(group_text(groups_of_ends(d), draft::System::kWarp, 2), "") << "one section says nothing";
+  d.plan.width_mm = 39;
+  d.plan.ends_per_cm = 3;
+  d.plan.warp_shrinkage = d.plan.weft_shrinkage = 0;
+  ASSERT_EQ(ends_on_loom(d), 12) << "three times the draft";
+  EXPECT_EQ(group_text(groups_of_ends(d), draft::System::kWarp, 6), "Section 2 of 3: end 3 of 4");
+  design::ThreadSection section{"A", draft::BitMatrix(2, 4), {}};
+  section.threads.resize(2);
+  d.weft_assembly = {{section}, "A 2x"};
+  EXPECT_EQ(group_text(groups_of_picks(d), draft::System::kWeft, 3), "Section 2 of 2 (A): pick 2 of 2");
+  d.weft_assembly.order = "A 3x";
+  EXPECT_EQ(groups_of_picks(d).size(), 1u) << "the picks are no longer as the order made them";
+}
+
+TEST(AtLoom, ATabbyPickIsKeptWithTheDraft) {
+  AtLoom at;
+  Design d = straight_draft(4);
+  take(d, step_by_hand(at, d, true, false));
+  take(d, give_tabby(at, d, false));
+  EXPECT_TRUE(d.loom.at_tabby);
+  EXPECT_EQ(shown(at, d).heading, "Tabby a before pick");
+  EXPECT_EQ(shown(at, d).what, "Treadle 1 + 3");
+  EXPECT_EQ(shown(AtLoom{}, d).shafts, (std::vector<bool>{true, false, true, false})) << "in another window, too";
+  take(d, step_by_hand(at, d, true, false));
+  EXPECT_FALSE(d.loom.at_tabby);
+  EXPECT_EQ(shown(at, d).number, 2) << "back to the pattern";
+  take(d, put_tabby_between(at, d, true));
+  take(d, step_by_hand(at, d, true, false));
+  EXPECT_EQ(shown(at, d).heading, "Tabby b before pick");
+  EXPECT_EQ(d.loom.next_pick, 2);
+  d.draft.threading.set(1, 0, true);
+  EXPECT_EQ(shown(at, d).heading, "Pick") << "the threading was changed";
+  take(d, give_tabby(at, d, false));
+  EXPECT_FALSE(d.loom.at_tabby);
+  EXPECT_FALSE(at.remark.empty());
+}
+
+TEST(AtLoom, ThePictureOfTheClothGrowsToItsLimit) {
+  const AtLoom at;
+  Design d = straight_draft(4);
+  const draft::BitMatrix cells = draft::drawdown(d.draft);
+  const auto height = [](const std::string& png) {
+    return png.size() < 24 ? 0 : static_cast<unsigned char>(png[22]) * 256 + static_cast<unsigned char>(png[23]);
+  };
+  EXPECT_EQ(height(cloth_so_far_png(at, d, cells)), 48) << "the bare warp";
+  d.loom.next_pick = 3;
+  EXPECT_EQ(height(cloth_so_far_png(at, d, cells)), 60);
+  AtLoom round;
+  round.place = {.next_pick = 3, .woven = 100000};
+  EXPECT_EQ(height(cloth_so_far_png(round, d, cells)), 432);
 }
 
 std::string read_line(int fd) {

@@ -114,8 +114,8 @@ TEST_F(JournalTest, IsRewrittenWhenItHasGrown) {
     text.assign(text.size(), static_cast<char>('a' + i));
     journal.keep(1, note("a.wif"), [text] { return text; });
     journal.settle();
+    EXPECT_LE(fs::file_size(recovery.journal_path(1)), 10u << 20) << i;
   }
-  EXPECT_LE(fs::file_size(recovery.journal_path(1)), 10u << 20);
   EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, text);
 }
 

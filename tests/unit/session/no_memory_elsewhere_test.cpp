@@ -34,7 +34,7 @@
 namespace weftlight::session {
 namespace {
 
-constexpr int kMost = 500;  // calls of operator new
+constexpr int kMax = 500;  // calls of operator new
 
 bool comes_true(const std::function<bool()>& holds) {
   for (int i = 0; i < 30'000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(1)))
@@ -42,10 +42,10 @@ bool comes_true(const std::function<bool()>& holds) {
   return false;
 }
 
-/// Numbers from 1 to kMost, denser at the start, where a job is set up.
+/// Numbers from 1 to kMax, denser at the start, where a job is set up.
 std::vector<int> numbers() {
   std::vector<int> all;
-  for (int n = 1; n <= kMost; n += 1 + n / 8) all.push_back(n);
+  for (int n = 1; n <= kMax; n += 1 + n / 8) all.push_back(n);
   return all;
 }
 

@@ -40,7 +40,7 @@ class RejectedEditTest : public testing::Test {
   Edit line(Cell from, Cell to, bool on) const { return paint_edit(GridId::kDrawdown, from, to, on, true); }
 
   Scratch scratch_{"refusal"};
-  Session session_{scratch_ / "recovery", Document(small_loom()), false};
+  Session session_{scratch_ / "recovery", Document(small_loom())};
 };
 
 TEST_F(RejectedEditTest, AnAcceptedEditIsNotRejected) {

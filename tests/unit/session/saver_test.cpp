@@ -42,12 +42,12 @@ class SaverTest : public ScratchTest {
  protected:
   void SetUp() override {
     file_ = written("a.wif", write_new_wif(plain()));
-    session_.emplace(path("recovery"), first(), false);
+    session_.emplace(path("recovery"), first());
     saver_.emplace(*session_, runner_);
     id_ = open(file_);
   }
   uint64_t open(const std::string& file) {
-    return session_->add(std::move(*open_document(file).document), Origin::kOwn, false).id;
+    return session_->add(std::move(*open_document(file).document), Origin::kOwn).id;
   }
   /// What is started now waits until proceed(), as on a disk that is busy.
   void hold_up() {
@@ -208,9 +208,9 @@ TEST_F(SaverTest, AKillBeforeTheDiskHasItLosesNothing) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     base::TaskRunner runner;
-    Session session(path("crashed"), first(), false);
+    Session session(path("crashed"), first());
     Saver saver(session, runner);
-    const uint64_t id = session.add(std::move(*open_document(file_).document), Origin::kOwn, false).id;
+    const uint64_t id = session.add(std::move(*open_document(file_).document), Origin::kOwn).id;
     session.commit(paint(1), 0);
     base::Task never;
     never.work = [](const base::RunningTask&) { pause(); };
@@ -224,12 +224,12 @@ TEST_F(SaverTest, AKillBeforeTheDiskHasItLosesNothing) {
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
-  Session next(path("crashed"), first(), false);
+  Session next(path("crashed"), first());
   next.set_left(next.find_left());
   ASSERT_EQ(next.left().size(), 1u);
   const LeftWork left = next.left()[0];
-  ASSERT_NE(next.take_back(left, bring_back(left), false), nullptr);
-  EXPECT_EQ(next.take_back(left, bring_back(left), false), nullptr) << "once is enough";
+  ASSERT_NE(next.take_back(left, bring_back(left)), nullptr);
+  EXPECT_EQ(next.take_back(left, bring_back(left)), nullptr) << "once is enough";
   EXPECT_EQ(next.active().document.now().draft.threading.first(0), 2);
 }
 

@@ -40,7 +40,7 @@ Edit paint(int shaft = 1) {
 class SessionTest : public ScratchTest {
  protected:
   std::unique_ptr<Session> session() const {
-    auto made = std::make_unique<Session>(path("recovery"), first(), false);
+    auto made = std::make_unique<Session>(path("recovery"), first());
     made->set_left(made->find_left());
     return made;
   }
@@ -54,7 +54,7 @@ class SessionTest : public ScratchTest {
     return written(name, write_new_wif(plain(shafts)));
   }
   static OpenDocument& open(Session& s, const std::string& file) {
-    return s.add(std::move(*open_document(file).document), Origin::kOwn, false);
+    return s.add(std::move(*open_document(file).document), Origin::kOwn);
   }
   /// A session in a process of its own that opens the files, edits each, and is killed.
   void crash_with(const std::vector<std::string>& files) const {
@@ -79,7 +79,7 @@ class SessionTest : public ScratchTest {
     const LeftWork left = s.left()[0];
     OpenResult back = session::bring_back(left);
     why = back.remarks;
-    return s.take_back(left, std::move(back), false);
+    return s.take_back(left, std::move(back));
   }
   static std::vector<std::string> titles(const Session& s) {
     std::vector<std::string> all;
@@ -141,14 +141,14 @@ TEST_F(SessionTest, RevisionsOfTwoDocumentsDiffer) {
 
 TEST_F(SessionTest, TheFirstDocumentIsReplacedUnlessEdited) {
   const auto s = session();
-  s->add(Document(plain(4, "a")), Origin::kShipped, false);
+  s->add(Document(plain(4, "a")), Origin::kShipped);
   EXPECT_EQ(titles(*s), (Titles{"a"}));
-  s->add(Document(plain(4, "b")), Origin::kShipped, false);
+  s->add(Document(plain(4, "b")), Origin::kShipped);
   EXPECT_EQ(titles(*s), (Titles{"b"})) << "leafing through the library";
   s->commit(paint(), 0);
-  s->add(Document(plain(4, "c")), Origin::kShipped, false);
+  s->add(Document(plain(4, "c")), Origin::kShipped);
   EXPECT_EQ(titles(*s), (Titles{"b", "c"})) << "an edited one stays";
-  s->add(Document(plain(4, "d")), Origin::kOwn, false);
+  s->add(Document(plain(4, "d")), Origin::kOwn);
   EXPECT_EQ(titles(*s), (Titles{"b", "c", "d"})) << "to a file of the weaver's own a shipped one does not give way";
 }
 
@@ -157,16 +157,32 @@ TEST_F(SessionTest, AnOpenFileIsFoundByAnyPath) {
   const std::string file = draft_file("one.wif");
   const uint64_t id = open(*s, file).id;
   fs::create_symlink(file, path("link.wif"));
-  ASSERT_NE(s->on_file(path("link.wif")), nullptr);
-  EXPECT_EQ(s->on_file(path("link.wif"))->id, id);
+  fs::create_directory(path("folder"));
+  EXPECT_EQ(s->on_file(path("folder/../one.wif"))->id, id);
+  const FileIdentity linked = open_document(path("link.wif")).document->file();
+  ASSERT_NE(s->on_file(path("link.wif"), linked), nullptr);
+  EXPECT_EQ(s->on_file(path("link.wif"), linked)->id, id);
   EXPECT_EQ(s->on_file(path("none.wif")), nullptr);
   EXPECT_EQ(s->on_file(""), nullptr);
+}
+
+TEST_F(SessionTest, ASaveByAnotherNameOfAnOpenFileIsKnown) {
+  const auto s = session();
+  const std::string file = draft_file("one.wif");
+  const uint64_t one = open(*s, file).id, two = s->add(Document(plain(4, "two")), Origin::kOwn).id;
+  fs::create_symlink(file, path("link.wif"));
+  const std::string before = base::read_file(file).value_or("");
+  EXPECT_NE(save(*s, two, path("link.wif")).find("is open in another tab"), std::string::npos);
+  EXPECT_EQ(base::read_file(file).value_or(""), before);
+  EXPECT_EQ(save(*s, one, path("link.wif")), "");
+  EXPECT_EQ(s->find(one)->document.path(), file) << "it keeps its own name";
+  EXPECT_TRUE(fs::is_symlink(path("link.wif")));
 }
 
 TEST_F(SessionTest, TabsStepAroundMoveAndClose) {
   const auto s = session();
   std::vector<uint64_t> ids;
-  for (const char* name : {"a", "b", "c"}) ids.push_back(s->add(Document(plain(4, name)), Origin::kOwn, false).id);
+  for (const char* name : {"a", "b", "c"}) ids.push_back(s->add(Document(plain(4, name)), Origin::kOwn).id);
   EXPECT_EQ(titles(*s), (Titles{"a", "b", "c"}));
   s->step(1);
   EXPECT_EQ(s->active().id, ids[0]);
@@ -200,7 +216,7 @@ TEST_F(SessionTest, AllDocumentsAreOfferedAfterACrash) {
   EXPECT_TRUE(s->on_file(a)->document.now().draft.threading.get(0, 1));
   EXPECT_TRUE(s->on_file(b)->document.now().draft.threading.get(0, 2));
   s->settle();
-  EXPECT_TRUE(Session(path("recovery"), first(), false).find_left().empty()) << "this session has them now";
+  EXPECT_TRUE(Session(path("recovery"), first()).find_left().empty()) << "this session has them now";
 }
 
 TEST_F(SessionTest, RecoveredWorkReplacesTheTabOfItsFile) {

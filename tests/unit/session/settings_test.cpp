@@ -36,11 +36,11 @@ TEST(Settings, LoomAddressAndHeavyLinesAreSaved) {
 
 TEST(Settings, OrientationAndStyleAreSaved) {
   Settings s;
-  s.end1_right = s.minimap = false;
+  s.end1_right = s.minimap = s.cloth = false;
   s.pick1_bottom = true;
   s.threading_below = s.tiled = s.show_repeat = true;
   const Settings back = settings_from(settings_text(s));
-  EXPECT_FALSE(back.end1_right || back.minimap);
+  EXPECT_FALSE(back.end1_right || back.minimap || back.cloth);
   EXPECT_TRUE(back.pick1_bottom);
   EXPECT_TRUE(back.threading_below && back.tiled && back.show_repeat);
   EXPECT_TRUE(settings_from("{}").minimap);
@@ -58,17 +58,31 @@ TEST(Settings, TheTimeLimitOfAPictureIsClamped) {
 
 TEST(Settings, YarnPricesAndWasteAreSaved) {
   Settings s;
-  s.loom_waste_cm = 90, s.shrinkage = 0.2f, s.spare_yarn = 0;
+  s.loom_waste_cm = 90, s.spare_yarn = 0, s.imperial = true;
   s.yarn_prices = {{"Linen 16/2", 38.5f}, {"Silk \xFF", 100}};
   const Settings back = settings_from(settings_text(s));
   EXPECT_EQ(back.loom_waste_cm, 90);
-  EXPECT_EQ(back.shrinkage, 0.2f);
+  EXPECT_TRUE(back.imperial);
+  EXPECT_TRUE(settings_from(R"({"per_inch": true})").imperial) << "of an earlier version";
   EXPECT_EQ(back.spare_yarn, 0);
   EXPECT_EQ(back.yarn_prices, (std::map<std::string, float>{{"Linen 16/2", 38.5f}})) << "names that are text";
-  const Settings odd = settings_from(R"({"loom_waste_cm": -4, "shrinkage": 7, "yarn_prices": {"A": -1, "B": "x"}})");
+  const Settings odd = settings_from(R"({"loom_waste_cm": -4, "spare_yarn": 7, "yarn_prices": {"A": -1, "B": "x"}})");
   EXPECT_EQ(odd.loom_waste_cm, Settings{}.loom_waste_cm);
-  EXPECT_EQ(odd.shrinkage, Settings{}.shrinkage);
+  EXPECT_EQ(odd.spare_yarn, Settings{}.spare_yarn);
   EXPECT_TRUE(odd.yarn_prices.empty());
+}
+
+TEST(Settings, ANewDraftIsOnTheLoomOfTheLastPlan) {
+  Settings s;
+  design::ClothPlan plan;
+  plan.width_mm = 500, plan.loom_waste_mm = 750, plan.spare = 0.1f;
+  plan.purchases = {{"Linen", 0, 0, 40}, {"Silk", 100, 0, 25}};
+  remember_plan(s, plan);
+  EXPECT_EQ(s.yarn_prices, (std::map<std::string, float>{{"Linen", 40.0f}})) << "prices of a kilogram";
+  const design::Design made = with_usual_plan({}, s);
+  EXPECT_EQ(made.plan.loom_waste_mm, 750);
+  EXPECT_EQ(made.plan.spare, 0.1f);
+  EXPECT_EQ(made.plan.width_mm, 0) << "another cloth";
 }
 
 TEST(Settings, ShortcutsAreSaved) {

@@ -74,7 +74,7 @@ class SlowEditsTest : public ScratchTest {
 
   std::binary_semaphore gate_{0};
   base::TaskRunner runner_;
-  Session session_{path("recovery"), Document(small_loom()), false};
+  Session session_{path("recovery"), Document(small_loom())};
   SlowEdits edits_{session_, runner_};
 };
 
@@ -115,8 +115,8 @@ TEST_F(SlowEditsTest, AnUndoneEditMeanwhileIsNoChange) {
 }
 
 TEST_F(SlowEditsTest, AnEditBelongsToItsDocument) {
-  const uint64_t first = session_.add(Document(small_loom()), Origin::kOwn, false).id;
-  const uint64_t second = session_.add(Document(small_loom()), Origin::kOwn, false).id;
+  const uint64_t first = session_.add(Document(small_loom()), Origin::kOwn).id;
+  const uint64_t second = session_.add(Document(small_loom()), Origin::kOwn).id;
   session_.show(first);
   hold_up();
   edits_.start(slow("Anni"));

@@ -51,7 +51,7 @@ std::string fault_of(const Draft& d, LoomSize given) {
 
 class StrokeTest : public testing::Test {
  protected:
-  void open(Design design) { session_.add(Document(std::move(design)), Origin::kOwn, false); }
+  void open(Design design) { session_.add(Document(std::move(design)), Origin::kOwn); }
   const Design& now() const { return session_.active().document.now(); }
   DocumentView& view() { return session_.active().view; }
   BitMatrix cells() const { return drawdown(now().draft); }
@@ -68,7 +68,7 @@ class StrokeTest : public testing::Test {
   }
 
   Scratch scratch_{"strokes"};
-  Session session_{scratch_ / "recovery", Document(twill(Leading::kThreading)), false};
+  Session session_{scratch_ / "recovery", Document(twill(Leading::kThreading))};
   uint64_t stroke_ = 0;
 };
 

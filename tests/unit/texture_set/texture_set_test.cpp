@@ -212,7 +212,7 @@ TEST(TextureSet, BandsHaveNoSeams) {
   FaceOptions options;
   options.size = {2048, 2048};
   options.footprint_mm = 0.8f;
-  const FaceSource source(cloth, options);
+  const FaceSource source(Tile{cloth}, options);
   ASSERT_LT(source.band(), 2048);
   const SurfaceTexels a = source.rows(0, source.band()), b = source.rows(source.band(), 2 * source.band());
   // Rows across the border of two bands differ no more than rows within a band.
@@ -403,7 +403,9 @@ TEST(TextureSet, TilesOfSeveralRepeats) {
   EXPECT_EQ(warnings_of(design, options).size(), 1u) << "16 ends in 16 texels";
   options.size = 128;
   EXPECT_TRUE(warnings_of(design, options).empty());
-  EXPECT_GE(static_cast<float>(size_for(design, 20, 50)), 20 * 50.0f);
+  options.tile_mm = 50;
+  set_density(options, design, 20);
+  EXPECT_GE(static_cast<float>(options.size), 20 * 50.0f);
 }
 
 TEST(TextureSet, TheSameBytesEveryTime) {

@@ -14,7 +14,7 @@ TEST(WindowLayout, PanesStayInTheWindowAndAreNeverNegative) {
     for (const float height : {0.0f, 1.0f, 10.0f, 28.0f, 170.0f, 900.0f})
       for (const float split : {0.2f, 0.5f, 0.8f})
         for (const bool inspector : {true, false}) {
-          const WindowLayout l = lay_out_window(style, {3, 30}, {width, height}, split, inspector);
+          const WindowLayout l = lay_out_window(style, {3, 30}, {width, height}, split, {.inspector = inspector});
           for (const PaneRect& p : {l.draft, l.splitter, l.cloth, l.inspector, l.status}) {
             EXPECT_GE(p.size.x, 0);
             EXPECT_GE(p.size.y, 0);
@@ -27,12 +27,12 @@ TEST(WindowLayout, PanesStayInTheWindowAndAreNeverNegative) {
 
 TEST(WindowLayout, AHiddenInspectorLeavesItsWidthToTheOthers) {
   const Style style;
-  const WindowLayout with = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, true);
-  const WindowLayout without = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, false);
+  const WindowLayout with = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, {});
+  const WindowLayout without = lay_out_window(style, {0, 0}, {900, 600}, 0.5f, {.inspector = false});
   EXPECT_TRUE(with.inspector.shown());
   EXPECT_FALSE(without.inspector.shown());
   EXPECT_EQ(without.room, 900);
-  EXPECT_FALSE(lay_out_window(style, {0, 0}, {500, 600}, 0.5f, true).inspector.shown())
+  EXPECT_FALSE(lay_out_window(style, {0, 0}, {500, 600}, 0.5f, {}).inspector.shown())
       << "a narrow window hides the inspector";
 }
 

@@ -31,6 +31,13 @@ TEST(Sections, OrdersAreReadInTheirNotations) {
   EXPECT_EQ(again("()"), "()");
 }
 
+TEST(Sections, TurnsStandRightAfterTheirItem) {
+  EXPECT_EQ(again("A' 4x, (B C<>)' 3x, A<>"), "A' 4x, (B C<>)' 3x, A<>");
+  EXPECT_EQ(read_order("(A B)<> 2x").value()[0].turn, Turn::kForthAndBack);
+  EXPECT_EQ(problem_of(read_order("A '")), "a turn without a section at character 3");
+  EXPECT_EQ(section_name("A'<>"), "A");
+}
+
 TEST(Sections, ErrorsNameTheirPosition) {
   EXPECT_EQ(problem_of(read_order("A (B")), "a bracket is not closed at character 3");
   EXPECT_EQ(problem_of(read_order("A ) B")), "an unmatched closing bracket at character 3");
@@ -102,6 +109,22 @@ TEST(Sections, TheOrderMakesTheThreads) {
   EXPECT_EQ(made->draft.warp.color[16], 1);
   EXPECT_EQ(made->warp_assembly.order, "Up 2x (Up Down) Up");
   EXPECT_EQ(assembled_threads(made->warp_assembly, read_order("Up 9x").value()), 36);
+}
+
+TEST(Sections, AreReversedAndReflected) {
+  const Design d = draw();
+  const auto made = [&](const char* order) {
+    const auto design = assembled(d, System::kWarp, both(d, order));
+    EXPECT_TRUE(design) << problem_of(design);
+    EXPECT_EQ(assembled_threads(both(d, order), read_order(order).value()), design->draft.ends()) << order;
+    return shafts(*design);
+  };
+  EXPECT_EQ(made("Up Up'"), "12344321");
+  EXPECT_EQ(made("Up<> 2x"), "123432123432") << "turns on single threads, where repeats join, too";
+  EXPECT_EQ(made("(Up 2x)'"), "43214321");
+  EXPECT_EQ(made("(Up Down')'"), "43214321");
+  const auto colors = assembled(d, System::kWarp, both(d, "(Up Down)'"));
+  EXPECT_EQ(colors->draft.warp.color, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1})) << "colours go with the threads";
 }
 
 TEST(Sections, AChangedSectionRemakesTheThreads) {

@@ -196,7 +196,7 @@ TEST(Crackle, AdjacentEndsAlternateOddAndEven) {
 TEST(Substitution, SummerAndWinterEqualsItsOwnGenerator) {
   const auto& unit = block_templates()[0];
   const std::vector<int> blocks = {0, 1, 1, 0};
-  const Design by_template = substituted(unit, blocks, {}, {16, 16}).design;
+  const Design by_template = substituted(unit, {blocks}, {16, 16}).design;
   EXPECT_EQ(by_template.draft.shafts, 4);
   // Pattern picks leave the pattern shafts of a marked block down: weft floats of three.
   const Rows rows = woven(by_template);
@@ -206,17 +206,17 @@ TEST(Substitution, SummerAndWinterEqualsItsOwnGenerator) {
 }
 
 TEST(Substitution, UserTemplatesAndTheirErrors) {
-  const BlockTemplate own{"own", "Own", 0, "a b", "a b"};
-  EXPECT_EQ(woven(substituted(own, {0}, {}, {4, 2}).design), (Rows{"1010", "0101"}));
-  EXPECT_FALSE(substituted({"own", "Own", 0, "1 2", "a"}, {0}, {}, {4, 2}).note.empty());
-  EXPECT_FALSE(substituted({"own", "Own", 0, "", ""}, {0}, {}, {4, 2}).note.empty());
+  const BlockTemplate own{"own", 0, "a b", "a b"};
+  EXPECT_EQ(woven(substituted(own, {{0}}, {4, 2}).design), (Rows{"1010", "0101"}));
+  EXPECT_FALSE(substituted({"own", 0, "1 2", "a"}, {{0}}, {4, 2}).note.empty());
+  EXPECT_FALSE(substituted({"own", 0, "", ""}, {{0}}, {4, 2}).note.empty());
 }
 
 TEST(DoubleCloth, EachLayerWeavesIndependently) {
   const Rows rows = woven(double_cloth(DoubleCloth::kLayers, {1, 1}, {4, 4}));
   EXPECT_EQ(rows, (Rows{"1000", "1011", "0010", "1110"}));
   const Rows wide = woven(double_cloth(DoubleCloth::kDoubleWidth, {1, 1}, {4, 4}));
-  EXPECT_EQ(wide, (Rows{"1000", "1011", "1110", "0010"})) << "upper, lower, lower, upper";
+  EXPECT_EQ(wide, (Rows{"1000", "1110", "1011", "0010"})) << "upper, lower, lower, upper";
 }
 
 TEST(Picture, ColoursAreReducedDarkToLight) {

@@ -39,7 +39,6 @@ TEST(Generators, FloatsStayShort) {
     return std::max({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
   };
   EXPECT_EQ(longest(waffle(4, {60, 60})), 5);
-  EXPECT_EQ(longest(huck_lace({60, 60})), 7);
   EXPECT_EQ(longest(shadow_weave({0, 0, 1, 1, 2, 2, 3, 3}, {16, 16})), 2);
   EXPECT_EQ(longest(twill_damask({0, 0, 1}, {12, 12})), 3);
   EXPECT_EQ(longest(summer_and_winter({0, 1, 1}, {12, 12})), 3);
@@ -77,14 +76,15 @@ TEST(Generators, AnyParametersMakeAConsistentDraft) {
                             advancing_twill(order, wild, wild, size),
                             undulating_twill({2, 2}, wild, true, size),
                             waffle(wild, size),
-                            huck_lace(size),
                             overshot({wild}, wild, size),
                             summer_and_winter({wild}, size),
                             twill_damask({wild}, size),
                             shadow_weave({wild}, size),
                             log_cabin(wild, size),
-                            houndstooth(size),
-                            glen_check(size),
+                            corkscrew(wild, Face::kBack, Lean::kLeft, size),
+                            houndstooth(order, wild, size),
+                            glen_check(order, {wild, wild, wild, wild, wild}, size),
+                            overshot({0, wild}, 3, size, {true, wild % 2 == 0, wild}),
                             overshot({}, 4, size),
                             with_colors(plain(size), {}, {}, {}),
                             with_colors(plain(size), {Rgb{}}, {{wild, wild}}, {})}) {

@@ -10,8 +10,8 @@
 
 namespace weftlight::wif {
 
-using design::Assembly, design::Design, design::Leading, design::Method, design::NamedView, design::ThreadSection,
-    design::Twist, design::Yarn, design::is_consistent;
+using design::Assembly, design::ClothPlan, design::Design, design::Leading, design::Method, design::NamedView,
+    design::ThreadSection, design::Twist, design::Yarn, design::is_consistent, design::with_purchase;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::drawdown, draft::kFromYarn;
 
 namespace {
@@ -77,6 +77,20 @@ Yarn random_yarn(Dice& dice) {
   return yarn;
 }
 
+ClothPlan random_plan(Dice& dice) {
+  ClothPlan plan;
+  plan.width_mm = dice.between(0, 2000);
+  plan.warp_shrinkage = dice.between(0, 0.5f);
+  plan.ends_per_cm = dice.coin() ? dice.between(1, 40) : 0;
+  plan.pieces = 1 + dice.upto(5);
+  plan.reed = {static_cast<float>(dice.upto(60)), dice.coin()};
+  for (int dents = dice.upto(4); dents > 0; --dents) plan.sleying.push_back(dice.upto(3));
+  plan.floating_selvedges = dice.coin();
+  for (int yarns = dice.upto(3); yarns > 0; --yarns)
+    plan = with_purchase(plan, {random_text(dice), dice.between(0, 500), dice.between(0, 9000), dice.between(1, 99)});
+  return plan;
+}
+
 Design random_design(unsigned seed) {
   Dice dice(seed);
   Design design;
@@ -110,10 +124,20 @@ Design random_design(unsigned seed) {
   }
   if (dice.coin()) {
     if (dice.coin()) design.finish = {dice.between(0, 1), dice.between(0, 1), dice.between(0, 1)};
-    design.loom = {static_cast<Leading>(dice.upto(2)), dice.coin(), dice.upto(8), dice.upto(8), dice.upto(99)};
+    design.loom = {static_cast<Leading>(dice.upto(2)),
+                   dice.coin(),
+                   dice.upto(8),
+                   dice.upto(8),
+                   dice.upto(99),
+                   dice.upto(99),
+                   dice.upto(99),
+                   dice.coin(),
+                   dice.coin(),
+                   dice.coin()};
     for (int i = dice.upto(2); i > 0; --i)
       design.weaves.push_back({"twill", {{"lean", random_text(dice)}, {"ratio", "2/2"}}, dice.upto(9), 4, 0, 7});
   }
+  if (dice.coin()) design.plan = random_plan(dice);
   for (Assembly* assembly : {&design.warp_assembly, &design.weft_assembly}) {
     for (int i = dice.upto(2); i > 0; --i) {
       ThreadSection& section = assembly->sections.emplace_back();

@@ -1,0 +1,57 @@
+#include "render_data/flat_radiance.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+#include "reference/picture.h"
+#include "render_data/far_field.h"
+
+namespace weftlight::render_data {
+
+using base::ErrorKind, base::Result, base::TaskProgress, base::failed, base::failure, base::tr;
+using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
+
+namespace {
+
+constexpr int kTracedPixels = 32;  // along each side of the period
+
+}  // namespace
+
+glm::vec3 unit_direction(bool warp, double degrees) {
+  const double a = degrees * std::numbers::pi / 180;
+  const float side = static_cast<float>(std::sin(a)), up = static_cast<float>(std::cos(a));
+  return warp ? glm::vec3(0, side, up) : glm::vec3(side, 0, up);
+}
+
+std::vector<glm::vec3> evaluated_radiance(const Cloth& cloth, std::span<const FlatDirections> directions) {
+  const FarField far = far_field(cloth);
+  std::vector<glm::vec3> out;
+  for (const FlatDirections& d : directions)
+    out.push_back(far_field_radiance(far, unit_direction(d.warp, d.light_deg), unit_direction(d.warp, d.view_deg)));
+  return out;
+}
+
+Result<std::vector<glm::vec3>> traced_radiance(const Cloth& cloth, std::span<const FlatDirections> directions, int spp,
+                                               const TaskProgress& progress) {
+  const auto tubes = TubeScene::build(cloth, {});
+  if (!tubes) return failed(tubes);
+  std::vector<glm::vec3> out;
+  FlatPicture picture;
+  picture.width = picture.height = kTracedPixels;
+  picture.spp = spp;
+  picture.step_x_mm = {cloth.width_mm / kTracedPixels, 0}, picture.step_y_mm = {0, cloth.depth_mm / kTracedPixels};
+  picture.around.light_irradiance = glm::vec3(1);
+  for (const FlatDirections& d : directions) {
+    if (progress.stopped()) return failure(ErrorKind::kCancelled, tr("stopped"));
+    picture.view = unit_direction(d.warp, d.view_deg);
+    picture.around.light_towards = unit_direction(d.warp, d.light_deg);
+    glm::vec3 sum(0);
+    for (const glm::vec4& p : trace_flat(**tubes, picture, {}).pixels) sum += glm::vec3(p);
+    out.push_back(sum / static_cast<float>(kTracedPixels * kTracedPixels));
+    progress.report(static_cast<float>(out.size()) / static_cast<float>(directions.size()));
+  }
+  return out;
+}
+
+}  // namespace weftlight::render_data

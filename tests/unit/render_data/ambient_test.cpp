@@ -1,0 +1,63 @@
+// The form under a drape: it fills the cloth, never shows through, and sends light on to it.
+
+#include "render_data/ambient.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "files/files.h"
+#include "paths.h"
+#include "reference/mesh_scene.h"
+
+namespace weftlight::render_data {
+namespace {
+
+using reference::MeshHit, reference::MeshScene;
+
+Mesh skirt() {
+  auto read = files::load_drape(WEFTLIGHT_SOURCE_DIR "/presets/meshes/skirt.glb");
+  EXPECT_TRUE(read);
+  if (!read) return {};
+  read->name = "skirt";
+  return std::move(*read);
+}
+
+TEST(Ambient, TheWaistbandIsFilledAndItsInsideIsLit) {
+  const PreparedMesh prepared = prepare_mesh(skirt(), SkyRays::kFew);
+  const auto form = MeshScene::build(prepared.body);
+  ASSERT_TRUE(form);
+  const auto& at = prepared.mesh.position_mm;
+  float top = -1e9f;
+  for (const auto& p : at) top = std::max(top, p[1]);
+  int edge = 0, wide = 0;
+  double lit = 0;
+  for (size_t v = 0; v < at.size(); ++v) {
+    if (at[v][1] < top - 4) continue;
+    MeshHit hit;
+    const bool filled = (*form)->intersect(at[v], -glm::vec3(prepared.mesh.normal[v]), 0, hit) && hit.t < 5;
+    ++edge, wide += !filled;
+    lit += static_cast<double>(prepared.sky[v].back);
+  }
+  ASSERT_GT(edge, 50);
+  EXPECT_LT(wide, edge / 10) << "one looks down between the form and the cloth";
+  EXPECT_GT(lit / edge, 0.05) << "the form sends no light to the inside of the waistband";
+}
+
+TEST(Ambient, TheFormStaysUnderTheCloth) {
+  const Mesh cloth = skirt();
+  const Mesh form = form_under("skirt", cloth);
+  const auto scene = MeshScene::build(cloth);
+  ASSERT_TRUE(scene);
+  int through = 0;
+  for (size_t v = 0; v < form.position_mm.size(); ++v) {
+    // Cloth that the form has passed lies just below its surface.
+    MeshHit hit;
+    const glm::vec3 inwards = -glm::vec3(form.normal[v]);
+    through += (*scene)->intersect(form.position_mm[v], inwards, 0, hit) && hit.t < 3;
+  }
+  EXPECT_EQ(through, 0);
+}
+
+}  // namespace
+}  // namespace weftlight::render_data

@@ -66,6 +66,7 @@ bool StageKeys::run(std::span<const Stage> list, StageWork& work, Effort effort,
     if (watch.stop.stop_requested()) return false;
     if (watch.starts) watch.starts(stage.name, i, list.size());
     run_stage(stage, work, input, quick);
+    if (effort == Effort::kOnce && !state.made) break;  // a single picture needs them all
   }
   return true;
 }

@@ -237,7 +237,7 @@ TEST_F(DrawingTest, TheMinimapShowsThePartAndScrolls) {
   put(draft_, straight_draft(400, 8));
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
+  ASSERT_NO_FATAL_FAILURE(enlarge(w, 4));
   // It goes soon after the zoom, but stays under the pointer.
   ASSERT_TRUE(comes_true([&] {
     if (w.has("minimap.stays")) return true;
@@ -280,7 +280,7 @@ TEST_F(DrawingTest, ADragBeyondTheEdgeScrolls) {
   put(draft_, wif::write_new_wif(blank_));
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  for (int i = 0; i < 4; ++i) display_.key("ctrl+plus");
+  ASSERT_NO_FATAL_FAILURE(enlarge(w, 4));
   const auto is_seen = [&](int end) { return w.cell("drawdown", end, 1).x > 14; };
   ASSERT_TRUE(comes_true([&] { return w.has("minimap") && !is_seen(150); }));
   const Point from = w.cell("threading", 20, 3);

@@ -67,6 +67,15 @@ class OnDisplay : public testing::Test {
     display_.click(w.cell("threading", end, 3));
     ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
   }
+  /// Makes the cells larger so many times; returns when they are.
+  void enlarge(const Window& w, int times) const {
+    const auto pitch = [&] { return w.cell("drawdown", 1, 1).x - w.cell("drawdown", 2, 1).x; };
+    for (int i = 0; i < times; ++i) {
+      const double before = pitch();
+      display_.key("ctrl+plus");
+      ASSERT_TRUE(comes_true([&] { return std::abs(pitch()) > std::abs(before); })) << "the cells stay as they are";
+    }
+  }
   /// Presses a button of a dialog.
   void press(const Window& w, const std::string& button) const {
     ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "no dialog with the button " << button;

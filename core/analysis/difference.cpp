@@ -93,6 +93,12 @@ void compare_cloth(Comparison& out, const BitMatrix& x, const BitMatrix& y) {
   out.same_cloth = out.crossings == 0 && x.rows() == y.rows() && x.cols() == y.cols();
 }
 
+std::string version_names(const Design& design) {
+  std::string names;
+  for (const design::Version& version : design.versions) names.append(names.empty() ? "" : ", ").append(version.name);
+  return names;
+}
+
 }  // namespace
 
 Comparison compare(const Design& a, const Design& b) {
@@ -123,6 +129,7 @@ Comparison compare(const Design& a, const Design& b) {
   c.text(mark("tolerance"), number(static_cast<double>(a.look.tolerance)),
          number(static_cast<double>(b.look.tolerance)));
   c.text(mark("mesh"), a.scene.mesh, b.scene.mesh);
+  if (a.versions != b.versions) out.differences.push_back({mark("versions"), version_names(a), version_names(b), {}});
   compare_cloth(out, drawdown(x), drawdown(y));
   return out;
 }

@@ -1,5 +1,7 @@
 #include "design/design.h"
 
+#include <algorithm>
+
 namespace weftlight::design {
 
 using draft::is_consistent;
@@ -12,8 +14,14 @@ double spacing_of(const Design& design, System system, int thread) {
   return static_cast<double>(design.yarns[static_cast<size_t>(threads.yarn[t])].diameter_mm);
 }
 
+bool Version::operator==(const Version& other) const {
+  return name == other.name && (design == other.design || *design == *other.design);
+}
+
 bool is_consistent(const Design& design) {
-  return !design.yarns.empty() && is_consistent(design.draft, design.yarns.size());
+  const auto kept = [](const Version& v) { return v.design && v.design->versions.empty() && is_consistent(*v.design); };
+  return !design.yarns.empty() && is_consistent(design.draft, design.yarns.size()) &&
+         std::ranges::all_of(design.versions, kept);
 }
 
 }  // namespace weftlight::design

@@ -2,6 +2,7 @@
 // The Design: the one value that is edited and saved. Draft, yarns, finish, notes,
 // plan of the cloth, look, scene and loom. Drawdown, maps, meshes and pictures are derived from it, never stored in it.
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,6 +100,17 @@ struct Assembly {
   bool operator==(const Assembly&) const = default;
 };
 
+struct Design;
+
+/// A state of the design kept under a name, as version_of() leaves it (versions.h). It is never changed, so that copies
+/// of the design share it.
+struct Version {
+  std::string name;
+  std::shared_ptr<const Design> design;  // never null; without versions of its own
+  /// By the values of the designs.
+  bool operator==(const Version& other) const;
+};
+
 struct Design {
   std::string title, author;
   std::vector<std::string> notes;
@@ -112,6 +124,7 @@ struct Design {
   std::vector<WeaveUse> weaves;  // latest last
   std::vector<NamedView> views;  // names are unique
   Assembly warp_assembly, weft_assembly;
+  std::vector<Version> versions;  // names are unique
   bool operator==(const Design&) const = default;
 };
 

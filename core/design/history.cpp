@@ -33,6 +33,16 @@ size_t bytes(const Design& design) {
       sum += sizeof(ThreadSection) + bytes(section.rows) + bytes(section.threads);
   for (const YarnPurchase& bought : design.plan.purchases) sum += sizeof(YarnPurchase) + bought.yarn.size();
   for (const std::string& note : design.notes) sum += sizeof(std::string) + note.size();
+  for (const Version& version : design.versions) sum += sizeof(Version) + version.name.size();
+  return sum;
+}
+
+/// Of the versions that `from` does not share.
+size_t version_bytes(const Design& from, const Design& to) {
+  size_t sum = 0;
+  for (const Version& version : to.versions)
+    if (std::ranges::find(from.versions, version.design, &Version::design) == from.versions.end())
+      sum += bytes(*version.design);
   return sum;
 }
 
@@ -97,7 +107,7 @@ struct History::Change {
 };
 
 History::History(Design first) : now_(std::make_shared<const Design>(std::move(first))) {
-  steps_.push_back({nullptr, {}, 0, 0, bytes(*now_)});
+  steps_.push_back({nullptr, {}, 0, 0, bytes(*now_) + version_bytes({}, *now_)});
   total_bytes_ = steps_.front().bytes;
 }
 
@@ -130,7 +140,7 @@ History::Step History::step_to(size_t before, const std::shared_ptr<const Design
   if (change->flips.empty()) {
     change->before = from, change->after = to;
     const Change* last = steps_[before].change.get();
-    step.bytes += bytes(*to) + (last && last->after == from ? 0 : bytes(*from));
+    step.bytes += bytes(*to) + version_bytes(*from, *to) + (last && last->after == from ? 0 : bytes(*from));
   }
   step.change = std::move(change);
   return step;
@@ -179,7 +189,7 @@ void History::drop_oldest() {
   Step& first = steps_.front();
   total_bytes_ -= first.bytes;
   first.change.reset(), first.label.clear();
-  total_bytes_ += first.bytes = bytes(*now_);
+  total_bytes_ += first.bytes = bytes(*now_) + version_bytes({}, *now_);
 }
 
 void History::undo() {

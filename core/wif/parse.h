@@ -73,6 +73,9 @@ struct ParsedWif {
 /// look, scene, exact values, and the grid of the inactive shed control.
 void read_private_sections(const WifText& text, const WifDialect& dialect, Diagnostics& diagnostics, Design& design);
 
+/// Reads the versions of the design (versions.cpp). Those that cannot be read are left out, with a diagnostic.
+void read_versions(const WifText& text, Diagnostics& diagnostics, Design& design);
+
 /// Reads a file; empty if it cannot be used. Fills `info` with the facts that are shown to the user.
 std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnostics, WifFile* info = nullptr);
 

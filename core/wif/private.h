@@ -60,6 +60,10 @@ inline constexpr FloatField<ClothPlan> kPlanFloats[] = {
 /// Limit of yarns whose purchase is known; their keys have a number before them.
 inline constexpr int kMaxPurchases = 4096;
 
+/// Versions have a section "VERSION 1", "VERSION 2" ..., and one for each of their sections: "VERSION 1 THREADING". A
+/// section that is the same in an earlier version stands there alone: the version names it by a key with this suffix
+/// and the number of that version.
+inline constexpr std::string_view kVersion = "PRIVATE WEFTLIGHT VERSION ", kSameAsIn = " As In Version";
 /// Limit of named views; each has a section "VIEW 1", "VIEW 2" ...
 inline constexpr int kMaxViews = 200;
 /// Limit of thread sections of each system.

@@ -398,6 +398,7 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
   read_notes(r);
   r.dialect.has_yarns = r.text.find(std::string(kPrivate) + "YARNS") != nullptr;
   read_private_sections(r.text, r.dialect, diagnostics, r.design);
+  read_versions(r.text, diagnostics, r.design);
   return parsed;
 }
 

@@ -158,6 +158,7 @@ std::vector<WifEntries> public_sections_of(const Design& design, const WifDialec
 std::vector<WifEntries> sections_of(const Design& design, const WifDialect& dialect) {
   std::vector<WifEntries> out = public_sections_of(design, dialect);
   append_private_sections(out, design, dialect);
+  append_versions(out, design);
   return out;
 }
 

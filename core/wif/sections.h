@@ -34,6 +34,11 @@ std::vector<WifEntries> public_sections_of(const Design& design, const WifDialec
 /// Appends Weftlight's private sections (write_private.cpp).
 void append_private_sections(std::vector<WifEntries>& out, const Design& design, const WifDialect& dialect);
 
+/// Appends the sections of the design's versions (versions.cpp).
+void append_versions(std::vector<WifEntries>& out, const Design& design);
+/// Those of a new file, with every number of the yarns.
+std::vector<WifEntries> new_file_sections(const Design& design);
+
 /// "1,3,4" of the set bits of a row, counted from `base`; "0" if there are none, empty if `base` is 0.
 std::string bit_list(const BitMatrix& bits, int row, int base = 1);
 

@@ -137,7 +137,11 @@ std::string write_wif(const WifFile& opened, const Design& now) {
   return fallback.empty() ? write_new_wif(now) : fallback;
 }
 
-std::string write_new_wif(const Design& design) { return whole_file(sections_of(design, new_dialect(design.draft))); }
+std::vector<WifEntries> new_file_sections(const Design& design) {
+  return sections_of(design, new_dialect(design.draft));
+}
+
+std::string write_new_wif(const Design& design) { return whole_file(new_file_sections(design)); }
 
 std::string write_preset_wif(const Design& design) {
   WifDialect dialect = new_dialect(design.draft);

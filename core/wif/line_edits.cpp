@@ -274,7 +274,7 @@ bool has_key(const WifEntries& section, const WifEntry& entry) {
                               [](const WifEntry& a, const WifEntry& b) { return a.number < b.number; });
   }
   return std::any_of(section.entries.begin(), section.entries.end(),
-                     [&](const WifEntry& e) { return e.key == entry.key; });
+                     [&](const WifEntry& e) { return same_word(e.key, entry.key); });
 }
 
 void change_section(Patch& patch, const WifSection& section, const WifEntries* before, const WifEntries& now,
@@ -298,9 +298,9 @@ void change_section(Patch& patch, const WifSection& section, const WifEntries* b
 }
 
 /// Removes headings, keys and blank lines of a section, but not its comments. If the section has lines that were not
-/// understood, only its keys are removed.
+/// understood, only its keys are removed, but of versions, which would be read again, all.
 void remove_section(Patch& patch, const WifSection& section) {
-  if (!section.other_lines.empty()) {
+  if (!section.other_lines.empty() && !is_version_section(section.name)) {
     for (const WifKey& key : section.keys) patch.remove_line(key.line);
     return;
   }
@@ -378,7 +378,8 @@ std::optional<std::string> patched(const WifText& text, const std::vector<WifEnt
     if (find(now, section.name)) continue;
     const WifSection* lines = text.find(section.name);
     if (lines) remove_section(patch, *lines);
-    if (!lines || lines->other_lines.empty()) remove_from_contents(patch, section.name);
+    if (!lines || lines->other_lines.empty() || is_version_section(section.name))
+      remove_from_contents(patch, section.name);
   }
   trim_tables(patch, "WARP", before, now);
   trim_tables(patch, "WEFT", before, now);

@@ -2,6 +2,7 @@
 // Converts a design to WIF sections and keys, in the dialect of a file. line_edits.h writes them into lines.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wif/parse.h"
@@ -36,6 +37,10 @@ void append_private_sections(std::vector<WifEntries>& out, const Design& design,
 
 /// Appends the sections of the design's versions (versions.cpp).
 void append_versions(std::vector<WifEntries>& out, const Design& design);
+/// The sections of versions as the lines of a file have them, odd ones too.
+std::vector<WifEntries> version_lines(const WifText& text);
+/// Whether that is the name of a section of a version.
+bool is_version_section(std::string_view name);
 /// Those of a new file, with every number of the yarns.
 std::vector<WifEntries> new_file_sections(const Design& design);
 

@@ -41,14 +41,14 @@ std::map<int, Parts> parts_of(const WifText& text) {
   std::map<int, Parts> all;
   for (const WifSection& section : text.sections) {
     std::string_view rest = section.name;
-    if (!rest.starts_with(kVersion)) continue;
+    if (!is_version_section(rest)) continue;
     rest.remove_prefix(kVersion.size());
     const size_t blank = std::min(rest.find(' '), rest.size());
     const int number = leading_int(rest.substr(0, blank)).value_or(0);
     if (number < 1 || static_cast<size_t>(number) > kMaxVersions) continue;
     const std::string_view name = rest.substr(std::min(blank + 1, rest.size()));
     if (name.empty()) all[number].head = &section;
-    else if (!name.starts_with(kVersion)) all[number].sections.emplace(name, &section);
+    else if (!is_version_section(name)) all[number].sections.emplace(name, &section);
   }
   return all;
 }
@@ -102,6 +102,22 @@ void read_versions(const WifText& text, Diagnostics& diagnostics, Design& design
     design.versions.push_back(
         {unused_version_name(design.versions, words), std::make_shared<const Design>(version_of(parsed->design))});
   }
+}
+
+bool is_version_section(std::string_view name) { return name.starts_with(kVersion); }
+
+std::vector<WifEntries> version_lines(const WifText& text) {
+  std::vector<WifEntries> out;
+  for (const WifSection& section : text.sections) {
+    if (!is_version_section(section.name)) continue;
+    WifEntries& lines = out.emplace_back(WifEntries{section.name, {}});
+    for (const WifKey& key : section.keys)
+      lines.entries.push_back({key.number, key.number < 0 ? std::string(key.key) : std::string(),
+                               to_utf8(key.value, text.encoding), false});
+    std::stable_sort(lines.entries.begin(), lines.entries.end(),
+                     [](const WifEntry& a, const WifEntry& b) { return a.number < b.number; });
+  }
+  return out;
 }
 
 void append_versions(std::vector<WifEntries>& out, const Design& design) {

@@ -34,6 +34,16 @@ std::optional<Attempt> attempt(const WifText& text, const std::vector<WifEntries
   return result;
 }
 
+/// What the file says before the edit. Of versions that change these are its lines, so that odd ones go.
+std::vector<WifEntries> lines_before(const Design& opened, const Design& now, const WifText& text,
+                                     const WifDialect& dialect) {
+  std::vector<WifEntries> before = sections_of(opened, dialect);
+  if (opened.versions == now.versions) return before;
+  std::erase_if(before, [](const WifEntries& section) { return is_version_section(section.name); });
+  std::ranges::move(version_lines(text), std::back_inserter(before));
+  return before;
+}
+
 std::vector<std::string> head_lines(const std::vector<WifEntries>& sections) {
   std::vector<std::string> lines{
       "[WIF]", "Version=1.1", "Date=April 20, 1997", "Developers=wif@mhsoft.com", "Source Program=Weftlight",
@@ -116,11 +126,11 @@ std::string write_wif(const WifFile& opened, const Design& now) {
   Diagnostics diagnostics;
   const std::optional<ParsedWif> parsed = parse_wif(opened.bytes, diagnostics);
   if (!parsed) return write_new_wif(now);
-  const std::vector<WifEntries> before = sections_of(opened.design, parsed->dialect);
   const std::vector<WifEntries> after = sections_of(now, parsed->dialect);
   // Change the fewest lines first, and more only if the result does not read back as `now`.
   std::string fallback;
   const auto try_text = [&](const WifText& text) -> std::optional<std::string> {
+    const std::vector<WifEntries> before = lines_before(opened.design, now, text, parsed->dialect);
     for (const EditScope scope : {EditScope::kChanged, EditScope::kCounts, EditScope::kAll}) {
       std::optional<Attempt> tried = attempt(text, before, after, scope);
       if (!tried) return std::nullopt;

@@ -110,6 +110,19 @@ TEST(versions, that_are_broken_are_left_out_with_a_remark) {
   EXPECT_EQ(write_wif(*read.file, read.file->design), bytes);
 }
 
+TEST(versions, with_odd_lines_can_be_changed) {
+  const WifFile file = opened(fixture("twill.wif"));
+  std::string bytes = write_wif(file, with_version(file.design, "One"));
+  bytes +=
+      "[PRIVATE WEFTLIGHT VERSION 7]\r\nname=Seven\r\nTHREADING As In Version=1\r\nno key\r\n"
+      "[PRIVATE WEFTLIGHT VERSION 1 PRIVATE WEFTLIGHT VERSION 2]\r\n1=1\r\n";
+  const WifFile odd = opened(bytes);
+  ASSERT_EQ(odd.design.versions.size(), 2u);
+  EXPECT_EQ(odd.design.versions[1].name, "Seven");
+  for (const Design& now : {with_version(odd.design, "Two"), without_version(odd.design, 1), file.design})
+    EXPECT_TRUE(opened(write_wif(odd, now)).design == now);
+}
+
 TEST(versions, of_a_small_file_take_no_endless_memory) {
   // Each version refers to the first, which states the largest grids there are.
   std::string bytes = fixture("twill.wif");

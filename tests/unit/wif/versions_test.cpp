@@ -113,9 +113,9 @@ TEST(versions, that_are_broken_are_left_out_with_a_remark) {
 TEST(versions, with_odd_lines_can_be_changed) {
   const WifFile file = opened(fixture("twill.wif"));
   std::string bytes = write_wif(file, with_version(file.design, "One"));
-  bytes +=
-      "[PRIVATE WEFTLIGHT VERSION 7]\r\nname=Seven\r\nTHREADING As In Version=1\r\nno key\r\n"
-      "[PRIVATE WEFTLIGHT VERSION 1 PRIVATE WEFTLIGHT VERSION 2]\r\n1=1\r\n";
+  bytes += "[PRIVATE WEFTLIGHT VERSION 7]\r\nname=Seven\r\nno key\r\n";
+  for (const char* name : {"THREADING", "WARP", "WEFT", "TREADLING"}) bytes.append(name).append(" As In Version=1\r\n");
+  bytes += "[PRIVATE WEFTLIGHT VERSION 1 PRIVATE WEFTLIGHT VERSION 2]\r\n1=1\r\n";
   const WifFile odd = opened(bytes);
   ASSERT_EQ(odd.design.versions.size(), 2u);
   EXPECT_EQ(odd.design.versions[1].name, "Seven");
@@ -129,8 +129,8 @@ TEST(versions, of_a_small_file_take_no_endless_memory) {
   bytes +=
       "\r\n[PRIVATE WEFTLIGHT VERSION 1]\r\nName=a\r\n"
       "[PRIVATE WEFTLIGHT VERSION 1 WEAVING]\r\nShafts=4096\r\nTreadles=4096\r\n"
-      "[PRIVATE WEFTLIGHT VERSION 1 WARP]\r\nThreads=20000\r\n"
-      "[PRIVATE WEFTLIGHT VERSION 1 WEFT]\r\nThreads=100000\r\n"
+      "[PRIVATE WEFTLIGHT VERSION 1 WARP]\r\nThreads=9000\r\n"
+      "[PRIVATE WEFTLIGHT VERSION 1 WEFT]\r\nThreads=40000\r\n"
       "[PRIVATE WEFTLIGHT VERSION 1 THREADING]\r\n1=1\r\n"
       "[PRIVATE WEFTLIGHT VERSION 1 PRIVATE WEFTLIGHT VERSION 1 THREADING]\r\n1=1\r\n";
   for (size_t i = 2; i <= kMaxVersions; ++i) {

@@ -33,4 +33,9 @@ struct SetPreview {
 SetPreview preview_set(const Design& design, Face face, const TextureSetOptions& options, int side, int swatch_width,
                        int swatch_height, float swatch_mm, const std::stop_token& stop = {});
 
+/// A lit flat swatch of the first ends and picks, `across_mm` of cloth wide: sRGB-encoded RGB. The lights and the scale
+/// are the same for every design, so that swatches can be compared. Empty as preview_set().
+Image flat_swatch(const Design& design, Face face, int width, int height, float across_mm,
+                  const std::stop_token& stop = {});
+
 }  // namespace weftlight::texture_set

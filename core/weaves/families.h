@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "weaves/weave_values.h"
 #include "weaves/weaves.h"
@@ -116,18 +117,30 @@ struct PictureWeave {
   int colors = 2;         // 1..16, of the reduced picture
   int longest_float = 7;  // from 1, on both faces
   int shafts = 8;         // of the satins that fill the regions
+  // The repeats of the weaver's own weaves, picks x ends, for the colours from dark to light; an empty one, and those
+  // that are missing: a shaded satin by the place of the colour between dark and light.
+  std::vector<BitMatrix> weaves{};
 };
-/// A drawdown of the size of the picture: one weave per colour, the darkest the most warp-faced.
-BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how);
 /// The reduced colours, dark to light, and the index of each pixel's colour.
 struct Reduced {
   std::vector<Rgb> palette;
   std::vector<int> index;
 };
 Reduced reduced_colors(const Pixels& picture, int colors);
+/// A drawdown of the size of the picture: one weave per colour, the darkest the most warp-faced.
+BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how);
+/// The same of a picture that is reduced already; `how.colors` has no effect.
+BitMatrix picture_weave(const Pixels& picture, const Reduced& reduced, const PictureWeave& how,
+                        const base::TaskProgress& progress = {});
+/// A repeat of a satin with so many of its ends up in each pick: 1 of 8 is weft-faced, 7 of 8 warp-faced.
+BitMatrix shaded_satin(int shafts, int up);
+/// A repeat, picks x ends, from words: "plain", "twill 2/1", "twill 1/3 left", "satin 8/3" (3 of 8 ends up), or a code
+/// of ISO 9354; an empty matrix for "auto". Or why they name no weave.
+base::Result<BitMatrix> read_weave_words(std::string_view words);
 /// Changes crossings until no float is longer than `longest`, on either face and over the edges; 1 gives plain weave.
-/// In a shaded satin on 8 shafts one crossing in nine changes for floats of 5, one in five for floats of 3.
-BitMatrix with_bounded_floats(BitMatrix cells, int longest);
+/// Asked to stop, it leaves the rest as it is. In a shaded satin on 8 shafts one crossing in nine changes for floats of
+/// 5, one in five for floats of 3.
+BitMatrix with_bounded_floats(BitMatrix cells, int longest, const base::TaskProgress& progress = {});
 /// A drawdown for a Jacquard machine: one shaft per end, the liftplan is the drawdown. Empty if it is too large.
 std::optional<Design> jacquard_design(const BitMatrix& cells);
 

@@ -15,17 +15,20 @@
 #include <random>
 #include <utility>
 
+#include "base/text.h"
 #include "weaves/families.h"
 
 namespace weftlight::weaves {
 
+using base::arg, base::fill, base::tr;
 using design::Design, design::Leading;
-using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::blank_draft, draft::kMaxCells, draft::kMaxShafts,
-    draft::kMaxThreads;
+using draft::BitMatrix, draft::Rgb, draft::ShedControl, draft::blank_draft, draft::drawdown, draft::kMaxCells,
+    draft::kMaxShafts, draft::kMaxThreads;
 
 namespace {
 
-constexpr int kSteps = 32;  // per channel
+constexpr int kSteps = 32;            // per channel
+constexpr int kMaxShadedShafts = 64;  // of a weave that stands for a colour
 // One float in so many is bound at a random cell, so that two floats cannot undo each other for ever.
 constexpr unsigned kRandomBinding = 16, kBindingSeed = 1;
 constexpr int64_t kMaxBindingsPerCrossing = 8;  // then plain weave is used; pictures take less than one
@@ -215,7 +218,7 @@ Reduced reduced_colors(const Pixels& picture, int colors) {
   return out;
 }
 
-BitMatrix with_bounded_floats(BitMatrix cells, int longest) {
+BitMatrix with_bounded_floats(BitMatrix cells, int longest, const base::TaskProgress& progress) {
   const int most = std::max(longest, 1), rows = cells.rows(), cols = cells.cols();
   if (most == 1) return plain(rows, cols);
   // Lines to check: row r as r, column c as rows + c.
@@ -228,7 +231,7 @@ BitMatrix with_bounded_floats(BitMatrix cells, int longest) {
   for (int line = 0; line < rows + cols; ++line) check(line);
   std::mt19937 chance(kBindingSeed);
   int64_t left = kMaxBindingsPerCrossing * rows * cols;
-  while (!lines.empty() && left > 0) {
+  while (!lines.empty() && left > 0 && !progress.stopped()) {
     const int line = lines.front();
     lines.pop_front();
     queued[static_cast<size_t>(line)] = 0;
@@ -242,20 +245,75 @@ BitMatrix with_bounded_floats(BitMatrix cells, int longest) {
   return left > 0 ? cells : plain(rows, cols);
 }
 
-BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how) {
-  const Reduced reduced = reduced_colors(picture, how.colors);
-  const int shafts = std::clamp(how.shafts, 2, 64), step = satin_step(shafts);
+BitMatrix shaded_satin(int shafts, int up) {
+  const int n = std::clamp(shafts, 2, kMaxShadedShafts), step = satin_step(n);
+  BitMatrix repeat(n, n);
+  for (int pick = 0; pick < n; ++pick)
+    for (int end = 0; end < n; ++end)
+      if ((((end - pick * step) % n) + n) % n < up) repeat.set(pick, end, true);
+  return repeat;
+}
+
+BitMatrix picture_weave(const Pixels& picture, const Reduced& reduced, const PictureWeave& how,
+                        const base::TaskProgress& progress) {
+  const int shafts = std::clamp(how.shafts, 2, kMaxShadedShafts);
   const int colors = static_cast<int>(reduced.palette.size());
+  std::vector<BitMatrix> weaves(how.weaves.begin(),
+                                how.weaves.begin() + std::min(colors, static_cast<int>(how.weaves.size())));
+  weaves.resize(static_cast<size_t>(colors));
+  for (int color = 0; color < colors; ++color) {
+    BitMatrix& weave = weaves[static_cast<size_t>(color)];
+    const int up = colors < 2 ? shafts / 2 : 1 + (shafts - 2) * (colors - 1 - color) / (colors - 1);
+    if (weave.rows() < 1 || weave.cols() < 1) weave = shaded_satin(shafts, up);
+  }
   BitMatrix cells(picture.height, picture.width);
+  size_t at = 0;
   for (int pick = 0; pick < picture.height; ++pick)
     for (int end = 0; end < picture.width; ++end) {
-      const size_t at = static_cast<size_t>(pick) * static_cast<size_t>(picture.width) + static_cast<size_t>(end);
-      const int color = reduced.index[at];
-      const int up = colors < 2 ? shafts / 2 : 1 + (shafts - 2) * (colors - 1 - color) / (colors - 1);
-      const int position = (((end - pick * step) % shafts) + shafts) % shafts;
-      if (position < up) cells.set(pick, end, true);
+      const BitMatrix& weave = weaves[static_cast<size_t>(reduced.index[at++])];
+      if (weave.get(pick % weave.rows(), end % weave.cols())) cells.set(pick, end, true);
     }
-  return with_bounded_floats(std::move(cells), how.longest_float);
+  return with_bounded_floats(std::move(cells), how.longest_float, progress);
+}
+
+BitMatrix picture_weave(const Pixels& picture, const PictureWeave& how) {
+  return picture_weave(picture, reduced_colors(picture, how.colors), how);
+}
+
+base::Result<BitMatrix> read_weave_words(std::string_view words) {
+  const auto word = [&words](std::string_view name) {
+    if (!words.starts_with(name)) return false;
+    words.remove_prefix(name.size());
+    while (words.starts_with(' ')) words.remove_prefix(1);
+    return true;
+  };
+  const std::string all(words);
+  const auto none = [&all] {
+    return base::failure(base::ErrorKind::kUsage,
+                         fill(tr("'{words}' names no weave; write plain, twill 2/1, twill 1/3 left, satin 8/3 (3 of 8 "
+                                 "ends up), a code of ISO 9354, or the path of a draft"),
+                              arg("words", all)));
+  };
+  if (words.empty() || words == "auto") return BitMatrix();
+  if (words == "plain") return plain(2, 2);
+  if (word("twill")) {
+    const bool left = words.ends_with("left");
+    if (left) words.remove_suffix(4);
+    const OverUnder order = read_ratio(words);
+    const int repeat = std::accumulate(order.begin(), order.end(), 0);
+    if (order.empty() || repeat > kMaxShadedShafts) return none();
+    return drawdown(twill(order, left ? Lean::kLeft : Lean::kRight, {repeat, repeat}).draft);
+  }
+  if (word("satin")) {
+    const OverUnder order = read_ratio(words);
+    if (order.size() != 2 || order[0] < 5 || order[0] > kMaxShadedShafts || order[1] >= order[0] ||
+        satin_steps(order[0]).empty())
+      return none();
+    return shaded_satin(order[0], order[1]);
+  }
+  base::Result<BitMatrix> code = read_iso_code(words);
+  if (code) return code;
+  return none();
 }
 
 std::optional<Design> jacquard_design(const BitMatrix& cells) {

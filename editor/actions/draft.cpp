@@ -6,6 +6,7 @@
 #include "design/crossings.h"
 #include "design/edits.h"
 #include "design/loom.h"
+#include "session/editing/version_edits.h"
 
 namespace weftlight::actions {
 
@@ -13,7 +14,7 @@ using base::fill, base::tr;
 using design::Design, design::Leading, design::loom_size, design::to_liftplan, design::to_skeleton,
     design::to_treadling, design::with_leading, design::with_lock, design::with_rising;
 using draft::ShedControl, draft::treadles_needed;
-using session::Edit, session::larger_loom_edit;
+using session::Edit, session::go_to_version_edit, session::larger_loom_edit, session::next_version;
 
 namespace {
 
@@ -47,6 +48,20 @@ void add_leading(Actions& all, const ActiveDraft& draft, const DraftDialogs& dia
   }).enabled = [&draft] { return draft.view().rejected_edit.has_value(); };
 }
 
+void add_versions(Actions& all, const ActiveDraft& draft, const DraftDialogs& dialogs) {
+  add(all, "Draft", "versions", tr("Versions and colourways\xE2\x80\xA6"), "", dialogs.versions);
+  const auto go = [&all, &draft](const char* id, const char* label, int step) {
+    add(all, "Draft", id, label, "", [&draft, step] {
+      const Design& now = draft.document().now();
+      const design::Version* version = next_version(now, step);
+      if (const session::MaybeEdit edit = version ? go_to_version_edit(now, *version) : std::nullopt)
+        draft.commit(*edit);
+    }).enabled = [&draft] { return !draft.document().now().versions.empty(); };
+  };
+  go("next_version", tr("Next version"), 1);
+  go("previous_version", tr("Previous version"), -1);
+}
+
 }  // namespace
 
 void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialogs& dialogs) {
@@ -54,6 +69,8 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
   add(all, "Draft", "weave_over", tr("Weave over the draft or selection\xE2\x80\xA6"), "W", dialogs.weave);
   add(all, "Draft", "sections", tr("Build from sections\xE2\x80\xA6"), "Shift+W", dialogs.sections);
   add(all, "Draft", "join", tr("Join with another draft\xE2\x80\xA6"), "", dialogs.join);
+  add(all, "Draft", "picture", tr("Weave a picture\xE2\x80\xA6"), "", dialogs.picture);
+  add_versions(all, draft, dialogs);
   add(all, "Draft", "size", tr("Size and loom limits\xE2\x80\xA6"), "", dialogs.size);
   const auto shed = [&all, &draft](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [&draft, rising] {

@@ -13,6 +13,10 @@ struct DraftDialogs {
   std::function<void()> weave;
   /// Threading and treadling from named sections.
   std::function<void()> sections;
+  /// Asks for a picture and weaves it.
+  std::function<void()> picture;
+  /// Versions and colourways of the draft.
+  std::function<void()> versions;
   /// Asks for another draft and joins this one with it.
   std::function<void()> join;
   /// Offers the closest weave to an edit that the loom cannot weave.

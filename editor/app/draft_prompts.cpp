@@ -7,19 +7,25 @@
 #include <utility>
 #include <vector>
 
+#include "app/file_filters.h"
+#include "app/window.h"
 #include "base/text.h"
 #include "design/edits.h"
+#include "design/repeat.h"
 #include "design/selection_edits.h"
+#include "design/versions.h"
 #include "weaves/sections.h"
 
 namespace weftlight::app {
 
 using base::mark, base::tr;
-using design::Design, design::Loom, design::ThreadRange, design::WeaveUse, design::threads_of, design::with_size;
-using draft::BitGrid, draft::Draft, draft::Selection, draft::System;
+using design::Design, design::Loom, design::Repeat, design::structure_repeat, design::ThreadRange, design::WeaveUse,
+    design::free_version_name, design::threads_of, design::with_size;
+using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Selection, draft::System;
 using session::Edit, session::OpenResult, session::scroll_to;
-using views::ClosestWeavePrompt, views::JoinPrompt, views::NotesPrompt, views::SectionsPrompt, views::SizePrompt,
-    views::ThreadPrompt, views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
+using views::ClosestWeavePrompt, views::JoinPrompt, views::NotesPrompt, views::PicturePrompt, views::PictureStage,
+    views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt, views::VersionPictures, views::VersionsPrompt,
+    views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
 using weaves::WeaveKind, weaves::free_section_name, weaves::weave_kinds;
 
 namespace {
@@ -44,6 +50,17 @@ std::vector<std::string> split_lines(const std::string& text) {
     at = end + 1;
   }
   return lines;
+}
+
+/// The repeat of a weave, if it is small enough to stand for a colour; otherwise empty.
+BitMatrix small_repeat(const BitMatrix& cells) {
+  constexpr int kMaxRepeat = 64;
+  const Repeat repeat = structure_repeat(cells);
+  if (repeat.ends > kMaxRepeat || repeat.picks > kMaxRepeat) return {};
+  BitMatrix out(repeat.picks, repeat.ends);
+  for (int pick = 0; pick < repeat.picks; ++pick)
+    for (int end = 0; end < repeat.ends; ++end) out.set(pick, end, cells.get(pick, end));
+  return out;
 }
 
 }  // namespace
@@ -153,6 +170,26 @@ void DraftPrompts::ask_join() {
   });
 }
 
+void DraftPrompts::ask_picture() {
+  dialogs_.ask_path(
+      FileAsk::kOpen, tr("Picture to weave"), document().path(),
+      [this](const std::string& path) {
+        PicturePrompt p;
+        p.name = std::filesystem::path(path).filename().string();
+        p.stage = std::make_shared<PictureStage>(path, document().snapshot(), Window::wake);
+        p.own_weave = small_repeat(document().cells());
+        dialogs_.ask(std::move(p), [](int) {});
+      },
+      kPictureEnding);
+}
+
+void DraftPrompts::ask_versions() {
+  VersionsPrompt p;
+  p.name = free_version_name(document().now());
+  p.pictures = std::make_shared<VersionPictures>(Window::wake);
+  dialogs_.ask(std::move(p), [](int) {});
+}
+
 void DraftPrompts::ask_closest_weave() {
   if (!view().rejected_edit || !view().rejected_edit->closest) return;
   ClosestWeavePrompt p{view().rejected_edit->closest, document().snapshot(), kClosestStrokes | ++asked_};
@@ -170,6 +207,8 @@ DraftDialogs DraftPrompts::actions() {
           .go_to = [this] { ask_thread(); },
           .weave = [this] { ask_weave(); },
           .sections = [this] { ask_sections(); },
+          .picture = [this] { ask_picture(); },
+          .versions = [this] { ask_versions(); },
           .join = [this] { ask_join(); },
           .closest_weave = [this] { ask_closest_weave(); }};
 }

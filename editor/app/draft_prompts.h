@@ -30,6 +30,8 @@ class DraftPrompts {
   void ask_weave();
   void ask_sections();
   void ask_join();
+  void ask_picture();
+  void ask_versions();
   void ask_closest_weave();
 
   DraftDialogs actions();

@@ -10,13 +10,14 @@ using platform::FileAsk, platform::FileFilter;
 std::vector<FileFilter> file_filters(FileAsk what, const std::string& ending) {
   if (what == FileAsk::kFolder) return {};
   if (ending == ".hdr") return {{tr("Environment pictures"), "*.hdr *.HDR *.exr *.EXR"}, {tr("All files"), "*"}};
+  const FileFilter pictures{tr("Pictures, one pixel for each crossing"), "*.png *.PNG *.tif *.tiff *.TIF *.bmp"};
+  if (what == FileAsk::kOpen && ending == kPictureEnding) return {pictures, {tr("All files"), "*"}};
   std::vector<FileFilter> filters;
   if (what == FileAsk::kOpen)
     filters.push_back({tr("Weaving drafts"), "*.wif *.WIF *.wifw *.WIFW *.dtx *.DTX *.wpo *.WPO"});
   filters.push_back(ending == ".wif" ? FileFilter{tr("WIF drafts"), "*.wif *.WIF *.wifw *.WIFW"}
                                      : FileFilter{"*" + ending, "*" + ending});
-  if (what == FileAsk::kOpen)
-    filters.push_back({tr("Pictures, one pixel for each crossing"), "*.png *.PNG *.tif *.tiff *.TIF *.bmp"});
+  if (what == FileAsk::kOpen) filters.push_back(pictures);
   filters.push_back({tr("All files"), "*"});
   return filters;
 }

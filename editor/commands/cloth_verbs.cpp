@@ -219,6 +219,8 @@ RunVerb add_export(CLI::App& verb) {
                   tr("Template for the folder of a set; {name}, {target} and {size} are filled in; default: {name}, "
                      "with several targets {name}/{target}"))
       ->type_name(tr("TEMPLATE"));
+  verb.add_flag("--versions,--colourways", o.versions,
+                tr("A set of each version or colourway too, named after the draft and the version"));
   verb.add_option("--jobs", o.jobs, tr("Number of sets made at the same time; default: 1"))->check(whole_number(1, 64));
   verb.add_flag("--zip", o.zip, tr("Archive of each set beside its folder"));
   verb.add_flag("--resume", o.resume, tr("Skip sets that are complete and up to date"));

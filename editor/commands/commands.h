@@ -46,6 +46,7 @@ struct ConvertOptions {
   ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // the size that the result has to fit
   bool closest = false;    // a draft that does not fit is replaced by the closest weave
+  std::string version;     // the name of the version to take; empty: the draft as it is
   files::PictureDraft picture{};
 };
 /// NaN or empty: the design's own value.
@@ -83,6 +84,7 @@ struct ExportOptions {
   float distance_m = 1;
   std::string mips;  // container of mipmaps beside the images, "dds" or "ktx2"; empty: none
   bool force = false, zip = false, watch = false, resume = false;
+  bool versions = false;  // a set of each version of a draft, too
   bool quiet = false;  // neither progress nor the folders of the sets
   bool progress_json = false;
 };

@@ -7,12 +7,14 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/edits.h"
+#include "design/versions.h"
 #include "draft/factor.h"
 
 namespace weftlight::commands {
 
 using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
-using design::Design, design::to_liftplan, design::to_treadling;
+using design::Design, design::Version, design::at_version, design::to_liftplan, design::to_treadling,
+    design::version_named;
 using draft::ClosestDraft, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
     draft::kMaxShafts, draft::within_loom, draft::Draft;
 using files::is_picture;
@@ -30,7 +32,8 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
                                    : treadling ? PlainShedControl::kTreadling
                                                : PlainShedControl::kAsIs);
   }
-  return liftplan || treadling || asks_for_loom(options) ? write_wif(file, design) : file.bytes;
+  const bool changed = liftplan || treadling || asks_for_loom(options) || !options.version.empty();
+  return changed ? write_wif(file, design) : file.bytes;
 }
 
 base::Result<Design> with_shed_control(Design design, const ConvertOptions& options) {
@@ -42,6 +45,17 @@ base::Result<Design> with_shed_control(Design design, const ConvertOptions& opti
       ErrorKind::kInput,
       fill(tr("the draft needs more than {count} treadles; keep its liftplan"), arg("count", int{kMaxShafts})),
       options.in);
+}
+
+/// The draft as one of its versions keeps it.
+base::Result<Design> at_named_version(Design design, const ConvertOptions& options) {
+  if (options.version.empty()) return design;
+  if (const Version* version = version_named(design, options.version)) return at_version(design, *version);
+  std::string names;
+  for (const Version& version : design.versions) names.append(names.empty() ? "" : ", ").append(version.name);
+  const char* why = names.empty() ? tr("the draft has no versions, so none is called '{name}'")
+                                  : tr("no version is called '{name}'; there are: {names}");
+  return base::failure(ErrorKind::kInput, fill(why, arg("name", options.version), arg("names", names)), options.in);
 }
 
 /// Makes the draft fit the loom.
@@ -71,14 +85,17 @@ base::Result<Design> fitted_to_loom(Design design, const ConvertOptions& options
 
 int convert_command(const ConvertOptions& options) {
   if (options.picture != files::PictureDraft{} && !is_picture(options.in)) {
-    return refuse(fill(tr("--ends, --colors and --floats apply to pictures only, and {file} is not a picture"),
+    return refuse(fill(tr("--crop, --ends, --picks, --colors, --weave, --floats and --picture-colors apply to pictures "
+                          "only, and {file} is "
+                          "not a picture"),
                        arg("file", options.in)));
   }
   const OpenedDesign opened = open_design(options.in, false, options.picture);
   if (!opened.ok) return kBadInput;
-  const base::Result<Design> design = with_shed_control(opened.design, options).and_then([&](Design changed) {
-    return fitted_to_loom(std::move(changed), options);
-  });
+  const base::Result<Design> design =
+      at_named_version(opened.design, options)
+          .and_then([&](Design taken) { return with_shed_control(std::move(taken), options); })
+          .and_then([&](Design changed) { return fitted_to_loom(std::move(changed), options); });
   if (!design) return fail(design.error());
   return finish(write_file_atomically(options.out, converted(opened.file, *design, options)));
 }

@@ -12,8 +12,8 @@
 
 namespace weftlight::commands {
 
-using base::mark, base::tr;
-using draft::kMaxShafts, draft::kMaxThreads;
+using base::arg, base::fill, base::mark, base::message, base::tr;
+using draft::BitMatrix, draft::kMaxShafts, draft::kMaxThreads;
 
 namespace {
 
@@ -162,7 +162,63 @@ RunVerb add_drawdown(CLI::App& verb) {
   return [options] { return drawdown_command(*options); };
 }
 
+/// The weaves of a picture's colours, as "2=satin 8/3".
+CLI::Validator weaves_into(std::vector<BitMatrix>& weaves) {
+  return CLI::Validator(
+      [&weaves](const std::string& text) -> std::string {
+        constexpr int kMaxColors = 16;
+        const size_t equals = text.find('=');
+        const std::string number = text.substr(0, equals);
+        const bool digits =
+            !number.empty() && number.size() < 3 && number.find_first_not_of("0123456789") == number.npos;
+        const int color = digits && equals != std::string::npos ? std::stoi(number) : 0;
+        if (color < 1 || color > kMaxColors)
+          return fill(
+              tr("--weave {text}: give the number of a colour, from 1, the darkest, to {most}, an = and its weave"),
+              arg("text", text), arg("most", kMaxColors));
+        base::Result<BitMatrix> weave = files::read_weave(text.substr(equals + 1));
+        if (!weave) return message(weave.error());
+        if (weaves.size() < static_cast<size_t>(color)) weaves.resize(static_cast<size_t>(color));
+        weaves[static_cast<size_t>(color) - 1] = std::move(*weave);
+        return {};
+      },
+      "");
+}
+
+/// Four whole numbers, "X,Y,W,H".
+CLI::Validator crop_into(files::PictureCrop& crop) {
+  return CLI::Validator(
+      [&crop](const std::string& text) -> std::string {
+        files::PictureCrop read;
+        char rest = 0;
+        if (std::sscanf(text.c_str(), "%6d,%6d,%6d,%6d%c", &read.left, &read.top, &read.width, &read.height, &rest) !=
+                4 ||
+            read.left < 0 || read.top < 0 || read.width < 1 || read.height < 1)
+          return fill(tr("--crop {text}: give left, top, width and height in pixels: 0,0,640,480"), arg("text", text));
+        crop = read;
+        return {};
+      },
+      "");
+}
+
 void add_picture_draft_options(CLI::App& verb, files::PictureDraft& o) {
+  verb.add_option_function<std::string>(
+          "--crop", [](const std::string&) {},
+          tr("Picture as input: the part to weave, from its upper left corner in pixels; default: all of it"))
+      ->type_name("X,Y,W,H")
+      ->check(crop_into(o.crop));
+  verb.add_option("--picks", o.picks, tr("Picture as input: height of the draft in picks; default: in proportion"))
+      ->check(whole_number(2, kMaxThreads));
+  verb.add_option_function<std::vector<std::string>>(
+          "--weave", [](const std::vector<std::string>&) {},
+          tr("Picture as input: the weave of a colour, counted from the darkest: 1=plain, 2=\"twill 2/1\", "
+             "3=\"satin 8/3\" (3 of 8 ends up), a code of ISO 9354, or a draft; may be given several times; default: "
+             "shaded satins"))
+      ->type_name(tr("N=WEAVE"))
+      ->allow_extra_args(false)
+      ->check(weaves_into(o.weaves));
+  verb.add_flag("--picture-colors", o.own_colors,
+                tr("Picture as input: warp in its darkest and weft in its lightest colour; default: black and white"));
   verb.add_option("--ends", o.ends, tr("Picture as input: width of the draft in ends; default: one end per pixel"))
       ->check(whole_number(2, kMaxShafts));
   verb.add_option("--colors", o.colors,
@@ -193,6 +249,9 @@ RunVerb add_convert(CLI::App& verb) {
       verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has; default: any"))
           ->check(whole_number(1, kMaxShafts))
           ->excludes(liftplan);
+  verb.add_option("--take-version", o.version,
+                  tr("Version or colourway of the draft to copy; default: the draft as it is"))
+      ->type_name(tr("NAME"));
   verb.add_flag("--closest", o.closest, tr("Closest weave for the loom, where the draft itself does not fit it"));
   verb.add_flag("--nearest", o.closest)->group("");  // the earlier name
   add_picture_draft_options(verb, o.picture);

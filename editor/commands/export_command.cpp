@@ -19,6 +19,7 @@
 #include "base/version.h"
 #include "commands/commands.h"
 #include "commands/progress.h"
+#include "design/versions.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "files/zip.h"
@@ -32,7 +33,7 @@
 namespace weftlight::commands {
 
 using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr;
-using design::Design;
+using design::Design, design::at_version, design::version_named;
 using drape::Mesh;
 using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
     files::load_drape, files::plain_zip_size, files::write_zip;
@@ -50,6 +51,7 @@ constexpr auto kWatchStep = std::chrono::milliseconds(500);
 
 struct Job {
   std::string file, folder;
+  std::string version;  // of the draft; empty: the draft as it is
   TextureSetOptions options;
   std::string form;         // template of the folder's name
   fs::file_time_type time;  // of the file, before it was read
@@ -153,23 +155,48 @@ std::vector<std::string> set_names(const std::vector<std::string>& files) {
   return names;
 }
 
-/// One folder for each draft and target.
+/// The draft as it is, and its versions if they are asked for: their names, the first empty. A draft that cannot be
+/// read has none; its own job says why.
+std::vector<std::string> states_of(const std::string& file, const ExportOptions& options) {
+  std::vector<std::string> names{""};
+  if (!options.versions) return names;
+  const base::Result<std::string> bytes = base::read_file(file, wif::kMaxDraftBytes);
+  const wif::WifRead read = bytes ? wif::read_draft(*bytes) : wif::rejected({});
+  if (read.file)
+    for (const design::Version& version : read.file->design.versions) names.push_back(version.name);
+  return names;
+}
+
+/// A set's name for each state of a draft, `taken` by none before.
+std::string state_name(const std::string& name, const std::string& version, std::set<std::string>& taken) {
+  if (version.empty()) return name;
+  const std::string stem = std::string(name).append("-").append(file_name_of(version));
+  std::string out = stem;
+  for (int n = 2; !taken.insert(out).second; ++n) out = std::string(stem).append("-").append(std::to_string(n));
+  return out;
+}
+
+/// One folder for each draft, version and target.
 std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const ExportTarget*>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
   const std::vector<std::string> files = drafts_of(options.files), names = set_names(files);
+  std::set<std::string> taken(names.begin(), names.end());
   for (size_t i = 0; i < files.size(); ++i) {
-    const std::string &file = files[i], &name = names[i];
-    for (const ExportTarget* target : targets) {
-      TextureSetOptions o;
-      o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
-      o.program_version = base::version(), o.size = options.size, o.force = options.force;
-      o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
-      o.distance_m = options.distance_m, o.tile_mm = options.tile_cm <= 0 ? kTileOfYarns : 10 * options.tile_cm;
-      o.modified = changed(file);
-      if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
-      std::error_code ec;
-      jobs.push_back({file, folder_of(options.out, form, o), o, form, fs::last_write_time(file, ec)});
+    const std::string& file = files[i];
+    for (const std::string& version : states_of(file, options)) {
+      const std::string name = state_name(names[i], version, taken);
+      for (const ExportTarget* target : targets) {
+        TextureSetOptions o;
+        o.target = target, o.name = name, o.source = fs::path(file).filename().string(), o.draft_path = file;
+        o.program_version = base::version(), o.size = options.size, o.force = options.force;
+        o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
+        o.distance_m = options.distance_m, o.tile_mm = options.tile_cm <= 0 ? kTileOfYarns : 10 * options.tile_cm;
+        o.modified = changed(file);
+        if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
+        std::error_code ec;
+        jobs.push_back({file, folder_of(options.out, form, o), version, o, form, fs::last_write_time(file, ec)});
+      }
     }
   }
   return jobs;
@@ -252,28 +279,34 @@ void run_job(Job job, int index, ExportRun& run) {
   const OpenedDesign& opened = *shared;
   if (!opened.ok)
     return report(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", job.file)));
+  const design::Version* version = version_named(opened.design, job.version);
+  if (!version && !job.version.empty())
+    return report(run, kBadInput,
+                  fill(tr("{file}: not exported: it has no version '{name}' any more"), arg("file", job.file),
+                       arg("name", job.version)));
+  const Design design = version ? at_version(opened.design, *version) : opened.design;
   if (run.options.texels_per_mm > 0) {
-    set_density(job.options, opened.design, run.options.texels_per_mm);
+    set_density(job.options, design, run.options.texels_per_mm);
     job.folder = folder_of(run.options.out, job.form, job.options);
   }
   job.options.archived = run.options.zip;
-  job.options.key = digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh);
+  job.options.key =
+      digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh + "\n" + job.version);
   if (run.options.resume && is_complete(job.folder, job.options.key) && has_archive(run, job)) {
     ++run.kept;
     const std::lock_guard lock(run.console);
     run.progress.skip(index, job.folder);
     return;
   }
-  print_warnings(run, job, opened.design);
+  print_warnings(run, job, design);
   const auto report_progress = [&](float fraction) {
     const std::lock_guard lock(run.console);
     run.progress.set(index, std::min(static_cast<double>(fraction), 0.999), job.folder);
   };
-  const std::optional<Mesh> drape = drape_for_fabric(run, opened.design);
+  const std::optional<Mesh> drape = drape_for_fabric(run, design);
   base::Result<void> done = check_archive(job, run.options);
   if (done)
-    done = write_texture_set(job.folder, opened.design, drape ? *drape : run.mesh, job.options,
-                             {.report = report_progress});
+    done = write_texture_set(job.folder, design, drape ? *drape : run.mesh, job.options, {.report = report_progress});
   if (done && run.options.zip) done = write_archive(job);
   if (!done)
     return report(run, kNotWritten,

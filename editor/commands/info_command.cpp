@@ -57,7 +57,9 @@ nlohmann::ordered_json as_json(const OpenedDesign& opened, const Facts& facts) {
                                    {"weft_back", floats.weft_back}}},
                                  {"repeat", {{"ends", repeat.ends}, {"picks", repeat.picks}}},
                                  {"weave_code", facts.weave_code},
+                                 {"versions", nlohmann::ordered_json::array()},
                                  {"warnings", nlohmann::ordered_json::array()}};
+  for (const design::Version& version : opened.design.versions) json["versions"].push_back(version.name);
   for (const Diagnostic& d : opened.diagnostics) {
     json["warnings"].push_back(
         {{"line", d.line}, {"severity", severity_name(d.severity)}, {"text", d.text}, {"remedy", d.remedy}});
@@ -81,6 +83,7 @@ void print_text(const std::string& path, const OpenedDesign& opened, const Facts
             fill(tr("{ends} ends, {picks} picks"), arg("ends", facts.repeat.ends), arg("picks", facts.repeat.picks)));
   if (!facts.weave_code.empty())
     print_row(tr("weave code"), fill(tr("{code} (ISO 9354)"), arg("code", facts.weave_code)));
+  for (const design::Version& version : opened.design.versions) print_row(tr("version"), version.name);
   for (const Diagnostic& d : opened.diagnostics) {
     const std::string file = d.line > 0 ? path + ":" + std::to_string(d.line) : path;
     const std::string line =

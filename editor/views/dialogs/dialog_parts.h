@@ -36,6 +36,8 @@ DialogResult draw_join(PanelContext& c, JoinPrompt& p);
 MaybeEdit restored(const JoinPrompt& p);
 DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p);
 MaybeEdit restored(const ClosestWeavePrompt& p);
+DialogResult draw_picture(PanelContext& c, PicturePrompt& p);
+DialogResult draw_versions(PanelContext& c, VersionsPrompt& p);
 DialogResult draw_gallery(PanelContext& c, GalleryPrompt& p);
 DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p);
 DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p);

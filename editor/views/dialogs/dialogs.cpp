@@ -140,6 +140,10 @@ DialogResult draw(PanelContext& c, SectionsPrompt& p) { return draw_sections(c, 
 
 DialogResult draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p); }
 
+DialogResult draw(PanelContext& c, PicturePrompt& p) { return draw_picture(c, p); }
+
+DialogResult draw(PanelContext& c, VersionsPrompt& p) { return draw_versions(c, p); }
+
 constexpr float kRecoveryWidth = 480;
 constexpr int kDeleteReports = 100;  // no button of the lower row
 
@@ -228,6 +232,14 @@ bool update_dialog(Dialog& dialog, bool& busy) {
     busy = gallery->pictures->busy();
     return gallery->pictures->poll();
   }
+  if (const auto* picture = std::get_if<PicturePrompt>(&dialog)) {
+    busy = picture->stage->weaver.busy();
+    return picture->stage->poll();
+  }
+  if (const auto* versions = std::get_if<VersionsPrompt>(&dialog)) {
+    busy = versions->pictures->busy();
+    return versions->pictures->poll();
+  }
   if (const auto* exported = std::get_if<ExportPrompt>(&dialog)) {
     busy = exported->stage->preview.busy();
     return exported->stage->poll();
@@ -253,7 +265,8 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   // A dialog with a preview in the draft stands beside the draft.
   const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
                     std::holds_alternative<ClosestWeavePrompt>(dialog);
-  const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog);
+  const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog) ||
+                    std::holds_alternative<VersionsPrompt>(dialog) || std::holds_alternative<PicturePrompt>(dialog);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
                            view->WorkPos.y + view->WorkSize.y * (tall ? 0.5f : 0.4f)},
                           ImGuiCond_Always, {live ? 1.0f : 0.5f, 0.5f});

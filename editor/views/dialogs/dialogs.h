@@ -9,7 +9,9 @@
 #include "views/common/panel.h"
 #include "views/dialogs/export_dialog.h"
 #include "views/dialogs/gallery.h"
+#include "views/dialogs/picture_dialog.h"
 #include "views/dialogs/print_dialog.h"
+#include "views/dialogs/versions_dialog.h"
 #include "views/dialogs/weave_preview.h"
 #include "weaves/joined_drafts.h"
 #include "weaves/table.h"
@@ -114,9 +116,10 @@ struct RecoveryPrompt {
   /// Meaning of the pressed button. With several rows there is also one for all, without any only kLater.
   Button button(int pressed) const;
 };
-using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
-                            ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
-                            RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt, JoinPrompt>;
+using Dialog =
+    std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
+                 ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt,
+                 GalleryPrompt, ClosestWeavePrompt, JoinPrompt, VersionsPrompt, PicturePrompt>;
 
 /// kOpen while the dialog is open, kDone with `button`, kCancelled by Cancel or Escape.
 enum class DialogOutcome { kOpen, kDone, kCancelled };

@@ -95,6 +95,8 @@ class BareEditor {
                         .go_to = nothing,
                         .weave = nothing,
                         .sections = nothing,
+                        .picture = nothing,
+                        .versions = nothing,
                         .join = nothing,
                         .closest_weave = nothing},
             .cloth = {.reset_view = nothing,

@@ -25,8 +25,8 @@ FORMULA float crossing_height(ThreadGrid g, int system, int thread, ThreadSectio
   float own_stiffness = bending_stiffness(2.0f * body.half_width, 2.0f * body.half_height, spacing[1 - system]);
   float other_stiffness = bending_stiffness(2.0f * other.half_width, 2.0f * other.half_height, spacing[system]);
   float warp_part = system == 0 ? crimp_fraction(own_stiffness, other_stiffness) : crimp_fraction(other_stiffness, own_stiffness);
-  vec2 own_section = section_at(g, system, thread, body, crossing);
-  vec2 other_section = section_at(g, 1 - system, crossing, other, thread);
+  vec3 own_section = section_at(g, system, thread, body, crossing);
+  vec3 other_section = section_at(g, 1 - system, crossing, other, thread);
   float apart = own_section.y + other_section.y;
   float rise = longest_rise(2.0f * body.half_width, 2.0f * body.half_height, 2.0f * body.half_room)
              * rise_of(cells_alike(cells, at, -1), cells_alike(cells, at, 1));

@@ -87,35 +87,36 @@ FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
   return g;
 }
 
-// A thread's section; mm.
-struct ThreadSection {
-  float centre;      // across
-  float half_room;   // half of the spacing
-  float half_width;  // means of an uneven thread
-  float half_height;
-  float unevenness;          // standard deviation of its thickness along it, over the mean
-};
+const float kFillSteps = 65535.0f;         // of the root of width over room
+const float kRoundnessSteps = 16384.0f;    // of height over width, below 4
+const float kBorderSteps = 127.0f;         // of half the room
 
-const float kRoundnessSteps = 262144.0f;   // of height over width, below 4
-const float kUnevennessSteps = 4095.0f;
-
-// From THREAD_BODY: centre, half spacing and half width as floats; height over width and, in the low bits, the
-// unevenness.
+// From THREAD_BODY: centre and half spacing as floats; width over room and height over width; a byte for each offset of
+// a border and for each sway.
 FORMULA ThreadSection record_body(uvec4 a) {
   ThreadSection s;
   s.centre = uintBitsToFloat(a.x);
   s.half_room = uintBitsToFloat(a.y);
-  s.half_width = uintBitsToFloat(a.z);
-  s.half_height = s.half_width * (float(a.w >> 12) / kRoundnessSteps);
-  s.unevenness = float(a.w & 4095u) / kUnevennessSteps;
+  vec2 aside = vec2(float(a.w & 255u), float((a.w >> 8u) & 255u)) - 128.0f;
+  vec2 sway = vec2(float((a.w >> 16u) & 255u), float(a.w >> 24u)) * 0.5f;
+  s.aside = aside * (s.half_room / kBorderSteps);
+  s.sway = sway * (s.half_room / kBorderSteps);
+  float fill = float(a.z >> 16u) / kFillSteps;
+  s.half_width = fill * fill * (s.half_room + 0.5f * (s.aside.y - s.aside.x));
+  s.half_height = s.half_width * (float(a.z & 65535u) / kRoundnessSteps);
   return s;
 }
 
 FORMULA uvec4 pack_section(ThreadSection s) {
+  float per_room = kBorderSteps / max(s.half_room, 1.0e-9f);
+  uvec2 aside = uvec2(clamp(s.aside * per_room + 128.5f, 0.0f, 255.0f));
+  uvec2 sway = uvec2(clamp(s.sway * (2.0f * per_room) + 0.5f, 0.0f, 255.0f));
+  float room = s.half_room + 0.5f * (s.aside.y - s.aside.x);
+  float fill = sqrt(clamp(s.half_width / max(room, 1.0e-9f), 0.0f, 1.0f));
   float roundness = s.half_width > 0.0f ? clamp(s.half_height / s.half_width, 0.0f, 3.99f) : 0.0f;
-  uint tail = uint(roundness * kRoundnessSteps + 0.5f) << 12u;
-  return uvec4(floatBitsToUint(s.centre), floatBitsToUint(s.half_room), floatBitsToUint(s.half_width),
-               tail | uint(clamp(s.unevenness, 0.0f, 1.0f) * kUnevennessSteps + 0.5f));
+  return uvec4(floatBitsToUint(s.centre), floatBitsToUint(s.half_room),
+               (uint(fill * kFillSteps + 0.5f) << 16u) | uint(roundness * kRoundnessSteps + 0.5f),
+               aside.x | (aside.y << 8u) | (sway.x << 16u) | (sway.y << 24u));
 }
 
 // From THREAD_COLOR: linear colour; its yarn in w.

@@ -41,7 +41,8 @@ const int kBinsAThread = 4;
 // One thread between two crossings.
 struct Strand {
   int thread;
-  float centre;       // across
+  float centre;       // across, at the crossing
+  float aside;        // its change along, 1
   vec2 thin;          // 1 over half width and half height, at the crossing
   vec2 thinner;       // their change along, 1/mm, up to the next one
   float half_height;  // mean: unit of distances inside a section
@@ -70,6 +71,15 @@ FORMULA vec2 strand_thin(Strand s, float along) {
   return s.thin + s.thinner * (clamp(along, s.low, s.high) - s.start);
 }
 
+// Position of the centre line across.
+FORMULA float strand_centre(Strand s, float along) {
+#if defined(SMOOTH_YARNS)
+  return s.centre;
+#else
+  return s.centre + s.aside * (clamp(along, s.low, s.high) - s.start);
+#endif
+}
+
 // Coordinates of a point in the section of a thread that contains it: x, y on the section, of length 1 on the ellipse;
 // z the section's position along. Sections are perpendicular to the centre line, so over a slope the one that contains
 // a point lies further along: the foot of the perpendicular, by Newton steps.
@@ -84,7 +94,7 @@ FORMULA vec3 section_coords(Strand s, float across, float along, float z) {
   }
   float up = ((z - c.x) - (along - foot) * c.y) * inversesqrt(1.0f + c.y * c.y);
   vec2 thin = strand_thin(s, foot);
-  return vec3((across - s.centre) * thin.x, up * thin.y, foot);
+  return vec3((across - strand_centre(s, foot)) * thin.x, up * thin.y, foot);
 }
 
 // Signed distance in mm, negative inside the thread.
@@ -97,7 +107,7 @@ FORMULA float strand_distance(Strand s, float across, float along, float z) {
 // there.
 FORMULA float strand_top(Strand s, float across, float along, int steps) {
   vec2 thin = strand_thin(s, along);
-  float x = (across - s.centre) * thin.x;
+  float x = (across - strand_centre(s, along)) * thin.x;
   if (abs(x) > 1.0f) return -1.0e6f;
   vec3 c = strand_curve(s, along);
   float lean = sqrt(1.0f + c.y * c.y) / thin.y;
@@ -113,7 +123,7 @@ FORMULA float strand_near(Strand s, float across, float along, float z) {
   float foot = along + (z - c.x) * c.y / (1.0f + c.y * c.y);
   c = strand_curve(s, foot);
   vec2 thin = strand_thin(s, along);
-  float x = (across - s.centre) * thin.x;
+  float x = (across - strand_centre(s, along)) * thin.x;
   float y = ((z - c.x) - (along - foot) * c.y) * thin.y;
   return (sqrt(x * x + y * y / (1.0f + c.y * c.y)) - 1.0f) * s.half_height;
 }
@@ -142,31 +152,36 @@ FORMULA int thread_at(ThreadGrid g, int system, float at) {
 #endif
 }
 
-// A thread's half width and half height where it crosses thread `at` of the other system.
-FORMULA vec2 section_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
-  vec2 half_sizes = max(vec2(body.half_width, body.half_height), vec2(1.0e-6f));
-#if defined(SMOOTH_YARNS)
-  return half_sizes;
-#else
+// Sway of the border beyond a thread where it crosses thread `at` of the other system.
+FORMULA float sway_at(ThreadGrid g, int system, int thread, int at) {
   int other = 1 - system;
-  float f = thickness_factor(body.unevenness, system, thread, at - g.first[other], g.count[other], g.slubs[system]);
-  return uneven_section(half_sizes, body.half_room, f);
+  return border_sway(system, thread, at - g.first[other], g.count[other], g.slubs[system]);
+}
+
+FORMULA int thread_before(ThreadGrid g, int system, int thread) {
+  return thread == g.first[system] ? thread + g.count[system] - 1 : thread - 1;
+}
+
+// A thread's half width, half height and offset aside where it crosses thread `at` of the other system.
+FORMULA vec3 section_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
+#if !defined(SMOOTH_YARNS)
+  if (is_uneven(body)) {
+    return section_between(body, sway_at(g, system, thread_before(g, system, thread), at), sway_at(g, system, thread, at));
+  }
 #endif
+  return section_between(body, 0.0f, 0.0f);
 }
 
-// 1 over these.
-FORMULA vec2 thin_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
-  return 1.0f / section_at(g, system, thread, body, at);
-}
-
-FORMULA Strand strand_of(int thread, ThreadSection body, vec2 thin, vec2 next_thin, float base, float start, float step,
-                         float side, vec2 here, vec2 next) {
+// section, next: half width, half height, offset aside at the crossing and at the next one; centre: without the offset.
+FORMULA Strand strand_of(int thread, vec3 section, vec3 next_section, float mean_half_height, float centre, float start,
+                         float step, float side, vec2 here, vec2 next) {
   Strand s;
   s.thread = thread;
-  s.centre = body.centre + base;
-  s.thin = thin;
-  s.thinner = (next_thin - thin) / step;
-  s.half_height = max(body.half_height, 1.0e-6f);
+  s.centre = centre + section.z;
+  s.aside = (next_section.z - section.z) / step;
+  s.thin = 1.0f / vec2(section.x, section.y);
+  s.thinner = (1.0f / vec2(next_section.x, next_section.y) - s.thin) / step;
+  s.half_height = max(mean_half_height, 1.0e-6f);
   s.start = start;
   s.low = min(start, start + step);
   s.high = max(start, start + step);
@@ -198,29 +213,91 @@ FORMULA vec2 beside(ThreadGrid g, int system, int thread, int step) {
 #endif
 }
 
+// The thread at a position and the neighbour on that side of its centre.
+struct NearThread {
+  int thread;
+  int next;
+  float centre;        // with the period that it lies in, without its offset aside
+  float next_centre;
+  float border;        // between both, at the position
+  vec2 sways;          // of that border where the two threads around the position cross it
+  ThreadSection body;
+};
+
+// at: of 0..period. The border is that between even threads.
+FORMULA NearThread even_thread(ThreadGrid g, int system, float at, float base) {
+  NearThread n;
+  n.thread = thread_at(g, system, at);
+  n.body = thread_body(system, n.thread);
+  n.centre = n.body.centre + base;
+  bool up = at >= n.body.centre;
+  vec2 next = beside(g, system, n.thread, up ? 1 : -1);
+  n.next = int(next.x);
+  n.next_centre = next.y + base;
+  n.border = n.centre + (up ? n.body.half_room : -n.body.half_room);
+  n.sways = vec2(0.0f);
+  return n;
+}
+
+// The same with the border where threads `cross` and `next_cross` of the other system cross it; the position lies the
+// part t of the way from the first to the second.
+FORMULA NearThread settled_thread(ThreadGrid g, int system, NearThread n, float at, int cross, int next_cross, float t) {
+#if !defined(SMOOTH_YARNS)
+  bool up = n.next_centre >= n.centre;
+  int border = up ? n.thread : n.next;
+  n.border += up ? n.body.aside.y : n.body.aside.x;
+  float sway = up ? n.body.sway.y : n.body.sway.x;
+  if (sway > 0.0f) n.sways = vec2(sway_at(g, system, border, cross), sway_at(g, system, border, next_cross));
+  n.border += sway * mix(n.sways.x, n.sways.y, t);
+  if (up ? at >= n.border : at < n.border) {
+    int thread = n.thread;
+    float centre = n.centre;
+    n.thread = n.next;
+    n.centre = n.next_centre;
+    n.next = thread;
+    n.next_centre = centre;
+    n.body = thread_body(system, n.thread);
+  }
+#endif
+  return n;
+}
+
+// A settled thread's section where thread `at` of the other system crosses it; sway: of its border there.
+FORMULA vec3 section_near(ThreadGrid g, int system, NearThread n, float sway, int at) {
+  bool up = n.next_centre >= n.centre;
+  float other = 0.0f;
+#if !defined(SMOOTH_YARNS)
+  if ((up ? n.body.sway.x : n.body.sway.y) > 0.0f) {
+    other = sway_at(g, system, up ? thread_before(g, system, n.thread) : n.thread, at);
+  }
+#endif
+  return section_between(n.body, up ? other : sway, up ? sway : other);
+}
+
+// swapped: the threads that cross it have changed places since its border was found.
+FORMULA Strand strand_at(ThreadGrid g, int system, NearThread n, NearThread cross, bool swapped, vec2 here, vec2 next) {
+  vec2 sways = swapped ? vec2(n.sways.y, n.sways.x) : n.sways;
+  return strand_of(n.thread, section_near(g, system, n, sways.x, cross.thread),
+                   section_near(g, system, n, sways.y, cross.next), n.body.half_height, n.centre, cross.centre,
+                   cross.next_centre - cross.centre, g.side, here, next);
+}
+
 FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
   vec2 base = vec2(floor(at.x / g.period.x) * g.period.x, floor(at.y / g.period.y) * g.period.y);
-  int end = thread_at(g, 0, at.x - base.x);
-  int pick = thread_at(g, 1, at.y - base.y);
-  ThreadSection end_body = thread_body(0, end);
-  ThreadSection pick_body = thread_body(1, pick);
-  vec2 middle = vec2(end_body.centre, pick_body.centre) + base;
-  bool right = at.x >= middle.x;
-  bool up = at.y >= middle.y;
-  vec2 next_end = beside(g, 0, end, right ? 1 : -1);
-  vec2 next_pick = beside(g, 1, pick, up ? 1 : -1);
-  vec4 here = crossing_at(end, pick);
-  vec4 along_warp = crossing_at(end, int(next_pick.x));
-  vec4 along_weft = crossing_at(int(next_end.x), pick);
+  NearThread even_end = even_thread(g, 0, at.x - base.x, base.x);
+  NearThread even_pick = even_thread(g, 1, at.y - base.y, base.y);
+  NearThread end = settled_thread(g, 0, even_end, at.x, even_pick.thread, even_pick.next,
+                                  (at.y - even_pick.centre) / (even_pick.next_centre - even_pick.centre));
+  NearThread pick = settled_thread(g, 1, even_pick, at.y, even_end.thread, even_end.next,
+                                   (at.x - even_end.centre) / (even_end.next_centre - even_end.centre));
+  vec4 here = crossing_at(end.thread, pick.thread);
+  vec4 along_warp = crossing_at(end.thread, pick.next);
+  vec4 along_weft = crossing_at(end.next, pick.thread);
   Crossing c;
-  c.warp = strand_of(end, end_body, thin_at(g, 0, end, end_body, pick), thin_at(g, 0, end, end_body, int(next_pick.x)),
-                     base.x, middle.y, next_pick.y - pick_body.centre, g.side, vec2(here.x, here.y),
-                     vec2(along_warp.x, along_warp.y));
-  c.weft = strand_of(pick, pick_body, thin_at(g, 1, pick, pick_body, end),
-                     thin_at(g, 1, pick, pick_body, int(next_end.x)), base.y, middle.x,
-                     next_end.y - end_body.centre, g.side, vec2(here.z, here.w), vec2(along_weft.z, along_weft.w));
-  c.low = vec2(right ? middle.x : middle.x - end_body.half_room, up ? middle.y : middle.y - pick_body.half_room);
-  c.high = vec2(right ? middle.x + end_body.half_room : middle.x, up ? middle.y + pick_body.half_room : middle.y);
+  c.warp = strand_at(g, 0, end, pick, pick.thread != even_pick.thread, vec2(here.x, here.y), vec2(along_warp.x, along_warp.y));
+  c.weft = strand_at(g, 1, pick, end, end.thread != even_end.thread, vec2(here.z, here.w), vec2(along_weft.z, along_weft.w));
+  c.low = vec2(min(end.centre, end.border), min(pick.centre, pick.border));
+  c.high = vec2(max(end.centre, end.border), max(pick.centre, pick.border));
   return c;
 }
 

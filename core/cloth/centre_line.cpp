@@ -117,8 +117,8 @@ CentreLines centre_lines(const Cloth& cloth, const CellRect& window) {
       const size_t at =
           static_cast<size_t>(p + kFloatReach) * static_cast<size_t>(cells.cols) + static_cast<size_t>(e + kFloatReach);
       const float warp_part = crimp_fraction(w.stiffness, f.stiffness);
-      const float apart = is_uneven ? half_section(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
-                                          half_section(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
+      const float apart = is_uneven ? section_at(cloth, System::kWarp, window.end0 + e, window.pick0 + p).y +
+                                          section_at(cloth, System::kWeft, window.pick0 + p, window.end0 + e).y
                                     : 0.5f * (w.height + f.height);
       const float side = cells.up[at] ? 1.0f : -1.0f;
       lines.warp_mm[out] = side * (warp_part * apart + w.rise * rise(at, cells.cols));

@@ -19,17 +19,28 @@ struct Linear {
 Linear linear_from_srgb(Rgb c);
 Rgb srgb_from_linear(Linear c);
 
+/// The border between a thread and its neighbour, from the middle between even threads, towards +across.
+struct ThreadBorder {
+  float aside_mm = 0;  // mean along the thread
+  float sway_mm = 0;   // standard deviation along a long thread (thickness.h)
+  bool operator==(const ThreadBorder&) const = default;
+};
+
 /// One thread of the period.
 struct ThreadBody {
   float centre_mm = 0;    // across: x of an end, y of a pick
-  float spacing_mm = 0;   // width available to it, >= 0
-  float width_mm = 0;     // full width of the flattened cross-section
-  float height_mm = 0;    // full height of the section
+  float spacing_mm = 0;   // width available to it, >= 0; its neighbours may take some and give some (room_mm)
+  float width_mm = 0;     // full width of the flattened cross-section; mean along it
+  float height_mm = 0;    // full height of the section; mean along it
   Linear colour;          // linear light
   int yarn = 0;           // index into Cloth::yarns
   float unevenness = 0;   // standard deviation of its thickness along it, over the mean (thickness.h)
   float diameter_mm = 0;  // of the round thread before it is flattened or jammed: its count goes with this
+  ThreadBorder before = {}, after = {};  // to the thread before it and after it
 };
+
+/// Width between a thread's borders, mean along it.
+inline float room_mm(const ThreadBody& t) { return t.spacing_mm + t.after.aside_mm - t.before.aside_mm; }
 
 /// One layer of a multi-layer cloth, as ranges of ends and picks.
 struct ClothLayer {
@@ -57,7 +68,7 @@ enum class Period { kWholeDraft, kRepeat };
 
 /// Lays a design out; `cells` is its drawdown. A negative thickness (kFromYarn) means the yarn's diameter. A spacing
 /// of zero or less means 1.06 of the thread's flattened width: touching, with slight gaps. A thread is never wider
-/// than its spacing; a jammed one becomes narrower and taller.
+/// than its room; a jammed one becomes narrower and taller, and an uneven one pushes its neighbours aside.
 Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period);
 
 /// Thickness and spacing of a thread in the cloth, from the draft or else from the yarn.

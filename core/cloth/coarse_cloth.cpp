@@ -31,7 +31,8 @@ std::vector<ThreadBody> widened(const std::vector<ThreadBody>& threads, const st
     const auto last = first + std::min<std::ptrdiff_t>(group, threads.end() - first) - 1;
     const float from = first->centre_mm - 0.5f * first->spacing_mm, to = last->centre_mm + 0.5f * last->spacing_mm;
     ThreadBody body = threads[static_cast<size_t>(kept[i])];
-    if (body.spacing_mm > 0) body.width_mm *= (to - from) / body.spacing_mm;
+    if (room_mm(body) > 0) body.width_mm *= (to - from) / room_mm(body);
+    body.before = body.after = {};
     body.centre_mm = 0.5f * (from + to), body.spacing_mm = to - from;
     out.push_back(body);
   }

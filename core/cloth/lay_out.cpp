@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "cloth/cloth.h"
 #include "cloth/layer_plan.h"
@@ -101,27 +102,35 @@ struct Woven {
   bool plain;  // no finish
 };
 
-/// Thread i with the given spacing; below zero the yarn's.
+/// Thread i with the given spacing, below zero the yarn's, and with its yarn's mean thickness: the reed does not know
+/// where a yarn is thick, and finishing does not change the sett.
 ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacing) {
   const Design& design = woven.design;
   const Threads& threads = design.draft.threads(system);
   const Yarn& yarn = yarn_of(design, threads, i);
   const size_t index = static_cast<size_t>(&yarn - design.yarns.data());
   const float even = diameter_of(design, threads, i);
-  const float factor = irregularity_factor(yarn, system, i);
-  // The spacing is that of the yarn's mean thickness: the reed does not know where a yarn is thick, and finishing does
-  // not change the sett.
-  const float room = body_of(even, spacing, yarn).spacing_mm;
-  ThreadBody body = body_of(even * factor, woven.plain ? spacing : room, woven.finished[index]);
-  if (factor != 1) body.spacing_mm = room;
+  ThreadBody body =
+      body_of(even, woven.plain ? spacing : body_of(even, spacing, yarn).spacing_mm, woven.finished[index]);
   const float calendered = std::min(design.finish.calendered, 1.0f);
   if (calendered > 0) press(body, woven.finished[index].flattening, calendered);
   if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));
   body.yarn = static_cast<int>(index);
-  body.diameter_mm = even * factor;
+  body.diameter_mm = even;
   body.unevenness = unevenness_of(yarn, design.finish);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
   return body;
+}
+
+/// Gives each thread of a row (by index in the draft) its own thickness.
+void make_uneven(const Woven& woven, System system, std::span<ThreadBody> row, std::span<const int> threads) {
+  std::vector<float> thickness;
+  thickness.reserve(row.size());
+  for (size_t k = 0; k < row.size(); ++k) {
+    thickness.push_back(irregularity_factor(woven.design.yarns[static_cast<size_t>(row[k].yarn)], system, threads[k]));
+    row[k].diameter_mm *= thickness.back();
+  }
+  give_way(row, thickness);
 }
 
 std::vector<ThreadBody> bodies(const Woven& woven, System system, int count, float& period) {
@@ -136,6 +145,9 @@ std::vector<ThreadBody> bodies(const Woven& woven, System system, int count, flo
     out.push_back(body);
   }
   period = static_cast<float>(edge);
+  std::vector<int> order(out.size());
+  std::iota(order.begin(), order.end(), 0);
+  make_uneven(woven, system, out, order);
   return out;
 }
 
@@ -168,6 +180,7 @@ std::vector<ThreadBody> layered_bodies(const Woven& woven, System system, const 
                                        int layers, float& period) {
   const Threads& threads = woven.design.draft.threads(system);
   std::vector<std::vector<ThreadBody>> by_layer(static_cast<size_t>(layers));
+  std::vector<std::vector<int>> threads_by_layer(static_cast<size_t>(layers));
   double edge = 0;
   int first = 0;
   for (const int last : balanced_groups(layer_of, layers)) {
@@ -190,12 +203,16 @@ std::vector<ThreadBody> layered_bodies(const Woven& woven, System system, const 
       body.centre_mm = static_cast<float>(at[layer] + 0.5 * mine);
       at[layer] += mine;
       by_layer[layer].push_back(body);
+      threads_by_layer[layer].push_back(i);
     }
     edge += room, first = last;
   }
   period = static_cast<float>(edge);
   std::vector<ThreadBody> out;
-  for (const std::vector<ThreadBody>& layer : by_layer) out.insert(out.end(), layer.begin(), layer.end());
+  for (size_t l = 0; l < by_layer.size(); ++l) {
+    make_uneven(woven, system, by_layer[l], threads_by_layer[l]);
+    out.insert(out.end(), by_layer[l].begin(), by_layer[l].end());
+  }
   return out;
 }
 

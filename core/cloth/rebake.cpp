@@ -9,6 +9,7 @@
 #include "base/loops.h"
 #include "cloth/bake_parts.h"
 #include "cloth/texel_cover.h"
+#include "cloth/thickness.h"
 
 namespace weftlight::cloth {
 
@@ -67,10 +68,13 @@ std::pair<int, int> texels_of(int from, int to, int per_texel) {
   return from < to ? std::pair{from / per_texel, (to + per_texel - 1) / per_texel} : std::pair{0, 0};
 }
 
-/// Texels along an axis that show the threads [first, last).
-std::pair<int, int> texels_of_threads(const SampleAxis& axis, int first, int last) {
-  return texels_of(axis.thread_from[static_cast<size_t>(first)], axis.thread_from[static_cast<size_t>(last)],
-                   axis.per_texel);
+/// Texels along an axis that show the threads [first, last). aside: of how many more on each side they may take room.
+std::vector<std::pair<int, int>> texels_of_threads(const SampleAxis& axis, int first, int last, int aside) {
+  std::vector<std::pair<int, int>> out;
+  for (const auto& [a, b] : pieces(first - aside, last + aside, static_cast<int>(axis.thread_from.size()) - 1))
+    out.push_back(
+        texels_of(axis.thread_from[static_cast<size_t>(a)], axis.thread_from[static_cast<size_t>(b)], axis.per_texel));
+  return out;
 }
 
 /// Texels along an axis whose curves depend on the crossings [first, last): a curve reads one crossing before its step
@@ -101,22 +105,25 @@ void for_each_run(std::span<const uint64_t> row, const Visit& visit) {
   if (first >= 0) visit(first, last);
 }
 
-void mark(BitMatrix& texels, std::pair<int, int> columns, std::pair<int, int> rows) {
-  for (int y = rows.first; y < rows.second; ++y) set_run(texels.row(y), columns.first, columns.second);
+using Runs = std::vector<std::pair<int, int>>;
+
+void mark(BitMatrix& texels, const Runs& columns, const Runs& rows) {
+  for (const auto& [y0, y1] : rows)
+    for (int y = y0; y < y1; ++y)
+      for (const auto& [x0, x1] : columns) set_run(texels.row(y), x0, x1);
 }
 
 /// Texels in which a moved curve is visible.
 BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleGrid& grid) {
   BitMatrix texels(grid.height, grid.width);
   const SampleAxis columns = sample_axis(cloth, System::kWarp, grid), rows = sample_axis(cloth, System::kWeft, grid);
+  const int aside_of_ends = uneven(cloth, System::kWarp) ? 1 : 0, aside_of_picks = uneven(cloth, System::kWeft) ? 1 : 0;
   for (int p = 0; p < moved.warp.rows(); ++p) {
     for_each_run(moved.warp.row(p), [&](int first, int last) {
-      for (const auto& run : texels_of_curves(rows, p, p + 1))
-        mark(texels, texels_of_threads(columns, first, last), run);
+      mark(texels, texels_of_threads(columns, first, last, aside_of_ends), texels_of_curves(rows, p, p + 1));
     });
     for_each_run(moved.weft.row(p), [&](int first, int last) {
-      for (const auto& run : texels_of_curves(columns, first, last))
-        mark(texels, run, texels_of_threads(rows, p, p + 1));
+      mark(texels, texels_of_curves(columns, first, last), texels_of_threads(rows, p, p + 1, aside_of_picks));
     });
   }
   return texels;
@@ -207,7 +214,7 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
   });
   for (const auto& rects : swept)
     for (const TexelRect& rect : rects)
-      for (const TexelRect& r : pieces(rect, w, h)) mark(touched, {r.x0, r.x1}, {r.y0, r.y1});
+      for (const TexelRect& r : pieces(rect, w, h)) mark(touched, Runs{{r.x0, r.x1}}, Runs{{r.y0, r.y1}});
   std::vector<TexelRect> all = cover(touched, kPatchOverhead);
   for (const TexelRect& r : all) bake_occlusion(maps, r);
   return all;

@@ -1,5 +1,5 @@
 // The upper surface of the threads, each an ellipse swept at right angles along its centre line. At a sample at most
-// one end and one pick can be on top, since a thread is never wider than its spacing. A section leans with its thread:
+// one end and one pick can be on top, since a thread is never wider than its room. A section leans with its thread:
 // at slope m the vertical cut through it is sqrt(1 + m^2) as high, and a point on top of the cut belongs to a section
 // further along (to first order in the section's height).
 
@@ -44,7 +44,7 @@ float section(float centre_mm, glm::vec2 half, float across_mm) {
   return half.x > 0.0f ? half.y * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
 }
 
-glm::vec2 mean_half(const ThreadBody& body) { return {0.5f * body.width_mm, 0.5f * body.height_mm}; }
+int wrap(int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; }
 
 float unit_or_less(float x) { return std::min(x, 1.0f); }
 
@@ -95,11 +95,13 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
   const auto& threads = threads_of(cloth, system);
   const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   const int own = system == System::kWarp ? cloth.first_end : cloth.first_pick;
+  const int margin = cloth::uneven(cloth, system) ? 1 : 0;
   Textures out;
-  out.first = thread_at(threads, from_mm);
-  for (int i = out.first, last = thread_at(threads, to_mm); i <= last; ++i) {
-    const ThreadBody& body = threads[static_cast<size_t>(i)];
-    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + i, length));
+  out.first = thread_at(threads, from_mm) - margin;
+  for (int i = out.first, last = thread_at(threads, to_mm) + margin; i <= last; ++i) {
+    const int thread = wrap(i, static_cast<int>(threads.size()));
+    const ThreadBody& body = threads[static_cast<size_t>(thread)];
+    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length));
     const ThreadTexture& t = out.of.back();
     // At the ridge, where the grooves appear widest.
     const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
@@ -123,19 +125,27 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
                              dx_mm_, dy_mm_)),
       weft_texture_(textures(cloth, System::kWeft, static_cast<float>(y0) * dy_mm_, static_cast<float>(y1) * dy_mm_,
                              dy_mm_, dx_mm_)),
+      uneven_{cloth::uneven(cloth, System::kWarp), cloth::uneven(cloth, System::kWeft)},
       columns_(across(System::kWarp, x0, x1)),
-      rows_(across(System::kWeft, y0, y1)),
-      uneven_{cloth::uneven(cloth, System::kWarp), cloth::uneven(cloth, System::kWeft)} {
+      rows_(across(System::kWeft, y0, y1)) {
   column_steps_.reserve(columns_.size());
   for (int x = x0; x < x1; ++x)
     column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
-  // One more crossing on each side than the curves read.
-  lines_ = centre_lines(cloth, {columns_.front().thread - 2, columns_.back().thread + 4, rows_.front().thread - 2,
-                                rows_.back().thread + 4});
+  // More crossings on each side than the curves of the threads there and beside them read.
+  lines_ = centre_lines(cloth, {columns_.front().thread - 3, columns_.back().thread + 5, rows_.front().thread - 3,
+                                rows_.back().thread + 5});
   if (uneven_[0]) warp_sizes_ = crossing_sizes(System::kWarp);
   if (uneven_[1]) weft_sizes_ = crossing_sizes(System::kWeft);
-  weft_along_.resize(columns_.size());
-  warp_along_.resize(static_cast<size_t>(columns_.back().thread - columns_.front().thread + 1));
+  const int margin = uneven_[0] ? 1 : 0;
+  first_end_ = columns_.front().thread - margin;
+  warp_along_.resize(static_cast<size_t>(columns_.back().thread + margin - first_end_ + 1));
+}
+
+float SurfaceSampler::centre_of(System system, int thread) const {
+  const auto& threads = threads_of(cloth_, system);
+  const int count = static_cast<int>(threads.size()), t = wrap(thread, count);
+  const float period = system == System::kWarp ? cloth_.width_mm : cloth_.depth_mm;
+  return threads[static_cast<size_t>(t)].centre_mm + (thread < 0 ? -period : thread >= count ? period : 0.0f);
 }
 
 std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int first, int last) const {
@@ -145,14 +155,51 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
   int lowest = thread_at(threads, static_cast<float>(first) * step);
   for (int i = first; i < last; ++i) {
     Across& a = out[static_cast<size_t>(i - first)];
-    a = across_at(system, i, lowest, [&](int t) { return mean_half(threads[static_cast<size_t>(t)]); });
+    a = across_at(system, i, lowest, [&](int t) -> Section {
+      const ThreadBody& body = threads[static_cast<size_t>(wrap(t, static_cast<int>(threads.size())))];
+      return {{0.5f * body.width_mm, 0.5f * body.height_mm}, 0, 0.5f * body.spacing_mm};
+    });
     lowest = a.lowest;
   }
   return out;
 }
 
-template <class Sizes>
-SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int lowest, const Sizes& sizes) const {
+/// The thread within whose borders a position lies; searched from `lowest` on.
+template <class Sections>
+int SurfaceSampler::thread_under(System system, float at_mm, int lowest, const Sections& sections) const {
+  const auto& threads = threads_of(cloth_, system);
+  const auto end_of = [&](int t) {
+    return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
+  };
+  int t = lowest;
+  while (t + 1 < static_cast<int>(threads.size()) && end_of(t) <= at_mm) ++t;
+  if (!uneven_[system == System::kWarp ? 0 : 1]) return t;
+  const Section own = sections(t);
+  const float beyond = at_mm - centre_of(system, t) - own.aside;
+  return beyond >= own.half_room ? t + 1 : beyond < -own.half_room ? t - 1 : t;
+}
+
+/// Cover and mean slope of the threads [first, last] within a sample.
+template <class Sections>
+void SurfaceSampler::add_cover(Across& a, System system, float from, float to, int first, int last,
+                               const Sections& sections) const {
+  float covered = 0, rise = 0;
+  for (int t = first; t <= last; ++t) {
+    const Section s = sections(t);
+    const float centre = centre_of(system, t) + s.aside;
+    const float lo = std::max(from, centre - s.half.x), hi = std::min(to, centre + s.half.x);
+    if (hi <= lo) continue;
+    covered += hi - lo;
+    rise += section(centre, s.half, hi) - section(centre, s.half, lo);
+  }
+  const float step = to - from;
+  if (covered > 1e-6f * step) a.slope = -rise / covered;
+  a.cover = unit_or_less(covered / step);
+}
+
+template <class Sections>
+SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int lowest,
+                                                 const Sections& sections) const {
   const auto& threads = threads_of(cloth_, system);
   const auto& textures = system == System::kWarp ? warp_texture_ : weft_texture_;
   const float step = system == System::kWarp ? dx_mm_ : dy_mm_;
@@ -161,30 +208,25 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int 
   const float from = static_cast<float>(sample) * step, to = static_cast<float>(sample + 1) * step;
   const float middle = 0.5f * (from + to);
   const int count = static_cast<int>(threads.size());
-  const auto end_of = [&](int t) {
-    return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
+  const auto side_of = [&](int t, float way) {
+    return threads[static_cast<size_t>(t)].centre_mm + way * 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
   };
   Across a;
-  while (lowest + 1 < count && end_of(lowest) <= from) ++lowest;
+  while (lowest + 1 < count && side_of(lowest, 1) <= from) ++lowest;
   a.lowest = lowest;
-  float covered = 0, rise = 0;
-  for (int t = lowest; t < count; ++t) {
-    const ThreadBody& b = threads[static_cast<size_t>(t)];
-    if (b.centre_mm - 0.5f * b.spacing_mm >= to) break;
-    const glm::vec2 half = sizes(t);
-    const float lo = std::max(from, b.centre_mm - half.x), hi = std::min(to, b.centre_mm + half.x);
-    if (hi <= lo) continue;
-    covered += hi - lo;
-    rise += section(b.centre_mm, half, hi) - section(b.centre_mm, half, lo);
-  }
-  if (covered > 1e-6f * step) a.slope = -rise / covered;
-  a.cover = unit_or_less(covered / step);
-  a.thread = lowest;
-  while (a.thread + 1 < count && end_of(a.thread) <= middle) ++a.thread;
-
-  const float centre = threads[static_cast<size_t>(a.thread)].centre_mm;
+  a.thread = thread_under(system, middle, lowest, sections);
   const ThreadTexture& texture = textures.at(a.thread);
-  const glm::vec2 size = sizes(a.thread);
+  const Section own = sections(a.thread);
+  const float centre = centre_of(system, a.thread) + own.aside;
+  const glm::vec2 size = own.half;
+  if (from >= centre - own.half_room && to <= centre + own.half_room) {
+    add_cover(a, system, from, to, a.thread, a.thread, sections);
+  } else {
+    int highest = lowest;
+    while (highest + 1 < count && side_of(highest + 1, -1) < to) ++highest;
+    const int margin = uneven_[system == System::kWarp ? 0 : 1] ? 1 : 0;
+    add_cover(a, system, from, to, lowest - margin, highest + margin, sections);
+  }
   const float half = std::max(size.x, 1e-7f);
   a.beyond_mm = std::max(0.0f, std::abs(middle - centre) - half);
   const float u0 = std::clamp((from - centre) / half, -1.0f, 1.0f);
@@ -212,15 +254,22 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
     return centre_step(cloth_, system, (static_cast<float>(sample) + 0.5f) * step).crossing;
   };
   CrossingSizes out;
-  out.first_thread = own.front().lowest;
+  out.first_thread = own.front().lowest - 1;
   out.first = warp ? crossing(y0_, dy_mm_) : crossing(x0_, dx_mm_);
   out.crossings = (warp ? crossing(y1_ - 1, dy_mm_) : crossing(x1_ - 1, dx_mm_)) + 2 - out.first;
-  for (int t = out.first_thread; t < static_cast<int>(threads.size()); ++t) {
-    const ThreadBody& body = threads[static_cast<size_t>(t)];
-    if (t > own.back().thread && body.centre_mm - 0.5f * body.spacing_mm >= end_mm) break;
-    out.even.push_back(body.unevenness > 0 ? glm::vec2(0) : half_section(cloth_, system, t, 0));
-    for (int c = 0; c < out.crossings; ++c)
-      out.over_size.push_back(1.0f / half_section(cloth_, system, t, out.first + c));
+  const int count = static_cast<int>(threads.size());
+  int last = own.back().lowest;
+  while (last + 1 < count &&
+         threads[static_cast<size_t>(last + 1)].centre_mm - 0.5f * threads[static_cast<size_t>(last + 1)].spacing_mm <
+             end_mm)
+    ++last;
+  for (int t = out.first_thread; t <= last + 1; ++t) {
+    const ThreadBody& body = threads[static_cast<size_t>(wrap(t, count))];
+    out.room_by_width.push_back(room_mm(body) / std::max(body.width_mm, 1e-6f));
+    for (int c = 0; c < out.crossings; ++c) {
+      const glm::vec3 s = section_at(cloth_, system, t, out.first + c);
+      out.over_size.push_back({1 / s.x, 1 / s.y, s.z});
+    }
   }
   return out;
 }
@@ -246,19 +295,24 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   return a;
 }
 
-void SurfaceSampler::follow_pick(int pick) {
-  pick_ = pick;
+const std::vector<SurfaceSampler::Along>& SurfaceSampler::along_pick(int pick) {
+  Pick& kept = picks_[static_cast<size_t>((pick + 3) % 3)];
+  if (kept.pick == pick) return kept.along;
+  kept.pick = pick;
+  kept.along.resize(columns_.size());
   for (int x = x0_; x < x1_; ++x) {
     const size_t i = static_cast<size_t>(x - x0_);
-    weft_along_[i] = along(System::kWeft, pick, column_steps_[i], (static_cast<float>(x) + 0.5f) * dx_mm_);
+    kept.along[i] = along(System::kWeft, pick, column_steps_[i], (static_cast<float>(x) + 0.5f) * dx_mm_);
   }
+  return kept.along;
 }
 
 SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along& l, float cover) const {
   const bool warp = system == System::kWarp;
-  const size_t index = static_cast<size_t>(a.thread);
+  const std::vector<ThreadBody>& threads = warp ? cloth_.ends : cloth_.picks;
+  const int thread = wrap(a.thread, static_cast<int>(threads.size()));
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
-  const ThreadBody& body = (warp ? cloth_.ends : cloth_.picks)[index];
+  const ThreadBody& body = threads[static_cast<size_t>(thread)];
   const Texel texel = texture_at(
       texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, a.turn / thread_formulas::kStraySpacing + l.stray_turn,
                 l.node, l.blend, a.cycles, a.ply_fade});
@@ -277,7 +331,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   s.groove = texel.groove;
   const glm::vec3 colour = fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
   s.colour = {colour.r, colour.g, colour.b};
-  s.thread = static_cast<uint32_t>(a.thread + (warp ? cloth_.first_end : cloth_.first_pick));
+  s.thread = static_cast<uint32_t>(thread + (warp ? cloth_.first_end : cloth_.first_pick));
   s.system = warp ? 0 : 1;
   s.slope = warp ? Slope{across, along} : Slope{along, across};
   // Fibre direction: the axis turned by the helix angle in the tangent plane.
@@ -291,12 +345,10 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
 
 void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
   const Across& even_row = rows_[static_cast<size_t>(y - y0_)];
-  if (even_row.thread != pick_) follow_pick(even_row.thread);
   const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
   const CentreStep step = centre_step(cloth_, System::kWarp, s_mm);
-  const int first_end = columns_.front().thread;
   for (size_t e = 0; e < warp_along_.size(); ++e)
-    warp_along_[e] = along(System::kWarp, first_end + static_cast<int>(e), step, s_mm);
+    warp_along_[e] = along(System::kWarp, first_end_ + static_cast<int>(e), step, s_mm);
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
     // Uneven threads have another width at each position along them.
@@ -306,8 +358,8 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     const Across across_row = uneven_[1] ? across_at(System::kWeft, y, even_row.lowest,
                                                      [&](int t) { return weft_sizes_.at(t, column_steps_[i]); })
                                          : even_row;
-    const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end)];
-    const Along& pick = weft_along_[i];
+    const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end_)];
+    const Along& pick = along_pick(across_row.thread)[i];
     // Coverage of each system: where both are present, one is on top.
     const float both = column.cover * across_row.cover;
     const bool over =

@@ -2,6 +2,7 @@
 // Samples the surface of a cloth row by row: what is on top at each sample. Used by the maps and by their moments,
 // which differ in how they average samples into texels.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -58,6 +59,8 @@ class SurfaceSampler {
   void row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside);
 
  private:
+  // Indices of threads go one beyond the period where an uneven one may reach over its edge.
+
   /// Position of a sample across the threads of one system.
   struct Across {
     int thread = 0;
@@ -77,27 +80,39 @@ class SurfaceSampler {
     float blend = 0;
   };
 
-  /// Half sections of the threads of a window at its crossings, computed once since every sample reads several.
+  /// A thread at a sample, mm.
+  struct Section {
+    glm::vec2 half;   // width, height
+    float aside;      // of its centre
+    float half_room;  // around that
+  };
+  /// Sections of the threads of a window at its crossings, computed once since every sample reads several.
   struct CrossingSizes {
     int first_thread = 0, first = 0, crossings = 0;
-    std::vector<glm::vec2> even;       // by thread: its half section, or 0 if that is uneven
-    std::vector<glm::vec2> over_size;  // inverse, by thread, then by crossing
-    /// half_section() of a thread of the window.
-    glm::vec2 at(int thread, const CentreStep& step) const {
+    std::vector<float> room_by_width;  // by thread
+    std::vector<glm::vec3> over_size;  // 1 over half width and half height, and the offset, by thread, then by crossing
+    /// section_at() of a thread of the window.
+    Section at(int thread, const CentreStep& step) const {
       const int t = thread - first_thread;
-      if (even[static_cast<size_t>(t)].x > 0) return even[static_cast<size_t>(t)];
-      const glm::vec2* const here = &over_size[static_cast<size_t>(t * crossings + step.crossing - first)];
-      return 1.0f / (here[0] + (here[1] - here[0]) * step.t);
+      const glm::vec3* const here = &over_size[static_cast<size_t>(t * crossings + step.crossing - first)];
+      const glm::vec3 between = here[0] + (here[1] - here[0]) * step.t;
+      const glm::vec2 half = 1.0f / glm::vec2(between);
+      return {half, between.z, half.x * room_by_width[static_cast<size_t>(t)]};
     }
   };
 
   std::vector<Across> across(System system, int first, int last) const;
   CrossingSizes crossing_sizes(System system) const;
-  /// sizes: half width and half height (mm) of a thread at this sample.
-  template <class Sizes>
-  Across across_at(System system, int sample, int lowest, const Sizes& sizes) const;
+  /// sections: of a thread at this sample.
+  template <class Sections>
+  Across across_at(System system, int sample, int lowest, const Sections& sections) const;
+  template <class Sections>
+  int thread_under(System system, float at_mm, int lowest, const Sections& sections) const;
+  template <class Sections>
+  void add_cover(Across& a, System system, float from, float to, int first, int last, const Sections& sections) const;
+  float centre_of(System system, int thread) const;
   Along along(System system, int thread, const CentreStep& step, float s_mm) const;
-  void follow_pick(int pick);
+  const std::vector<Along>& along_pick(int pick);
   SurfaceSample finish(System system, const Across& across, const Along& along, float cover) const;
 
   const Cloth& cloth_;
@@ -114,14 +129,18 @@ class SurfaceSampler {
   };
   static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm, float step, float step_along);
   Textures warp_texture_, weft_texture_;
-  std::vector<Across> columns_, rows_;
   bool uneven_[2];  // whether the system has threads of uneven thickness
+  std::vector<Across> columns_, rows_;
   CrossingSizes warp_sizes_, weft_sizes_;
   std::vector<CentreStep> column_steps_;
   CentreLines lines_;
-  std::vector<Along> warp_along_;  // of the current row, by end of the window
-  std::vector<Along> weft_along_;  // of the current row's pick, by column
-  int pick_ = -1;
+  int first_end_ = 0;
+  std::vector<Along> warp_along_;  // of the current row, by end of the window, from first_end_ on
+  struct Pick {
+    int pick = -2;
+    std::vector<Along> along;  // by column
+  };
+  std::array<Pick, 3> picks_;  // last used, by index modulo 3
 };
 
 /// The same over all layers of a cloth: upper layers hide lower ones except through their gaps. `beside` may have

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/thread_texture.h"
-
 namespace weftlight::cloth {
 
-using cloth::thread_formulas::slubs_in, cloth::thread_formulas::thickness_factor,
-    cloth::thread_formulas::uneven_section;
+using thread_formulas::border_sway, thread_formulas::kBorderSteps, thread_formulas::kMostAside,
+    thread_formulas::kMostSway, thread_formulas::kTallestSection, thread_formulas::section_between,
+    thread_formulas::slubs_in;
 
 namespace {
 
-using thread_formulas::slubs_in, thread_formulas::thickness_factor, thread_formulas::uneven_section;
-
-constexpr float kThinnest_mm = 1e-6f;
+constexpr float kLeastRoom = 1e-6f;
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
@@ -26,8 +23,28 @@ int wrap(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
-glm::vec2 even_section(const ThreadBody& body) {
-  return glm::max(glm::vec2(0.5f * body.width_mm, 0.5f * body.height_mm), glm::vec2(kThinnest_mm));
+/// Of the sway in a thread of this length: smaller where it is too short for a thick and a thin place.
+float swaying(float length_mm) {
+  const float whole = std::min(length_mm / thread_formulas::kSlub_mm, 1.0f);
+  return whole * whole;
+}
+
+/// Half of what a thread wants in addition to its spacing.
+float push_mm(const ThreadBody& t, float thickness) { return 0.5f * t.spacing_mm * (thickness - 1); }
+
+ThreadBorder border_between(const ThreadBody& a, float a_thickness, const ThreadBody& b, float b_thickness) {
+  const float most = 0.5f * kMostAside * std::min(a.spacing_mm, b.spacing_mm);
+  ThreadBorder border;
+  // Sways take part of what is left, so that the widest ones still end within the bound.
+  border.aside_mm = std::clamp(push_mm(a, a_thickness) - push_mm(b, b_thickness), -0.5f * most, 0.5f * most);
+  // Both borders of a thread sway independently: its room has the standard deviation of its thickness.
+  const float sway = 0.5f * std::hypot(a.unevenness * a.spacing_mm, b.unevenness * b.spacing_mm);
+  border.sway_mm = std::min(sway, (most - std::abs(border.aside_mm)) / kMostSway);
+  // In steps that the threads' records hold, so that bodies and tubes agree.
+  const float step = 0.5f * std::min(a.spacing_mm, b.spacing_mm) / kBorderSteps;
+  border.aside_mm = std::round(border.aside_mm / step) * step;
+  border.sway_mm = std::floor(2 * border.sway_mm / step) * (0.5f * step);
+  return border;
 }
 
 }  // namespace
@@ -39,49 +56,74 @@ float unevenness_of(const Yarn& yarn, const Finish& finish) {
          (1 - kNapFlattening * std::clamp(finish.raised, 0.0f, 1.0f));
 }
 
-float spread_in(const ThreadBody& body, float length_mm) {
-  const float whole = std::min(length_mm / thread_formulas::kSlub_mm, 1.0f);
-  return body.unevenness * whole * whole;
+void give_way(std::span<ThreadBody> row, std::span<const float> thickness) {
+  const size_t n = row.size();
+  for (size_t i = 0; i < n; ++i) {
+    const size_t next = i + 1 < n ? i + 1 : 0;
+    if (next == i) break;
+    row[i].after = border_between(row[i], thickness[i], row[next], thickness[next]);
+    row[next].before = row[i].after;
+  }
+  for (size_t i = 0; i < n; ++i) {
+    ThreadBody& t = row[i];
+    if (t.width_mm <= 0 || t.spacing_mm <= 0) continue;
+    const float wider = room_mm(t) / t.spacing_mm;
+    t.width_mm *= wider;
+    // Rounder than a thread may get where it is thick and its neighbours do not give way enough.
+    t.height_mm = std::min(t.height_mm * thickness[i] * thickness[i] / wider,
+                           std::max(kTallestSection * t.width_mm, t.height_mm));
+  }
 }
 
-glm::vec2 half_section(const Cloth& cloth, System system, int thread, int crossing) {
+ThreadSection thread_section(const ThreadBody& body, float length_mm) {
+  const float part = swaying(length_mm);
+  return {body.centre_mm,
+          0.5f * body.spacing_mm,
+          0.5f * body.width_mm,
+          0.5f * body.height_mm,
+          {body.before.aside_mm, body.after.aside_mm},
+          {part * body.before.sway_mm, part * body.after.sway_mm}};
+}
+
+glm::vec3 section_at(const Cloth& cloth, System system, int thread, int crossing) {
   const auto& threads = threads_of(cloth, system);
-  const int own = wrap(thread, static_cast<int>(threads.size()));
-  const ThreadBody& body = threads[static_cast<size_t>(own)];
-  if (body.unevenness <= 0) return even_section(body);
+  const int n = static_cast<int>(threads.size()), own = wrap(thread, n);
+  const float length = length_of(cloth, system);
+  const ThreadSection body = thread_section(threads[static_cast<size_t>(own)], length);
+  if (!is_uneven(body)) return section_between(body, 0, 0);
   const int count = static_cast<int>(threads_of(cloth, system == System::kWarp ? System::kWeft : System::kWarp).size());
   const int first = system == System::kWarp ? cloth.first_end : cloth.first_pick;
-  const float length = length_of(cloth, system);
-  const float f = thickness_factor(spread_in(body, length), system == System::kWarp ? 0 : 1, first + own,
-                                   wrap(crossing, count), count, slubs_in(length));
-  return uneven_section(even_section(body), 0.5f * body.spacing_mm, f);
+  const auto sway = [&](int of) {
+    return border_sway(system == System::kWarp ? 0 : 1, first + of, wrap(crossing, count), count, slubs_in(length));
+  };
+  return section_between(body, sway(own > 0 ? own - 1 : n - 1), sway(own));
 }
 
-glm::vec2 half_section(const Cloth& cloth, System system, int thread, const CentreStep& step) {
+glm::vec3 section_at(const Cloth& cloth, System system, int thread, const CentreStep& step) {
+  const glm::vec3 here = section_at(cloth, system, thread, step.crossing);
   const auto& threads = threads_of(cloth, system);
-  const ThreadBody& body = threads[static_cast<size_t>(wrap(thread, static_cast<int>(threads.size())))];
-  if (body.unevenness <= 0) return even_section(body);
-  // Interpolates 1 / size, as the shaders do.
-  const glm::vec2 here = 1.0f / half_section(cloth, system, thread, step.crossing),
-                  next = 1.0f / half_section(cloth, system, thread, step.crossing + 1);
-  return 1.0f / (here + (next - here) * step.t);
+  if (!uneven(threads[static_cast<size_t>(wrap(thread, static_cast<int>(threads.size())))])) return here;
+  return section_between_crossings(here, section_at(cloth, system, thread, step.crossing + 1), step.t);
 }
 
 float tallest_half(const Cloth& cloth, System system) {
+  const float part = swaying(length_of(cloth, system));
   float most = 0;
   for (const ThreadBody& t : threads_of(cloth, system)) {
-    const glm::vec2 even = even_section(t);
-    most = std::max(most, even.y);
-    if (t.unevenness <= 0) continue;
-    // Top of the strongest possible thick place; about one in a few hundred comes near it.
-    const float f = 1 + 2 * spread_in(t, length_of(cloth, system)) * thread_formulas::kSlubGain;
-    most = std::max(most, uneven_section(even, 0.5f * t.spacing_mm, f).y);
+    const float room = std::max(room_mm(t), kLeastRoom);
+    most = std::max(most, 0.5f * t.height_mm * (1 + kMostSway * part * (t.before.sway_mm + t.after.sway_mm) / room));
   }
   return most;
 }
 
+float furthest_side(const ThreadBody& t) {
+  return std::max(thread_formulas::furthest_side(thread_section(t, thread_formulas::kSlub_mm)), 0.5f * t.width_mm);
+}
+
+bool uneven(const ThreadBody& t) { return t.before != ThreadBorder{} || t.after != ThreadBorder{}; }
+
 bool uneven(const Cloth& cloth, System system) {
-  return std::ranges::any_of(threads_of(cloth, system), [](const ThreadBody& t) { return t.unevenness > 0; });
+  return std::ranges::any_of(threads_of(cloth, system), [](const ThreadBody& t) { return uneven(t); });
 }
 
 }  // namespace weftlight::cloth

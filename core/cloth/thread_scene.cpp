@@ -19,9 +19,7 @@ constexpr int kBinsAThread = 4;  // of shaders/threads.glsl
 std::vector<glm::uvec4> bodies_of(const std::vector<ThreadBody>& threads, float length_mm) {
   std::vector<glm::uvec4> out;
   out.reserve(threads.size());
-  for (const ThreadBody& t : threads)
-    out.push_back(thread_formulas::pack_section(
-        {t.centre_mm, 0.5f * t.spacing_mm, 0.5f * t.width_mm, 0.5f * t.height_mm, spread_in(t, length_mm)}));
+  for (const ThreadBody& t : threads) out.push_back(thread_formulas::pack_section(thread_section(t, length_mm)));
   return out;
 }
 

@@ -124,12 +124,14 @@ ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   const float around = std::sqrt(half.x * half.x * y * y + half.y * half.y * x * x);
   // Sections are perpendicular to the bent centre line, so they are further apart on the outside of the bend.
   const float apart = stretch * (1 - half.y * y * c.z / (stretch * stretch * stretch));
-  const float room = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)].spacing_mm;
+  const ThreadBody& body = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)];
+  // A thread fills the same part of its room everywhere.
+  const float room = body.width_mm > 0 ? room_mm(body) * half.x / (0.5f * body.width_mm) : body.spacing_mm;
   ThreadSample p;
   p.system = system;
   if (apart <= 0 || room <= 0) return p;
   p.area = around * apart * density * 2 * static_cast<float>(grid_.layers) / (room * static_cast<float>(count));
-  const float aside = s.centre + half.x * x, level = c.x + half.y * y / stretch;
+  const float aside = scene_.strand_centre(s, along) + half.x * x, level = c.x + half.y * y / stretch;
   const float ahead = along - half.y * y * c.y / stretch;
   const glm::vec3 where = system == 0 ? glm::vec3(aside, ahead, level) : glm::vec3(ahead, aside, level);
   p.height_mm = level;

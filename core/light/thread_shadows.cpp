@@ -72,9 +72,9 @@ struct Near {
 /// A thread from one crossing to the next.
 struct Span {
   glm::vec4 curve;
-  glm::vec2 thin, thinner;  // 1 over half width and half height at its start; their change to its end
-  float start, step;        // along, from the point
-  float aside;              // offset of the point from the centre
+  glm::vec2 thin, thinner;    // 1 over half width and half height at its start; their change to its end
+  float start, step;          // along, from the point
+  float aside, aside_change;  // offset of the point from the centre at its start; its change to its end
 };
 
 /// Piece k of `pieces`, for a point at `height`; over: 1 over its half width and half height.
@@ -87,7 +87,7 @@ Piece piece_of(const Span& span, int k, int pieces, float height, const glm::vec
   p.high = from + length + (high.x - height) * high.y, p.high_slope = high.y;
   p.slope = (high.x - low.x) / length;
   p.over_width = over.x, p.over_height = over.y / std::sqrt(1 + p.slope * p.slope);
-  p.a = span.aside * p.over_width;
+  p.a = (span.aside + span.aside_change * ((static_cast<float>(k) + 0.5f) / static_cast<float>(pieces))) * p.over_width;
   // At the mean height of the bent line.
   p.b = (height - (low.x - bend * length * length / 12 - from * p.slope)) * p.over_height;
   return p;
@@ -132,7 +132,7 @@ struct ThreadShadows::Around {
     const auto body = scene.thread_body(of, index);
     threads[static_cast<size_t>(of)][static_cast<size_t>(kMiddle + step)] = {
         index, body.centre + base[of] + static_cast<float>(period) * g.period[of], body,
-        std::max(body.half_room, body.half_width * (1 + 3 * body.unevenness))};
+        std::max(cloth::thread_formulas::furthest_side(body), body.half_width)};
   }
   bool crosses(int axis, float first, float last) const { return first <= high[axis] && last >= low[axis]; }
 };
@@ -156,8 +156,10 @@ void ThreadShadows::cast_span(Directions& open, std::vector<float>& clear, const
   const bool warp = system == 0;
   const glm::vec4 here = scene_.crossing_at(warp ? it.thread : first.thread, warp ? first.thread : it.thread);
   const glm::vec4 next = scene_.crossing_at(warp ? it.thread : second.thread, warp ? second.thread : it.thread);
-  Span span{{}, scene_.thin_at(g, system, it.thread, it.body, first.thread), {}, start, step, aside};
-  span.thinner = scene_.thin_at(g, system, it.thread, it.body, second.thread) - span.thin;
+  const glm::vec3 section = scene_.section_at(g, system, it.thread, it.body, first.thread),
+                  next_section = scene_.section_at(g, system, it.thread, it.body, second.thread);
+  Span span{{}, 1.0f / glm::vec2(section), {}, start, step, aside - section.z, section.z - next_section.z};
+  span.thinner = 1.0f / glm::vec2(next_section) - span.thin;
   span.curve = warp ? cloth::thread_formulas::cubic_through(here.x, here.y, next.x, next.y, step)
                     : cloth::thread_formulas::cubic_through(here.z, here.w, next.z, next.w, step);
   const int pieces = around.only_it ? kOwnPieces : kPieces;

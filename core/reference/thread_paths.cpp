@@ -9,7 +9,7 @@
 namespace weftlight::reference {
 
 using cloth::CentrePoint, cloth::CentreStep, cloth::centre_at, cloth::centre_lines, cloth::centre_step,
-    cloth::half_section, cloth::layer_count, cloth::layer_of, cloth::one_layer, cloth::tallest_half;
+    cloth::furthest_side, cloth::layer_count, cloth::layer_of, cloth::one_layer, cloth::section_at, cloth::tallest_half;
 
 namespace {
 
@@ -33,12 +33,13 @@ ThreadRing ThreadPaths::ring_at(System s, int thread, float along) const {
   const int in_layer = thread - (s == System::kWarp ? own.first_end : own.first_pick);
   const CentreStep step = centre_step(own, s, wrapped);
   const CentrePoint p = centre_at(lines_[layer], s, in_layer, step);
-  return {along, p.height_mm, p.slope, glm::max(half_section(own, s, in_layer, step), glm::vec2(0.5f * kThinnest_mm))};
+  const glm::vec3 section = section_at(own, s, in_layer, step);
+  return {along, p.height_mm, p.slope, glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)), section.z};
 }
 
 float ThreadPaths::widest(System s, int thread) const {
   const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
-  return 0.5f * std::max({body.width_mm, body.unevenness > 0 ? body.spacing_mm : 0, kThinnest_mm});
+  return std::max(cloth::uneven(body) ? furthest_side(body) : 0.5f * body.width_mm, 0.5f * kThinnest_mm);
 }
 
 float ThreadPaths::thickest(System s) const { return tallest_half(cloth_, s); }
@@ -51,7 +52,8 @@ glm::vec3 up_of(System s, float slope) {
   return glm::normalize(s == System::kWarp ? glm::vec3(0, -slope, 1) : glm::vec3(-slope, 0, 1));
 }
 glm::vec3 centre_of(System s, float centre_mm, const ThreadRing& r) {
-  return s == System::kWarp ? glm::vec3(centre_mm, r.along, r.z) : glm::vec3(r.along, centre_mm, r.z);
+  const float across = centre_mm + r.aside;
+  return s == System::kWarp ? glm::vec3(across, r.along, r.z) : glm::vec3(r.along, across, r.z);
 }
 
 }  // namespace weftlight::reference

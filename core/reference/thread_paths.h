@@ -17,6 +17,7 @@ using draft::System;
 struct ThreadRing {
   float along, z, slope;
   glm::vec2 radii;  // half width, half height
+  float aside;      // of its centre, across
 };
 
 class ThreadPaths {
@@ -33,7 +34,7 @@ class ThreadPaths {
   float period_across(System s) const { return s == System::kWarp ? cloth_.width_mm : cloth_.depth_mm; }
   /// At a position along, which may lie outside the period.
   ThreadRing ring_at(System s, int thread, float along) const;
-  /// Upper bounds of the half width of a thread, and of the half height of all.
+  /// Upper bounds of how far a thread reaches to a side, and of the half height of all.
   float widest(System s, int thread) const;
   float thickest(System s) const;
 

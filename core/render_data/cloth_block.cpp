@@ -65,7 +65,7 @@ void add_means(interop::SystemData* systems, const Maps& maps) {
 
 float mean_gap_mm(const std::vector<ThreadBody>& threads) {
   float sum = 0;
-  for (const ThreadBody& t : threads) sum += std::max(0.0f, t.spacing_mm - t.width_mm);
+  for (const ThreadBody& t : threads) sum += std::max(0.0f, cloth::room_mm(t) - t.width_mm);
   return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
 }
 

@@ -30,8 +30,8 @@ constexpr int kQuickThreadSamples = 1;
 bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ThreadBody& s, const ThreadBody& t) {
     return s.centre_mm == t.centre_mm && s.spacing_mm == t.spacing_mm && s.width_mm == t.width_mm &&
-           s.height_mm == t.height_mm && s.unevenness == t.unevenness && s.yarn == t.yarn && s.colour.r == t.colour.r &&
-           s.colour.g == t.colour.g && s.colour.b == t.colour.b;
+           s.height_mm == t.height_mm && s.before == t.before && s.after == t.after && s.yarn == t.yarn &&
+           s.colour.r == t.colour.r && s.colour.g == t.colour.g && s.colour.b == t.colour.b;
   });
 }
 

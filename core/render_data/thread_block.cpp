@@ -90,7 +90,9 @@ bool all_even(const std::vector<glm::uvec4>& records, const thread_formulas::Thr
   for (int system = 0; system < 2; ++system) {
     for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
       const size_t body = static_cast<size_t>(at + THREAD_BODY);
-      if (body >= records.size() || thread_formulas::record_body(records[body]).unevenness > 0) return false;
+      if (body >= records.size()) return false;
+      const auto section = thread_formulas::record_body(records[body]);
+      if (is_uneven(section) || section.aside != glm::vec2(0)) return false;
     }
   }
   return true;

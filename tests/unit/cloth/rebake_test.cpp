@@ -70,6 +70,22 @@ TEST_P(Rebake, ScatteredCellsEqualBakeBitForBit) {
                  [](int e, int y) { return e % 8 == 3 && y % 8 == 5; }});       // a tie-up cell
 }
 
+TEST(Rebake, UnevenThreadsEqualBakeBitForBit) {
+  Design d = design_of(40, 30, 0.5f, 0.45f);
+  d.yarns[0].unevenness = 40, d.yarns[0].irregularity = 0.15f;
+  const MapsSize size{320, 240, 8, 2};
+  BitMatrix cells = satin(40, 30);
+  Cloth cloth = whole(d, cells);
+  Maps maps = bake(cloth, size);
+  // Threads at the edges of the period reach over them.
+  for (const auto& [end, pick] : {std::pair{0, 0}, {39, 29}, {20, 13}}) {
+    cells.set(pick, end, !cells.get(pick, end));
+    const Cloth after = whole(d, cells);
+    expect_rebaked(maps, cloth, after, size);
+    cloth = after;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Rebake,
                          testing::Values(RebakeCase{32, 24, 320, 240, 16}, RebakeCase{120, 200, 190, 300, 12},
                                          RebakeCase{1, 1, 32, 32, 8}, RebakeCase{3, 2, 200, 100, 16},

@@ -80,7 +80,7 @@ class PackedThreads {
 namespace weftlight::gl {
 
 using cloth::Cloth, cloth::Period, cloth::Texel, cloth::ThreadBody, cloth::ThreadTexture, cloth::highest_thread,
-    cloth::lay_out, cloth::spread_in, cloth::texture_at, cloth::thread_crossings, cloth::thread_texture;
+    cloth::lay_out, cloth::thread_section, cloth::texture_at, cloth::thread_crossings, cloth::thread_texture;
 using cloth::thread_formulas::texture_point;
 using design::Design, design::Twist;
 using draft::BitMatrix, draft::CellRect, draft::Face, draft::System, draft::drawdown;
@@ -90,7 +90,7 @@ using render_data::PackedCloth, render_data::ThreadKind, render_data::thread_kin
 namespace {
 
 using cloth::thread_formulas::PackedThreads;
-using glm::vec3;
+using glm::vec2, glm::vec3;
 using glm::vec4;
 
 /// Equal bit for bit, including NaN.
@@ -213,10 +213,16 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
     for (int i = 0; i < static_cast<int>(threads.size()); ++i) {
       const ThreadBody& body = threads[static_cast<size_t>(i)];
       const auto section = back.thread_body(s, i);
-      EXPECT_EQ(vec3(section.centre, section.half_room, section.half_width),
-                vec3(body.centre_mm, 0.5f * body.spacing_mm, 0.5f * body.width_mm));
-      EXPECT_NEAR(section.half_height, 0.5f * body.height_mm, 1e-5f * body.width_mm);
-      EXPECT_NEAR(section.unevenness, spread_in(body, length), 2e-4f);
+      const auto in_section = thread_section(body, length);
+      EXPECT_EQ(vec2(section.centre, section.half_room), vec2(in_section.centre, in_section.half_room));
+      // Offsets of borders are bytes.
+      const float step = section.half_room / 127;
+      EXPECT_NEAR(section.half_width, in_section.half_width, step);
+      EXPECT_NEAR(section.half_height / section.half_width, body.height_mm / body.width_mm, 1e-4f);
+      for (int k = 0; k < 2; ++k) {
+        EXPECT_NEAR(section.aside[k], in_section.aside[k], 0.51f * step);
+        EXPECT_NEAR(section.sway[k], in_section.sway[k], 0.26f * step);
+      }
       EXPECT_EQ(back.look(s, i), vec4(body.colour.r, body.colour.g, body.colour.b, body.yarn));
       cloth::ThreadRecord in{}, out{};
       in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);

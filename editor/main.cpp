@@ -12,8 +12,10 @@ namespace {
 
 int run(int argc, char** argv) {
   try {
-    platform::use_language(commands::requested_language(argc, argv), base::languages_dir());
-    const commands::CommandLine line = commands::run_command_line(argc, argv);
+    const std::string language = commands::requested_language(argc, argv);
+    platform::use_language(language, base::languages_dir());
+    commands::CommandLine line = commands::run_command_line(argc, argv);
+    line.editor.language_asked = !language.empty();
     return line.open_editor ? app::run_editor(line.editor) : line.exit_code;
   } catch (...) {  // unsaved work is in the journal
     platform::report_exception();

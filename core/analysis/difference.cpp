@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/decimals.h"
 #include "base/text.h"
 
 namespace weftlight::analysis {
@@ -17,7 +18,7 @@ namespace {
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  return base::with_decimal_point(text);
 }
 
 struct Comparer {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/decimals.h"
 #include "base/text.h"
 
 namespace weftlight::analysis {
@@ -51,7 +52,7 @@ std::string shown(const char* pattern, double value) { return fill(pattern, arg(
 std::string dents_text(float dents) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", static_cast<double>(dents));
-  return text;
+  return base::with_decimal_point(text);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "base/decimals.h"
+
 namespace weftlight::base {
 
 const char* tr_n(const char* one, const char* many, long long count) {
@@ -10,7 +12,7 @@ const char* tr_n(const char* one, const char* many, long long count) {
 
 std::string filled(const char* pattern, fmt::format_args values) {
   try {
-    return fmt::vformat(pattern, values);
+    return filled_with_point(pattern, values, decimal_point());
   } catch (const fmt::format_error&) {
     return pattern;
   }

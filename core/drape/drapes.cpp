@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/mark.h"
 #include "drape/bodies.h"
 #include "drape/garments.h"
 #include "drape/soft_goods.h"
@@ -10,6 +11,8 @@
 #include "drape/vec.h"
 
 namespace weftlight::drape {
+
+using base::mark;
 
 namespace {
 
@@ -117,8 +120,9 @@ Mesh finish(Drape drape, const std::string& name, float steps_scale) {
 }  // namespace
 
 const std::vector<std::string>& drape_names() {
-  static const std::vector<std::string> names{"plane", "sphere", "tablecloth", "curtain", "skirt",
-                                              "tunic", "shirt",  "scarf",      "cushion"};
+  static const std::vector<std::string> names{mark("plane"),   mark("sphere"), mark("tablecloth"),
+                                              mark("curtain"), mark("skirt"),  mark("tunic"),
+                                              mark("shirt"),   mark("scarf"),  mark("cushion")};
   return names;
 }
 

@@ -53,4 +53,27 @@ std::string font_file(std::span<const char* const> families, FontWeight weight) 
   return {};
 }
 
+FontFace font_face_of_language(const std::string& language, FontWeight weight) {
+  const Config config(FcInitLoadConfigAndFonts());
+  if (!config) return {};
+  const Pattern wanted(FcPatternCreate());
+  FcPatternAddString(wanted.get(), FC_FAMILY, text("sans-serif"));
+  FcPatternAddString(wanted.get(), FC_LANG, text(language.c_str()));
+  FcPatternAddInteger(wanted.get(), FC_WEIGHT, weight_of(weight));
+  FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
+  FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);
+  FcDefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const Pattern found(FcFontMatch(config.get(), wanted.get(), &result));
+  FcLangSet* languages = nullptr;
+  FcChar8* file = nullptr;
+  int index = 0;
+  if (!found || FcPatternGetLangSet(found.get(), FC_LANG, 0, &languages) != FcResultMatch ||
+      FcLangSetHasLang(languages, text(language.c_str())) == FcLangDifferentLang ||
+      FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch)
+    return {};
+  FcPatternGetInteger(found.get(), FC_INDEX, 0, &index);
+  return {reinterpret_cast<const char*>(file), index & 0xFFFF};  // above it the number of a variable font's instance
+}
+
 }  // namespace weftlight::platform

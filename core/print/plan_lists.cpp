@@ -17,7 +17,7 @@ using analysis::Heddles, analysis::ThreadOrder, analysis::ThreadRun, analysis::W
     analysis::sett_in_reed, analysis::sett_text, analysis::sleying_patterns, analysis::sleying_words,
     analysis::thread_order, analysis::warp_length_text, analysis::warping_plan, analysis::weight_text,
     analysis::width_text, analysis::yarn_length_text, analysis::yarn_report;
-using base::arg, base::fill, base::tr, base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_in, base::tr_n;
 using design::ClothPlan, design::Reed, design::sleying_text;
 using draft::System, draft::drawdown;
 
@@ -48,7 +48,7 @@ void list_sizes(std::vector<Line>& out, const PlannedCloth& c) {
   const auto text = [&](double mm) { return width_text(mm, c.units); };
   add(out, tr("Finished"),
       fill(tr("{width} wide, {length} long"), arg("width", text(m.width_mm)), arg("length", text(m.length_mm))));
-  add(out, tr("Weave"), fill(tr("{length} under tension"), arg("length", text(m.woven_length_mm))));
+  add(out, tr_in("at the loom", "Weave"), fill(tr("{length} under tension"), arg("length", text(m.woven_length_mm))));
   if (plan.pieces > 1) add(out, tr("Pieces"), std::to_string(plan.pieces));
   add(out, tr("In the reed"), text(m.reed_width_mm));
   add(out, tr("Warp"), ends_text(m));

@@ -35,8 +35,8 @@ void add_simulated_drape(Actions& all, const ActiveDraft& draft, const ClothActi
 
 void add_cloth_actions(Actions& all, const ActiveDraft& draft, const ClothActions& cloth, Settings& settings) {
   for (const std::string& name : drape_names()) {
-    Action& a = add(all, "Cloth", ("drape." + name).c_str(), fill(tr("Drape: {name}"), arg("name", name)).c_str(), "",
-                    [&draft, name] {
+    Action& a = add(all, "Cloth", ("drape." + name).c_str(),
+                    fill(tr("Drape: {name}"), arg("name", tr(name.c_str()))).c_str(), "", [&draft, name] {
                       draft.commit({tr("Choose drape"), [name](Design d) {
                                       d.scene.mesh = name;
                                       return d;

@@ -9,11 +9,13 @@
 #include "app/editor.h"
 #include "app/window.h"
 #include "base/caught.h"
+#include "base/resources.h"
 #include "base/text.h"
 #include "base/user_folders.h"
 #include "commands/built_commit.h"
 #include "platform/crash_report.h"
 #include "platform/file.h"
+#include "platform/language.h"
 #include "session/files/file_identity.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
@@ -82,6 +84,8 @@ int run_editor(const EditorOptions& options) {
   platform::survive_size_limit();
   platform::report_crashes(session::recovery_folder(), "Weftlight " + commands::version_and_commit());
   const Settings settings = load_settings();
+  if (!options.language_asked && !settings.language.empty())
+    platform::use_language(settings.language, base::languages_dir());
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   const auto window = Window::open(settings.width, settings.height);
   if (!window) return fail(window.error());

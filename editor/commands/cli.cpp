@@ -10,6 +10,7 @@
 
 #include "base/caught.h"
 #include "base/files.h"
+#include "base/languages.h"
 #include "base/text.h"
 #include "commands/built_commit.h"
 #include "commands/closest_word.h"
@@ -20,21 +21,11 @@
 
 namespace weftlight::commands {
 
-using base::arg, base::cause_of, base::fill, base::tr;
+using base::arg, base::cause_of, base::fill, base::is_language_name, base::tr;
 
 namespace {
 
 constexpr std::string_view kLanguageOption = "--language";
-
-bool is_language_name(std::string_view text) {
-  constexpr size_t kMaxLetters = 40;
-  const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '@' ||
-           c == '-' || c == '.';
-  };
-  return !text.empty() && text.size() <= kMaxLetters && text[0] != '-' && text[0] != '.' &&
-         std::all_of(text.begin(), text.end(), allowed);
-}
 
 CLI::Validator language_name() {
   return CLI::Validator(

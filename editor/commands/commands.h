@@ -154,6 +154,7 @@ int weave_command(const WeaveOptions&);
 
 struct EditorOptions {
   std::string file, live_export, ui_map;
+  bool language_asked = false;  // --language; else that of the settings
 };
 struct CommandLine {
   bool open_editor = false;  // true: start the window with `editor`; false: exit with `exit_code`

@@ -2,8 +2,13 @@
 
 #include <imgui.h>
 
+#include <cstring>
 #include <string>
+#include <vector>
 
+#include "base/files.h"
+#include "base/resources.h"
+#include "platform/catalogue.h"
 #include "platform/fonts.h"
 #include "ui/imgui_compat.h"
 
@@ -44,6 +49,44 @@ void merge_icons(const std::string& path, float size, float offset_y) {
   ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), size, &config, kIconRanges);
 }
 
+/// Letters of the window's language that the fonts above lack; only they are loaded, since a font of Japanese is large.
+struct Letters {
+  platform::FontFace regular, bold;
+  const ImWchar* ranges = nullptr;  // read until the atlas is built, after load_fonts
+};
+
+/// The texts of a compiled catalogue lie in it one after the other, each with a zero at its end.
+void add_texts(ImFontGlyphRangesBuilder& letters, const std::string& language) {
+  constexpr uint64_t kMaxBytes = uint64_t{16} << 20;
+  const auto file = base::read_file(base::languages_dir() + "/" + language + "/LC_MESSAGES/weftlight.mo", kMaxBytes);
+  for (size_t at = 0; file && at < file->size(); at += std::strlen(file->c_str() + at) + 1)
+    letters.AddText(file->c_str() + at);
+}
+
+Letters letters_of_language() {
+  const std::string language = platform::catalogue_language();
+  if (language != "ja") return {};
+  static std::vector<ImWchar> ranges;
+  ImFontGlyphRangesBuilder letters;
+  letters.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesJapanese());
+  add_texts(letters, language);  // words of the craft have letters beyond the common ones
+  ImVector<ImWchar> built;
+  letters.BuildRanges(&built);
+  ranges.assign(built.begin(), built.end());
+  return {platform::font_face_of_language(language),
+          platform::font_face_of_language(language, platform::FontWeight::kSemiBold), ranges.data()};
+}
+
+void merge_letters(const platform::FontFace& face, float size, const ImWchar* ranges) {
+  if (face.file.empty()) return;
+  ImFontConfig config;
+  config.MergeMode = true;
+  config.FontNo = face.index;
+  // ImGui measures a font by its highest and lowest letters, which lie further apart in these.
+  constexpr float kLarger = 1.2f;
+  ImGui::GetIO().Fonts->AddFontFromFileTTF(face.file.c_str(), size * kLarger, &config, ranges);
+}
+
 }  // namespace
 
 Fonts load_fonts(float pixels, float ratio) {
@@ -53,13 +96,19 @@ Fonts load_fonts(float pixels, float ratio) {
   const std::string mono = font_file(kMonoFonts), icons = font_file(kIconFonts);
   Fonts fonts;
   fonts.icons = !icons.empty();
+  const Letters letters = letters_of_language();
   fonts.text = add(text, kText * pixels);
+  merge_letters(letters.regular, kText * pixels, letters.ranges);
   if (fonts.icons) merge_icons(icons, kIcons * pixels, pixels);
   fonts.small = add(text, kSmall * pixels);
+  merge_letters(letters.regular, kSmall * pixels, letters.ranges);
   if (fonts.icons) merge_icons(icons, kSmall * pixels, pixels);
   fonts.bold = add(bold, kText * pixels);
+  merge_letters(letters.bold, kText * pixels, letters.ranges);
   fonts.mono = add(mono, kMono * pixels);
+  merge_letters(letters.regular, kMono * pixels, letters.ranges);
   fonts.mono_small = add(mono, kMonoSmall * pixels);
+  merge_letters(letters.regular, kMonoSmall * pixels, letters.ranges);
   fonts.title = add(bold, kTitle * pixels);
   fonts.big = add(bold, kBig * pixels, kFigureRanges);
   end_fonts();

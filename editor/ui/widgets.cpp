@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
+#include <vector>
 
+#include "base/decimals.h"
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 
 namespace weftlight::ui {
 
-using base::tr;
+using base::tr, base::with_decimal_point;
 
 namespace {
 
@@ -71,13 +74,20 @@ void draw_figure(const char* text, FigureAlign align, ImU32 color) {
       text);
 }
 
+/// While a number is typed, a comma does for the point, as weavers of most languages write it.
+void take_commas_as_points() {
+  for (ImWchar& c : ImGui::GetIO().InputQueueCharacters)
+    if (c == ',') c = '.';
+}
+
 /// The figure: drag it, or click to type. Its text is drawn here, because ImGui would centre it and cannot show
 /// "mixed".
 bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign align, ImU32 color, float& value) {
   push_font(c.style.font.mono_small);
   float typed = value;
   const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##figure"));
-  if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
+  if (typing) take_commas_as_points();
+  else ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
   take_focus(c, spec.id);
   const bool wider = spec.figure_min < spec.figure_max;
   const float low = wider ? spec.figure_min : spec.min, high = wider ? spec.figure_max : spec.max;
@@ -87,7 +97,7 @@ bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign al
     ImGui::PopStyleColor();
     char text[48];
     std::snprintf(text, sizeof text, spec.format, static_cast<double>(typed));
-    draw_figure(mixed && !changed ? tr("mixed") : text, align, color);
+    draw_figure(mixed && !changed ? tr("mixed") : with_decimal_point(text).c_str(), align, color);
   }
   ImGui::PopFont();
   if (changed) value = typed;
@@ -171,7 +181,16 @@ void row_label(const Context& c, const char* label, const char* tip) {
   ImGui::TextUnformatted(label);
   ImGui::PopStyleColor();
   tooltip(c, tip);
-  ImGui::SameLine(x + c.style.px(kLabelColumn));
+  // A label longer than its column moves its own row only.
+  ImGui::SameLine(x + std::max(c.style.px(kLabelColumn), ImGui::GetItemRectSize().x + c.style.px(6)));
+}
+
+void buttons_row(const Context& c, std::span<const char* const> labels) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = 0;
+  for (const char* label : labels)
+    width += ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + (width > 0 ? style.ItemSpacing.x : 0);
+  if (width <= ImGui::GetContentRegionAvail().x - c.style.px(kLabelColumn)) row_label(c, "", "");
 }
 
 bool begin_combo(const Context& c, const char* id, const char* shown) {
@@ -195,24 +214,48 @@ void end_combo() {
   ImGui::PopID();
 }
 
+namespace {
+
+/// Equal widths where every label fits; else each by its label, and all no wider than there is room.
+std::vector<float> segment_widths(const Context& c, std::span<const char* const> labels, float width) {
+  std::vector<float> widths;
+  float widest = 0, sum = 0;
+  for (const char* label : labels) {
+    widths.push_back(ImGui::CalcTextSize(tr(label)).x + c.style.px(8));
+    widest = std::max(widest, widths.back());
+    sum += widths.back();
+  }
+  const auto count = static_cast<float>(labels.size());
+  const float each = static_cast<float>(static_cast<int>(width / count));
+  if (widest - c.style.px(6) <= each) return std::vector<float>(labels.size(), each);
+  const float room = std::max(width, std::min(sum, ImGui::GetContentRegionAvail().x));
+  for (float& own : widths) own = static_cast<float>(static_cast<int>(own * room / sum));
+  return widths;
+}
+
+}  // namespace
+
 bool segmented(const Context& c, const char* id, std::span<const char* const> labels, int& chosen, float width) {
   const auto count = static_cast<int>(labels.size());
   if (width <= 0) width = ImGui::GetContentRegionAvail().x;
-  const float h = ImGui::GetFrameHeight(),
-              each = static_cast<float>(static_cast<int>(width / static_cast<float>(count)));
+  const float h = ImGui::GetFrameHeight();
+  const std::vector<float> widths = segment_widths(c, labels, width);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float r = ImGui::GetStyle().FrameRounding;
-  dl->AddRectFilled(at, {at.x + each * static_cast<float>(count), at.y + h},
+  dl->AddRectFilled(at, {std::accumulate(widths.begin(), widths.end(), at.x), at.y + h},
                     blend(c.style.color.panel, c.style.color.text, 0.08f), r);
   bool changed = false;
+  float x = at.x;
   ImGui::PushID(id);
   for (int i = 0; i < count; ++i) {
     const char* label = labels[static_cast<size_t>(i)];
-    const char* shown = tr(label);
-    const ImVec2 a{at.x + each * static_cast<float>(i), at.y}, b{a.x + each, a.y + h};
+    const float own = widths[static_cast<size_t>(i)];
+    const std::string shown = fitted(tr(label), own - c.style.px(2));
+    const ImVec2 a{x, at.y}, b{x + own, a.y + h};
+    x = b.x;
     ImGui::SetCursorScreenPos(a);
-    if (hit_area(label, {each, h}) && chosen != i) {
+    if (hit_area(label, {own, h}) && chosen != i) {
       chosen = i;
       changed = true;
     }
@@ -223,10 +266,10 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
       dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
     }
-    const ImVec2 size = ImGui::CalcTextSize(shown);
+    const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
     dl->AddText({static_cast<float>(static_cast<int>((a.x + b.x - size.x) / 2)),
                  static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))},
-                on || ImGui::IsItemHovered() ? c.style.color.text : c.style.color.muted, shown);
+                on || ImGui::IsItemHovered() ? c.style.color.text : c.style.color.muted, shown.c_str());
   }
   ImGui::PopID();
   return changed;
@@ -342,7 +385,7 @@ void muted_text(const Context& c, const std::string& text) {
 std::string fixed(float value, int decimals) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*f", decimals, static_cast<double>(value));
-  return text;
+  return with_decimal_point(text);
 }
 
 }  // namespace weftlight::ui

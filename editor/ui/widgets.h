@@ -49,6 +49,8 @@ bool section(const Context& c, const char* id, const char* label, bool open_at_f
 void open_section(const char* id);
 /// A label in the column of the slider labels; the next item is placed beside it.
 void row_label(const Context& c, const char* label, const char* tip);
+/// Begins a row of these text buttons below the controls, or at the left where they are too wide for that column.
+void buttons_row(const Context& c, std::span<const char* const> labels);
 /// A colour in a rounded square.
 void draw_swatch(const Context& c, ImVec2 min, ImVec2 max, ImU32 color, bool chosen = false);
 /// Gives the keyboard to the next control if Context::focus has this id.

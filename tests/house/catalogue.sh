@@ -14,21 +14,12 @@ fail() { echo "$*" >&2; exit 1; }
 diff -u "$source/editor/languages/weftlight.pot" "$work/now.pot" >"$work/diff" ||
   fail "weftlight.pot is older than the sources; run editor/languages/extract.sh: $(head -40 "$work/diff")"
 
-# Names in braces, in their order, of a text and of its translation; each pair on one line.
-names() { grep -oE '\{[a-z_0-9]*' <<<"$1" | sort -u | tr '\n' ' '; }
-for catalogue in "$source"/editor/languages/*.po; do
-  [[ -e $catalogue ]] || continue
-  msgcat --no-wrap "$catalogue" >"$work/flat"
-  while IFS= read -r line; do
-    case $line in
-      'msgid '*) id=$line ;;
-      'msgstr '*|'msgstr['*)
-        [[ $line == *'""' ]] && continue
-        [[ -z $(comm -13 <(names "$id" | tr ' ' '\n') <(names "$line" | tr ' ' '\n')) ]] ||
-          fail "$catalogue: $line has names that $id does not have" ;;
-    esac
-  done <"$work/flat"
+shopt -s nullglob
+catalogues=("$source"/editor/languages/*.po)
+for catalogue in "${catalogues[@]}"; do
+  msgfmt --check -o /dev/null "$catalogue" || fail "$catalogue does not compile"
 done
+"$source/tests/house/translations.py" "${catalogues[@]}" || fail "translations lose what the program needs"
 
 # A language that is English in brackets.
 mkdir -p "$work/languages/xx/LC_MESSAGES"

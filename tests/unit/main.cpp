@@ -38,6 +38,7 @@ class DrawingRecord : public testing::EmptyTestEventListener {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ::setenv("LANGUAGE", "en", 1);  // tests read English, whatever the system speaks
   testing::InitGoogleTest(&argc, argv);
   const char* const folder = std::getenv("WEFTLIGHT_NOT_DRAWN");
   testing::UnitTest::GetInstance()->listeners().Append(  // gtest owns it

@@ -5,6 +5,7 @@
 #include <clocale>
 #include <cstring>
 
+#include "platform/catalogue.h"
 #include "platform/environment.h"
 
 namespace weftlight::platform {
@@ -31,6 +32,16 @@ void use_language(const std::string& language, const std::string& folder) {
   ::bindtextdomain(kDomain, folder.c_str());
   ::bind_textdomain_codeset(kDomain, "UTF-8");
   ::textdomain(kDomain);
+}
+
+std::string catalogue_language() {
+  // The text of no text is the header of the catalogue, or nothing.
+  const std::string header = ::gettext("");
+  constexpr const char* kField = "\nLanguage: ";
+  const size_t at = header.find(kField);
+  if (at == std::string::npos) return {};
+  const size_t from = at + std::strlen(kField);
+  return header.substr(from, header.find('\n', from) - from);
 }
 
 const char* translated(const char* text) { return *text == '\0' ? text : ::gettext(text); }

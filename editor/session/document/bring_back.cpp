@@ -1,5 +1,6 @@
 #include "session/document/bring_back.h"
 
+#include <array>
 #include <ctime>
 #include <utility>
 
@@ -9,13 +10,18 @@
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::tr;
+using base::arg, base::fill, base::mark, base::tr;
 using design::Design;
 using wif::Severity, wif::WifRead, wif::read_wif;
 
 namespace {
 
 constexpr int64_t kNsPerS = 1'000'000'000;
+
+// As they stand in a date.
+constexpr std::array<const char*, 12> kMonths = {
+    mark("January"), mark("February"), mark("March"),     mark("April"),   mark("May"),      mark("June"),
+    mark("July"),    mark("August"),   mark("September"), mark("October"), mark("November"), mark("December")};
 
 std::tm local_time(int64_t ns) { return platform::local_time(ns / kNsPerS); }
 
@@ -51,13 +57,12 @@ std::string time_in_words(int64_t then_ns, int64_t now_ns) {
   const std::tm then = local_time(then_ns), today = local_time(now_ns),
                 yesterday = local_time(now_ns - 24 * 3600 * kNsPerS);
   const auto on = [&then](const std::tm& day) { return then.tm_year == day.tm_year && then.tm_yday == day.tm_yday; };
-  char text[64];
-  std::strftime(text, sizeof text,
-                on(today)       ? tr("today %H:%M")
-                : on(yesterday) ? tr("yesterday %H:%M")
-                                : tr("%d %B %Y, %H:%M"),
-                &then);
-  return text;
+  const std::string time = fmt::format("{:02}:{:02}", then.tm_hour, then.tm_min);
+  if (on(today)) return fill(tr("today {time}"), arg("time", time));
+  if (on(yesterday)) return fill(tr("yesterday {time}"), arg("time", time));
+  return fill(tr("{day} {month} {year}, {time}"), arg("day", then.tm_mday),
+              arg("month", tr(kMonths.at(static_cast<size_t>(then.tm_mon)))), arg("year", then.tm_year + 1900),
+              arg("time", time));
 }
 
 }  // namespace weftlight::session

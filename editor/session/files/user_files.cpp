@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/languages.h"
 #include "base/user_folders.h"
 #include "base/utf8.h"
 
 namespace weftlight::session {
 
-using base::config_folder, base::is_utf8, base::read_file, base::write_file_atomically;
+using base::config_folder, base::is_language_name, base::is_utf8, base::read_file, base::write_file_atomically;
 using design::kMaxClothMm, design::kMaxSpare;
 
 namespace {
@@ -127,6 +128,8 @@ Settings settings_from(std::string_view text) {
       if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMaxRecent)
         s.recent.push_back(std::move(one));
   if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
+  if (const auto own = json.find("language"); own != json.end() && own->is_string())
+    if (const std::string name = *own; is_language_name(name)) s.language = name;
   take_keys(json, s.keys);
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
   s.width = std::clamp(s.width, 320, 16384);
@@ -158,6 +161,7 @@ std::string settings_text(const Settings& s) {
                                {"split", s.split},
                                {"width", s.width},
                                {"height", s.height},
+                               {"language", s.language},
                                {"recent", recent},
                                {"keys", s.keys},
                                {"heavy_lines", s.heavy_lines},

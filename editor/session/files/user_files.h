@@ -31,6 +31,7 @@ struct Settings {
   bool inspector = true;                         // the inspector is shown
   float split = 0;                               // fraction of the width for the draft; 0 fits it
   int width = 1440, height = 900;                // of the window
+  std::string language;                          // of the window, as "de"; empty: that of the system
   std::vector<std::string> recent;               // paths, most recent first
   std::string loom_address;                      // of the loom last connected
   std::map<std::string, std::string> keys;       // shortcuts set by the user, by action id; empty: none

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/decimals.h"
 #include "base/text.h"
 #include "texture_set/set_folder.h"
 
@@ -83,7 +84,7 @@ std::string shown_bytes(int64_t bytes) {
   while (shown >= 999.5 && unit + 1 < std::size(kUnits)) shown /= 1000, ++unit;
   char text[32];
   std::snprintf(text, sizeof text, shown < 9.95 ? "%.1f %s" : "%.0f %s", shown, kUnits[unit]);
-  return text;
+  return base::with_decimal_point(text);
 }
 
 }  // namespace weftlight::session

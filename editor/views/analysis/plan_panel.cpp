@@ -14,7 +14,7 @@ namespace weftlight::views {
 using analysis::ClothMeasures, analysis::cloth_measures, analysis::kInch_mm, analysis::last_end_of,
     analysis::nearest_reeds, analysis::sett_text, analysis::thread_order, analysis::warping_plan, analysis::width_text,
     analysis::yarn_report;
-using base::arg, base::fill, base::mark, base::tr;
+using base::arg, base::fill, base::mark, base::tr, base::tr_in;
 using design::Design, design::with_plan, design::with_sett;
 using draft::System;
 using session::Edit;
@@ -110,7 +110,7 @@ void draw_on_loom(PlanPanel& c) {
   draw_sett(c, "picks", System::kWeft, &ClothPlan::picks_per_cm);
   const ClothMeasures& m = c.state.measures;
   const Units units = c.state.units;
-  draw_fact(c, "plan.weave", tr("Weave"),
+  draw_fact(c, "plan.weave", tr_in("at the loom", "Weave"),
             fill(tr("{length} under tension\n{picks}"), arg("length", width_text(m.woven_length_mm, units)),
                  arg("picks", sett_text(m.loom_picks_per_cm, System::kWeft, units))),
             tr("Length of a piece, measured on the loom before the tension is let off"));

@@ -14,7 +14,7 @@
 namespace weftlight::views {
 
 using analysis::cloth_measures, analysis::heddles_for;
-using base::arg, base::fill, base::tr, base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_in, base::tr_n;
 using design::Design;
 using draft::BitGrid, draft::Draft, draft::Face, draft::System, draft::clipped;
 using session::Cell, session::DocumentView, session::MaybeEdit, session::scroll_to, session::select_cells,
@@ -142,7 +142,7 @@ void draw_report(const PanelContext& panel, const AnalysisView& view, const Repo
   if (r == nullptr) return;
   if (section(c, "section.weave", tr("Weave"))) {
     const int ends = r->repeat.ends, picks = r->repeat.picks;
-    fact(c, tr("Repeat"),
+    fact(c, tr_in("of the weave", "Repeat"),
          fill(tr("{ends} \xC3\x97 {picks}"),
               arg("ends", fill(tr_n("{count} end", "{count} ends", ends), arg("count", ends))),
               arg("picks", fill(tr_n("{count} pick", "{count} picks", picks), arg("count", picks)))),

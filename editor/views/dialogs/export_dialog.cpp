@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/decimals.h"
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -60,7 +61,7 @@ bool has(const ExportPlan& plan, const ExportTarget* target) {
 std::string figure(float v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", static_cast<double>(v));
-  return text;
+  return base::with_decimal_point(text);
 }
 
 void draw_targets(PanelContext& c, ExportPrompt& p, float width) {

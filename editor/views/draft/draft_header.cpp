@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "session/shown_keys.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/draft/tool_icons.h"
@@ -40,7 +41,7 @@ const ActionItem* item_of(std::span<const ActionItem> items, const char* id) {
 }
 
 std::string tip_of(const ActionItem& item) {
-  return item.shortcut.empty() ? item.label : item.label + "   " + item.shortcut;
+  return item.shortcut.empty() ? item.label : item.label + "   " + session::shown_keys(item.shortcut);
 }
 
 /// Buttons side by side on one background, each an action with an icon.

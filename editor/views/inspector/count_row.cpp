@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/decimals.h"
 #include "base/text.h"
 #include "design/count.h"
 #include "design/fibre.h"
@@ -15,7 +16,7 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::tr;
+using base::arg, base::fill, base::tr, base::with_decimal_point;
 using design::CountUnit, design::count_of, design::packing_fraction, design::tex_of, design::with_count;
 using ui::row_label;
 
@@ -37,11 +38,11 @@ std::string three_figures(double value) {
 std::string count_in_words(const Yarn& yarn) {
   const double tex = static_cast<double>(tex_of(yarn));
   if (!(tex > 0)) return tr("thickness set by the draft");
-  const std::string counts =
-      fill(tr("Ne {ne}, Nm {nm}, {denier} den"), arg("ne", three_figures(count_of(tex, CountUnit::kNe))),
-           arg("nm", three_figures(count_of(tex, CountUnit::kNm))),
-           arg("denier", three_figures(count_of(tex, CountUnit::kDenier)))) +
-      "\n";
+  const std::string counts = fill(tr("Ne {ne}, Nm {nm}, {denier} den"),
+                                  arg("ne", with_decimal_point(three_figures(count_of(tex, CountUnit::kNe)))),
+                                  arg("nm", with_decimal_point(three_figures(count_of(tex, CountUnit::kNm)))),
+                                  arg("denier", with_decimal_point(three_figures(count_of(tex, CountUnit::kDenier))))) +
+                             "\n";
   if (!(yarn.tex > 0)) return counts + tr("computed from the thickness");
   const double fibre = packing_fraction(yarn);
   if (fibre > kMaxPacking) return counts + tr("more fibre than fits the thickness");

@@ -14,8 +14,8 @@ using base::arg, base::fill, base::mark, base::tr;
 using design::Design, design::with_new_palette_color, design::with_palette_color;
 using draft::Draft, draft::Rgb;
 using session::BarPaint, session::DocumentView, session::Edit, session::GridId, session::bar_edit;
-using ui::draw_swatch, ui::hit_area, ui::icon_button, ui::push_font, ui::row_label, ui::section, ui::segmented,
-    ui::text_button, ui::tooltip;
+using ui::buttons_row, ui::draw_swatch, ui::hit_area, ui::icon_button, ui::push_font, ui::row_label, ui::section,
+    ui::segmented, ui::text_button, ui::tooltip;
 
 namespace {
 
@@ -98,7 +98,8 @@ MaybeEdit draw_palette(const PanelContext& panel, const DrawingState& drawing) {
   int what = static_cast<int>(c.view.bar_paint);
   if (segmented(c, "bars", kWhat, what))
     c.wanted.change_view([what](DocumentView& v) { v.drawing.bar_paint = static_cast<BarPaint>(what); });
-  row_label(c, "", "");
+  const char* const all_threads[] = {tr("All ends"), tr("All picks")};
+  buttons_row(c, all_threads);
   if (MaybeEdit all = paint_all(c)) edit = std::move(all);
   return edit;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/decimals.h"
 #include "base/text.h"
 #include "design/edits.h"
 #include "design/yarn_presets.h"
@@ -293,7 +294,8 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
   // For mixed values, a number that nobody types, so that any typed one is a change.
   float mm = length.mixed() ? (length.low + length.high) / 2 * 1.0001f : length.low;
   MaybeEdit edit;
-  if (span_slider(c, spec.slider, {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)}, mm))
+  if (span_slider(c, ui::translated(spec.slider), {length.low, length.high, length.own == 0, c.style.px(kLinkRoom)},
+                  mm))
     edit = edit_of(s, spec.property,
                    [set = spec.set, mm = rounded(mm)](Design d, System system, const std::vector<int>& threads) {
                      return set(std::move(d), system, threads, mm);
@@ -335,7 +337,7 @@ MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
 std::string in_unit(const SharedLength& length, double unit_mm) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", static_cast<double>(length.low) / unit_mm);
-  return length.mixed() ? tr("mixed") : text;
+  return length.mixed() ? tr("mixed") : base::with_decimal_point(text);
 }
 
 /// Thickness and spacing in the unit of the file, if that is not the centimetre.

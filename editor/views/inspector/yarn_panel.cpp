@@ -138,11 +138,11 @@ bool draw_fibre(PanelContext& c, Yarn& yarn) {
   ImGui::SetNextItemWidth(-FLT_MIN);
   const int fibre = fibre_of(yarn);
   const auto presets = yarn_presets();
-  if (!begin_combo(c, "yarn.fibre", presets[static_cast<size_t>(fibre)].name.c_str())) return false;
+  if (!begin_combo(c, "yarn.fibre", tr(presets[static_cast<size_t>(fibre)].name.c_str()))) return false;
   bool chosen = false;
   for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
     const std::string& name = presets[static_cast<size_t>(i)].name;
-    if (ImGui::Selectable(name.c_str(), i == fibre)) yarn = with_fibre(yarn, i), chosen = true;
+    if (ImGui::Selectable(tr(name.c_str()), i == fibre)) yarn = with_fibre(yarn, i), chosen = true;
     c.map.add_item("yarn.fibre:" + name);
   }
   end_combo();

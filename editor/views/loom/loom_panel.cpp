@@ -13,7 +13,7 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_in, base::tr_n;
 using design::Design;
 using session::DocumentView, session::LoomWork, session::Settings, session::go_to, session::keep_to_section,
     session::put_tabby_between;
@@ -44,7 +44,7 @@ std::string line_text(const LoomLine& line, loom::Protocol protocol) {
 
 void draw_line(Panel& c, std::string& address) {
   const LoomLine& line = c.view.line;
-  constexpr const char* kProtocols[] = {mark("Plain"), "S\xC3\xA9guin", "Toika ES"};
+  const char* const kProtocols[] = {tr_in("protocol", "Plain"), "S\xC3\xA9guin", "Toika ES"};
   int protocol = static_cast<int>(c.view.at_loom.protocol);
   row_label(c, tr("Loom address"), tr("tcp:HOST:PORT or serial:/dev/ttyUSB0, followed by :BAUD if it is not 9600"));
   ImGui::SetNextItemWidth(c.style.px(220));
@@ -211,7 +211,7 @@ const char* first_label(LoomWork work) {
 }
 
 void draw_steps(Panel& c) {
-  constexpr const char* kWorks[] = {mark("Thread"), mark("Sley"), mark("Weave")};
+  const char* const kWorks[] = {mark("Thread"), mark("Sley"), tr_in("at the loom", "Weave")};
   const LoomWork work = c.view.at_loom.work;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(18), c.style.px(10)});
   int chosen = static_cast<int>(work);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "session/shown_keys.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
@@ -58,9 +59,10 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
     ImGui::EndDisabled();
     c.map.add_item("command:" + item.id);
     if (!item.shortcut.empty()) {
-      const float width = ImGui::CalcTextSize(item.shortcut.c_str()).x;
+      const std::string keys = session::shown_keys(item.shortcut);
+      const float width = ImGui::CalcTextSize(keys.c_str()).x;
       ImGui::SameLine(content_right() - width - c.style.px(6));
-      muted_text(c, item.shortcut);
+      muted_text(c, keys);
     }
     ImGui::PopID();
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "session/shown_keys.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/shell/action_list.h"
@@ -13,7 +14,7 @@
 namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr;
-using session::ActionItem, session::Settings;
+using session::ActionItem, session::Settings, session::shown_keys;
 using ui::Colors, ui::blend, ui::content_right, ui::fitted, ui::key_pressed, ui::muted_text, ui::push_font,
     ui::text_button, ui::tooltip, ui::with_alpha;
 
@@ -82,7 +83,9 @@ bool quiet_button(PanelContext& c, const std::string& id, const char* label, con
 /// The shortcut, as a button that waits for a new one.
 void draw_key(PanelContext& c, const ActionItem& item, bool taken, KeysWindow& w) {
   const bool waits = w.waiting == item.id;
-  const std::string label = waits ? tr("Press keys\xE2\x80\xA6") : item.shortcut.empty() ? tr("none") : item.shortcut;
+  const std::string label = waits                   ? tr("Press keys\xE2\x80\xA6")
+                            : item.shortcut.empty() ? tr("none")
+                                                    : shown_keys(item.shortcut);
   const Colors& k = c.style.color;
   ImGui::PushStyleColor(ImGuiCol_Text, waits ? k.accent : taken ? k.warn : item.shortcut.empty() ? k.muted : k.text);
   ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(waits ? k.accent : k.text, waits ? 0.14f : 0.06f));
@@ -103,10 +106,10 @@ void draw_choices(PanelContext& c, std::span<const ActionItem> items, const Acti
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
-    ImGui::TextUnformatted(
-        fitted(fill(tr("{key} is used by {command}"), arg("key", w.requested), arg("command", holder->label)),
-               c.style.px(280))
-            .c_str());
+    ImGui::TextUnformatted(fitted(fill(tr("{key} is used by {command}"), arg("key", shown_keys(w.requested)),
+                                       arg("command", holder->label)),
+                                  c.style.px(280))
+                               .c_str());
     ImGui::PopStyleColor();
     if (quiet_button(c, "key.take", tr("Reassign"), tr("Assign it to this command; the other one has none then"))) {
       assign_key(c, *holder, "");
@@ -143,7 +146,7 @@ bool is_listed(const ActionItem& item, const std::string& typed) {
   if (item.id.starts_with("recent:") || item.id.starts_with("view.kept:") || item.menu == "Library") return false;
   int score = 0;
   if (typed.empty()) return !item.shortcut.empty() || item.shortcut != item.shipped;
-  return matches(item.label, typed, score) || matches(item.shortcut, typed, score);
+  return matches(item.label, typed, score) || matches(shown_keys(item.shortcut), typed, score);
 }
 
 void draw_keys(PanelContext& c, std::span<const ActionItem> items, KeysWindow& w) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "session/shown_keys.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
@@ -12,7 +13,7 @@
 namespace weftlight::views {
 
 using base::tr;
-using session::ActionItem;
+using session::ActionItem, session::shown_keys;
 using ui::begin_at_first_item, ui::icon_button, ui::key_pressed, ui::open_popups, ui::show_keyboard_frame,
     ui::use_up_arrow;
 
@@ -26,7 +27,8 @@ std::vector<std::string> menus_of(std::span<const ActionItem> items) {
 }
 
 bool draw_menu_item(const PanelContext& c, const ActionItem& item, const std::string& prefix) {
-  const bool chosen = ImGui::MenuItem(item.label.c_str(), item.shortcut.c_str(), item.checked, item.enabled);
+  const bool chosen =
+      ImGui::MenuItem(item.label.c_str(), shown_keys(item.shortcut).c_str(), item.checked, item.enabled);
   c.map.add_item(prefix + item.id);
   return chosen;
 }
@@ -91,7 +93,7 @@ std::string draw_toolbar(const PanelContext& c, std::span<const ActionItem> item
   for (const Button& tool : kToolbar)
     for (const ActionItem& item : items) {
       if (item.id != tool.action) continue;
-      const std::string tip = item.shortcut.empty() ? item.label : item.label + "   " + item.shortcut;
+      const std::string tip = item.shortcut.empty() ? item.label : item.label + "   " + shown_keys(item.shortcut);
       if (icon_button(c, tool.action, tool.icon, item.label.c_str(), tip.c_str(), item.enabled)) chosen = item.id;
     }
   return chosen;

@@ -6,13 +6,14 @@
 #include <string_view>
 
 #include "base/text.h"
+#include "session/shown_keys.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
 
 using base::mark, base::tr;
-using session::Settings;
+using session::Settings, session::shown_keys;
 using ui::UiControl, ui::UiGrid, ui::UiMap, ui::push_font, ui::text_button;
 
 namespace {
@@ -46,7 +47,7 @@ std::string shortcut_or_menu(std::span<const ActionItem> items, std::string_view
   for (const ActionItem& item : items) {
     if (item.id != id) continue;
     return item.shortcut.empty() ? tr(item.menu.c_str()) + (", " + item.label.substr(0, item.label.find(':')))
-                                 : item.shortcut;
+                                 : shown_keys(item.shortcut);
   }
   return std::string(id);
 }

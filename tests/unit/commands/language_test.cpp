@@ -2,10 +2,12 @@
 
 #include <sys/wait.h>
 
-#include <cstdint>
 #include <cstdlib>
-#include <utility>
+#include <filesystem>
 
+#include "../catalogue.h"
+#include "base/languages.h"
+#include "base/resources.h"
 #include "paths.h"
 #include "scratch_folder.h"
 
@@ -19,22 +21,6 @@ constexpr const char* kEnglish = "Print the counts, floats, repeat and warnings 
 constexpr const char* kGerman = "Fadenzahlen, Flottungen, Rapport und Warnungen einer Patrone";
 constexpr const char* kRequired = "{option} is required ({what})";
 constexpr const char* kRequiredInGerman = "{option} fehlt ({what})";
-
-/// A catalogue of gettext (.mo) with the texts, sorted by the key; the first key is empty, for the header.
-std::string catalogue_of(const std::vector<std::pair<std::string, std::string>>& texts) {
-  const auto word = [](uint32_t value) { return std::string(reinterpret_cast<const char*>(&value), sizeof value); };
-  const auto count = static_cast<uint32_t>(texts.size());
-  constexpr uint32_t kHeader = 28;
-  std::string keys, values, strings;
-  const uint32_t first = kHeader + count * 16;
-  const auto add = [&](std::string& table, const std::string& text) {
-    table += word(static_cast<uint32_t>(text.size())) + word(first + static_cast<uint32_t>(strings.size()));
-    strings += text + '\0';
-  };
-  for (const auto& [key, value] : texts) add(keys, key), add(values, value);
-  return word(0x950412de) + word(0) + word(count) + word(kHeader) + word(kHeader + count * 8) + word(0) +
-         word(kHeader + count * 16) + keys + values + strings;
-}
 
 class Language : public ScratchFolder {
  protected:
@@ -84,6 +70,50 @@ TEST_F(Language, that_is_not_a_name_is_bad_usage) {
   for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{
            {"--language", "../de", "info", draft}, {"info", draft, "--language"}, {"info", draft, "--language", ""}})
     EXPECT_EQ(run(args).code, kUsage) << ::testing::PrintToString(args);
+}
+
+/// The catalogues of the build, not one of this test.
+class EachLanguage : public ScratchFolder {
+ protected:
+  /// Runs the program in a language; a system that counts with commas changes nothing either.
+  void speak(const std::string& language, const std::string& args) {
+    const std::string line = "env -u WEFTLIGHT_LANGUAGES LC_ALL=C.UTF-8 LANGUAGE= '" WEFTLIGHT_BINARY "' --language " +
+                             language + " " + args + " >'" + path("out") + "' 2>'" + path("said") + "'";
+    EXPECT_EQ(std::system(line.c_str()), 0) << line << "\n" << read_file(path("said")).value_or("");
+  }
+  /// Everything that the program writes for other programs, one after the other.
+  std::string written_in(const std::string& language) {
+    std::string all;
+    const std::string draft = "'" + fixture_path("twill.wif") + "'";
+    const std::string wif = path(language + ".wif");
+    speak(language, "weave point -o '" + wif + "' --ends 20 --picks 20");
+    all += read_file(wif).value_or("no draft");
+    speak(language, "convert " + draft + " --plain -o '" + wif + "'");
+    all += read_file(wif).value_or("no copy");
+    for (const char* verb : {"info --json ", "analyse --json "}) {
+      speak(language, verb + draft);
+      all += read_file(path("out")).value_or("no report");
+    }
+    return all;
+  }
+};
+
+TEST_F(EachLanguage, writes_the_same_bytes_for_other_programs) {
+  const std::vector<base::Language> languages = base::installed_languages(base::languages_dir());
+  ASSERT_GE(languages.size(), 3U) << "English, German and Dutch at least";
+  const std::string english = written_in("en");
+  EXPECT_NE(english.find('.'), std::string::npos) << "the test needs a number with a fraction";
+  for (const base::Language& each : languages) EXPECT_EQ(written_in(each.code), english) << each.code;
+}
+
+TEST_F(EachLanguage, shows_numbers_as_it_writes_them) {
+  const std::string draft = "'" + fixture_path("twill.wif") + "'";
+  speak("en", "analyse " + draft);
+  const std::string english = read_file(path("out")).value_or("");
+  speak("de", "analyse " + draft);
+  const std::string german = read_file(path("out")).value_or("");
+  EXPECT_NE(english.find(".0 m"), std::string::npos) << english;
+  EXPECT_NE(german.find(",0 m"), std::string::npos) << german;
 }
 
 }  // namespace

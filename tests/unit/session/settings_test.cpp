@@ -58,11 +58,13 @@ TEST(Settings, TheTimeLimitOfAPictureIsClamped) {
 
 TEST(Settings, YarnPricesAndWasteAreSaved) {
   Settings s;
-  s.loom_waste_cm = 90, s.spare_yarn = 0, s.imperial = true;
+  s.loom_waste_cm = 90, s.spare_yarn = 0, s.imperial = true, s.language = "pt_BR";
   s.yarn_prices = {{"Linen 16/2", 38.5f}, {"Silk \xFF", 100}};
   const Settings back = settings_from(settings_text(s));
   EXPECT_EQ(back.loom_waste_cm, 90);
   EXPECT_TRUE(back.imperial);
+  EXPECT_EQ(back.language, "pt_BR");
+  EXPECT_EQ(settings_from(R"({"language": "../pt_BR"})").language, "") << "no name of a language";
   EXPECT_TRUE(settings_from(R"({"per_inch": true})").imperial) << "of an earlier version";
   EXPECT_EQ(back.spare_yarn, 0);
   EXPECT_EQ(back.yarn_prices, (std::map<std::string, float>{{"Linen 16/2", 38.5f}})) << "names that are text";

@@ -1,0 +1,52 @@
+// The language of the window: chosen in a menu, kept, and without a trace in what is saved.
+
+#include <gtest/gtest.h>
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+namespace {
+
+class LanguageTest : public OnDisplay {
+ protected:
+  void click(const Window& w, const std::string& control) const {
+    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
+    display_.click(w.middle_of(control));
+  }
+  /// Paints, saves, and gives the draft back as it was. The saved bytes.
+  std::string painted_and_saved(const Window& w) const {
+    const std::string before = bytes_of(draft_);
+    paint(w);
+    display_.focus();
+    display_.key("ctrl+s");
+    EXPECT_TRUE(comes_true([&] { return bytes_of(draft_) != before; })) << "not saved";
+    return bytes_of(draft_);
+  }
+  static double width_of_menu(const Window& w) { return w.place_of("menu:Cloth").second.x; }
+};
+
+TEST_F(LanguageTest, IsChosenInAMenuForTheNextStartAndChangesNoFile) {
+  double english = 0;
+  std::string saved;
+  {
+    Window w(display_, folder_, draft_, {"LC_ALL=C.UTF-8", "LANGUAGE="});
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    english = width_of_menu(w);
+    saved = painted_and_saved(w);
+    ASSERT_NO_FATAL_FAILURE(click(w, "menu:Help"));
+    ASSERT_NO_FATAL_FAILURE(click(w, "menu.Language"));
+    ASSERT_NO_FATAL_FAILURE(click(w, "menu.language:de"));
+    ASSERT_TRUE(comes_true([&] { return w.has("message"); })) << "the window does not say when";
+    display_.focus();
+    display_.key("ctrl+q");
+    EXPECT_EQ(w.process().wait(), 0);
+  }
+  put(draft_, straight_draft());
+  Window w(display_, folder_, draft_, {"LC_ALL=C.UTF-8", "LANGUAGE="});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_NE(width_of_menu(w), english) << "Gewebe is longer than Cloth";
+  EXPECT_EQ(painted_and_saved(w), saved);
+}
+
+}  // namespace
+}  // namespace weftlight::gui

@@ -37,6 +37,13 @@ grep -qaF "$source" "$system/usr/bin/weftlight" && fail "the program names the f
 share=$system/usr/share
 (cd / && "$system/usr/bin/weftlight" info "$share/weftlight/presets/drafts/starter.wif" >/dev/null) || fail "info"
 
+# The handbook, where it could be built: its first page, and what that needs.
+if [[ -s $build/handbook/index.html ]]; then
+  for file in index.html weavers.html style.css pictures_window.jpg; do
+    [[ -s $system/usr/share/doc/weftlight/handbook/$file ]] || fail "the handbook's $file is not installed"
+  done
+fi
+
 # The shells understand their completions.
 completed() { bash -c 'source "$1"; COMP_WORDS=("${@:2}"); COMP_CWORD=$(($# - 2)); _weftlight; echo "${COMPREPLY[*]}"' - \
   "$share/bash-completion/completions/weftlight" "$@"; }

@@ -1,5 +1,5 @@
 #pragma once
-// Where the files that belong to the program are: presets, shaders and languages.
+// Where the files that belong to the program are: presets, shaders, languages and the handbook.
 
 #include <string>
 
@@ -12,5 +12,8 @@ namespace weftlight::base {
 std::string presets_dir();
 std::string shaders_dir();
 std::string languages_dir();
+/// The first page of the handbook, found in the same way: $WEFTLIGHT_HANDBOOK is the folder of its pages, and an
+/// installed program has them in share/doc/weftlight/handbook. "" where it was not built.
+std::string handbook_page();
 
 }  // namespace weftlight::base

@@ -1,5 +1,5 @@
 #pragma once
-// The user's desktop: its file manager and its own dialog for files.
+// The user's desktop: its file manager, its browser and its own dialog for files.
 
 #include <functional>
 #include <memory>
@@ -15,6 +15,8 @@ struct MissingProgram {
 };
 /// Shows a folder in the file manager, without waiting for it.
 tl::expected<void, MissingProgram> show_folder(const std::string& folder);
+/// Shows a page, an .html file, in the browser, without waiting for it.
+tl::expected<void, MissingProgram> show_page(const std::string& file);
 
 /// The desktop's own dialog for a file or a folder. It asks before it gives an existing file to save to.
 class FileDialog {

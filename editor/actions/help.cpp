@@ -33,6 +33,7 @@ void add_help_actions(Actions& all, const WindowActions& window, Settings& setti
   add(all, "Help", "tour", tr("Tour in five steps"), "", [&settings] { settings.tour = 0; });
   add(all, "Help", "menus", tr("Open the menus with the keyboard"), "F10", window.open_menus);
   add(all, "Help", "keys", tr("Keys and mouse"), "F1", window.toggle_keys);
+  add(all, "Help", "handbook", tr("Handbook"), "Shift+F1", window.show_handbook);
   add_languages(all, window, settings);
 }
 

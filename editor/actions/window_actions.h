@@ -19,7 +19,7 @@ struct WindowActions {
   std::function<Hover()> hover;
   /// Gives the keyboard to a control, by its name in the --ui-map.
   std::function<void(std::string)> focus;
-  std::function<void()> open_menus, show_commands, show_remarks, toggle_keys, toggle_theme;
+  std::function<void()> open_menus, show_commands, show_handbook, show_remarks, toggle_keys, toggle_theme;
 };
 
 }  // namespace weftlight::actions

@@ -7,6 +7,7 @@
 
 #include "actions/keys.h"
 #include "app/file_filters.h"
+#include "app/handbook.h"
 #include "base/text.h"
 #include "session/library/gallery.h"
 #include "ui/imgui_compat.h"
@@ -79,6 +80,7 @@ Subjects Editor::subjects() {
                      .focus = [this](std::string control) { focus_ = std::move(control); },
                      .open_menus = [this] { opens_menu_ = 0; },
                      .show_commands = [this] { tools_.show_commands(); },
+                     .show_handbook = [this] { show_handbook(messages_); },
                      .show_remarks = [this] { messages_.show_remarks(); },
                      .toggle_keys = [this] { tools_.toggle_keys(); },
                      .toggle_theme =

@@ -11,13 +11,18 @@ namespace {
 
 DialogProgram installed_program() { return find_dialog_program(variable("PATH"), variable("XDG_CURRENT_DESKTOP")); }
 
-}  // namespace
-
-tl::expected<void, MissingProgram> show_folder(const std::string& folder) {
+/// In the program that the user chose for such things.
+tl::expected<void, MissingProgram> show(const std::string& path) {
   constexpr const char* kProgram = "xdg-open";
-  if (start_program({kProgram, folder})) return {};
+  if (start_program({kProgram, path})) return {};
   return tl::unexpected(MissingProgram{kProgram});
 }
+
+}  // namespace
+
+tl::expected<void, MissingProgram> show_folder(const std::string& folder) { return show(folder); }
+
+tl::expected<void, MissingProgram> show_page(const std::string& file) { return show(file); }
 
 struct FileDialog::Asked {
   Process program;

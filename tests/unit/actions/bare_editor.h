@@ -64,6 +64,7 @@ class BareEditor {
                        .focus = [](const std::string&) {},
                        .open_menus = nothing,
                        .show_commands = nothing,
+                       .show_handbook = nothing,
                        .show_remarks = nothing,
                        .toggle_keys = nothing,
                        .toggle_theme = nothing},

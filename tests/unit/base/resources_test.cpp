@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 namespace weftlight::base {
 namespace {
@@ -34,6 +35,17 @@ TEST(Resources, languages_are_found_beside_the_program) {
   fs::create_directory(languages);
   EXPECT_EQ(fs::path(languages_dir()), languages);
   if (!there) fs::remove(languages);
+}
+
+TEST(Resources, the_handbook_is_a_page_or_nothing) {
+  const fs::path folder = fs::path(testing::TempDir()) / "handbook";
+  fs::create_directories(folder);
+  ASSERT_EQ(::setenv("WEFTLIGHT_HANDBOOK", folder.c_str(), 1), 0);
+  EXPECT_EQ(handbook_page(), "");
+  std::ofstream(folder / "index.html") << "page";
+  EXPECT_EQ(handbook_page(), folder / "index.html");
+  ::unsetenv("WEFTLIGHT_HANDBOOK");
+  fs::remove_all(folder);
 }
 
 }  // namespace

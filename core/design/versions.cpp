@@ -116,7 +116,8 @@ const Version* version_named(const Design& design, std::string_view name) {
     return std::equal(v.name.begin(), v.name.end(), name.begin(), name.end(),
                       [](char a, char b) { return lower(a) == lower(b); });
   };
-  const auto found = std::find_if(design.versions.begin(), design.versions.end(), same);
+  auto found = std::ranges::find(design.versions, name, &Version::name);
+  if (found == design.versions.end()) found = std::find_if(design.versions.begin(), design.versions.end(), same);
   return found != design.versions.end() ? &*found : nullptr;
 }
 

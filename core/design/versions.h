@@ -37,7 +37,7 @@ std::string version_name(std::string_view typed);
 std::string unused_version_name(const std::vector<Version>& versions, const std::string& name);
 /// "Version 3", an unused name.
 std::string free_version_name(const Design& design);
-/// The version of that name, ignoring the case of ASCII letters; null if there is none.
+/// The version of that name, or else one that differs in the case of ASCII letters; null if there is none.
 const Version* version_named(const Design& design, std::string_view name);
 /// The version that the design is now; null: none.
 const Version* current_version(const Design& design);

@@ -85,7 +85,7 @@ struct ExportOptions {
   std::string mips;  // container of mipmaps beside the images, "dds" or "ktx2"; empty: none
   bool force = false, zip = false, watch = false, resume = false;
   bool versions = false;  // a set of each version of a draft, too
-  bool quiet = false;  // neither progress nor the folders of the sets
+  bool quiet = false;     // neither progress nor the folders of the sets
   bool progress_json = false;
 };
 struct ChartOptions {

@@ -161,7 +161,7 @@ std::vector<std::string> states_of(const std::string& file, const ExportOptions&
   std::vector<std::string> names{""};
   if (!options.versions) return names;
   const base::Result<std::string> bytes = base::read_file(file, wif::kMaxDraftBytes);
-  const wif::WifRead read = bytes ? wif::read_draft(*bytes) : wif::rejected({});
+  const wif::WifRead read = wif::read_draft(bytes ? *bytes : std::string());
   if (read.file)
     for (const design::Version& version : read.file->design.versions) names.push_back(version.name);
   return names;

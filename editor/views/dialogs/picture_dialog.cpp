@@ -154,8 +154,8 @@ std::string fact_text(const PicturePrompt& p) {
                                                  made->floats.weft_front, made->floats.weft_back})));
   if (made->wrong > 0) {
     const double part = 100.0 * static_cast<double>(made->wrong) / (static_cast<double>(d.ends()) * d.picks());
-    text += "; " + fill(tr("{percent}% of the crossings cannot be woven as drawn"),
-                        arg("percent", ui::fixed(static_cast<float>(part), 1)));
+    text += "; " + fill(tr("{percent} of the crossings cannot be woven as drawn"),
+                        arg("percent", ui::fixed(static_cast<float>(part), 1) + "%"));
   }
   return text;
 }

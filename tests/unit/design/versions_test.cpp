@@ -57,6 +57,8 @@ TEST(Versions, OfANameAreReplacedAndNamesStayUnique) {
   EXPECT_EQ(d.versions[1].name, "A 2");
   EXPECT_EQ(with_renamed_version(d, 1, " "), d);
   EXPECT_EQ(version_named(d, "a 2"), &d.versions[1]);
+  const Design both = with_version(d, "a");
+  EXPECT_EQ(version_named(both, "a"), &both.versions[2]) << "the exact name first";
   d = without_version(std::move(d), 0);
   ASSERT_EQ(d.versions.size(), 1u);
   EXPECT_EQ(d.versions[0].name, "A 2");

@@ -9,7 +9,7 @@
 
 namespace weftlight::loom {
 
-using base::arg, base::fill, base::tr, base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_in, base::tr_n;
 
 namespace {
 
@@ -240,7 +240,7 @@ PageAnswer PhonePage::step_page(const std::string& sentence) const {
                                        {"lost", html(tr("The program does not answer"))},
                                        {"again", html(tr("Show the current step"))},
                                        {"speak", html(tr("Speak"))},
-                                       {"back", html(tr("Back"))},
+                                       {"back", html(tr_in("a step", "Back"))},
                                        {"tabby", html(tr("Tabby"))},
                                        {"next", html(tr("Next"))}}));
 }

@@ -16,7 +16,7 @@ using analysis::ClothMeasures, analysis::SleyedReed, analysis::ThreadRun, analys
     analysis::deviation_text, analysis::ends_text, analysis::kInch_mm, analysis::raddle_text, analysis::reed_text,
     analysis::repeats_text, analysis::selvedges_text, analysis::sett_text, analysis::sleying_words,
     analysis::warp_length_text, analysis::width_text;
-using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using base::arg, base::fill, base::mark, base::tr, base::tr_in, base::tr_n;
 using design::sleying_from_text, design::sleying_text;
 using draft::System;
 using ui::draw_swatch, ui::list_row, ui::muted_text, ui::row_label, ui::segmented, ui::slider, ui::tooltip;
@@ -88,9 +88,10 @@ void draw_near_reeds(PlanPanel& c) {
   const ClothPlan& plan = c.design.plan;
   const bool inches = c.state.units == Units::kImperial;
   const float room = ImGui::GetContentRegionAvail().x;
-  draw_columns(c, ImGui::GetCursorScreenPos(), room,
-               {tr("Reed"), tr("Sleying"), inches ? tr("Ends per inch") : tr("Ends per cm"), tr("Off")},
-               c.style.color.muted);
+  draw_columns(
+      c, ImGui::GetCursorScreenPos(), room,
+      {tr("Reed"), tr("Sleying"), inches ? tr("Ends per inch") : tr("Ends per cm"), tr_in("by how much", "Off")},
+      c.style.color.muted);
   ImGui::Dummy({room, ImGui::GetTextLineHeight()});
   int number = 0;
   for (const SleyedReed& r : c.state.reeds) {

@@ -221,7 +221,8 @@ void draw_steps(Panel& c) {
       v.at_loom.remark.clear();
     });
   ImGui::SameLine(0, c.style.px(16));
-  if (text_button(c, "loom.back", tr("Back"), tr("Previous step   Backspace"))) c.wanted.add_action("loom_back");
+  if (text_button(c, "loom.back", tr_in("a step", "Back"), tr("Previous step   Backspace")))
+    c.wanted.add_action("loom_back");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));

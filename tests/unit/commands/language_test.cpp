@@ -72,23 +72,29 @@ TEST_F(Language, that_is_not_a_name_is_bad_usage) {
     EXPECT_EQ(run(args).code, kUsage) << ::testing::PrintToString(args);
 }
 
+std::string in_quotes(const std::string& path) {
+  std::string quoted("'");
+  return quoted.append(path).append("'");
+}
+
 /// The catalogues of the build, not one of this test.
 class EachLanguage : public ScratchFolder {
  protected:
   /// Runs the program in a language; a system that counts with commas changes nothing either.
   void speak(const std::string& language, const std::string& args) {
-    const std::string line = "env -u WEFTLIGHT_LANGUAGES LC_ALL=C.UTF-8 LANGUAGE= '" WEFTLIGHT_BINARY "' --language " +
-                             language + " " + args + " >'" + path("out") + "' 2>'" + path("said") + "'";
+    std::string line("env -u WEFTLIGHT_LANGUAGES LC_ALL=C.UTF-8 LANGUAGE= '" WEFTLIGHT_BINARY "' --language ");
+    line.append(language).append(" ").append(args);
+    line.append(" >").append(in_quotes(path("out"))).append(" 2>").append(in_quotes(path("said")));
     EXPECT_EQ(std::system(line.c_str()), 0) << line << "\n" << read_file(path("said")).value_or("");
   }
   /// Everything that the program writes for other programs, one after the other.
   std::string written_in(const std::string& language) {
     std::string all;
-    const std::string draft = "'" + fixture_path("twill.wif") + "'";
+    const std::string draft = in_quotes(fixture_path("twill.wif"));
     const std::string wif = path(language + ".wif");
-    speak(language, "weave point -o '" + wif + "' --ends 20 --picks 20");
+    speak(language, "weave point_twill --ends 20 --picks 20 -o " + in_quotes(wif));
     all += read_file(wif).value_or("no draft");
-    speak(language, "convert " + draft + " --plain -o '" + wif + "'");
+    speak(language, "convert --plain " + draft + " " + in_quotes(wif));
     all += read_file(wif).value_or("no copy");
     for (const char* verb : {"info --json ", "analyse --json "}) {
       speak(language, verb + draft);
@@ -107,13 +113,13 @@ TEST_F(EachLanguage, writes_the_same_bytes_for_other_programs) {
 }
 
 TEST_F(EachLanguage, shows_numbers_as_it_writes_them) {
-  const std::string draft = "'" + fixture_path("twill.wif") + "'";
+  const std::string draft = in_quotes(fixture_path("twill.wif"));
   speak("en", "analyse " + draft);
   const std::string english = read_file(path("out")).value_or("");
   speak("de", "analyse " + draft);
   const std::string german = read_file(path("out")).value_or("");
-  EXPECT_NE(english.find(".0 m"), std::string::npos) << english;
-  EXPECT_NE(german.find(",0 m"), std::string::npos) << german;
+  EXPECT_NE(english.find(" 0.50"), std::string::npos) << english;
+  EXPECT_NE(german.find(" 0,50"), std::string::npos) << german;
 }
 
 }  // namespace

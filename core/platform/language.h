@@ -5,9 +5,9 @@
 
 namespace weftlight::platform {
 
-/// Chooses the language before any text is looked up; call it once, before other threads start. `language` is a name as
-/// in `de` or `pt_BR`; empty: that of the system. `folder` holds LANGUAGE/LC_MESSAGES/weftlight.mo. A language without
-/// a catalogue reads English, which is the language of the sources.
+/// Chooses the language; call it before other threads start, the last call counts. `language` is a name as in `de` or
+/// `pt_BR`; empty: that of the system. `folder` holds LANGUAGE/LC_MESSAGES/weftlight.mo. A language without a catalogue
+/// reads English, which is the language of the sources.
 void use_language(const std::string& language, const std::string& folder);
 
 /// The text in the chosen language, or `text` itself. Lives as long as the program.

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/user_folders.h"
 #include "drape/stiffness.h"
+#include "files/fabric_physics.h"
 
 namespace weftlight::files {
 
@@ -61,6 +62,16 @@ DrapeParameters drape_parameters_of(const Design& design) {
 }
 
 }  // namespace
+
+FabricPhysics fabric_physics(const Design& design) {
+  const analysis::ClothHandle handle = analysis::cloth_handle(design);
+  if (!(handle.kg_per_m2 > 0)) return {};
+  drape::Fabric fabric;
+  drape::Fall fall;
+  apply_parameters(fabric, fall, drape_parameters(handle.bending_length_mm, handle.thickness_mm));
+  return {handle.kg_per_m2,         handle.thickness_mm,   handle.bending_n_m,
+          handle.bending_length_mm, fabric.thread_n_per_m, fabric.bias_n_per_m};
+}
 
 bool can_drape(const Design& design) {
   const auto& shipped = drape_names();

@@ -21,6 +21,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "files/files.h"
+#include "files/mesh_uv.h"
 
 namespace weftlight::files {
 
@@ -51,6 +52,7 @@ struct Document {
   bool embed = true;                                 // images inside the buffer; false: as files
   std::vector<std::pair<std::string, Bytes>> files;  // written beside a .gltf
   std::string stem, folder;
+  MeshUv uv;
   std::map<std::string, int> textures;  // by image file, shared between faces and uses
   Result<void> images;                  // whether all were read
 };
@@ -206,13 +208,14 @@ int add_image(Document& doc, const GltfMaterial& material, const std::string& wh
   return static_cast<int>(doc.root["textures"].size()) - 1;
 }
 
-/// A textureInfo with texture coordinates in millimetres.
+/// A textureInfo with the transform of the texture coordinates.
 json add_texture(Document& doc, const GltfMaterial& material, const std::string& what, const GltfImage& image) {
   const std::string key = image.file.empty() ? material.name + "/" + what : image.file;
   const auto [at, fresh] = doc.textures.try_emplace(key, 0);
   if (fresh) at->second = add_image(doc, material, what, image);
-  return {{"index", at->second},
-          {"extensions", {{"KHR_texture_transform", {{"scale", {material.uv_scale_u, material.uv_scale_v}}}}}}};
+  json transform{{"scale", {material.uv_scale_u, material.uv_scale_v}}};
+  if (doc.uv.offset_u != 0 || doc.uv.offset_v != 0) transform["offset"] = {doc.uv.offset_u, doc.uv.offset_v};
+  return {{"index", at->second}, {"extensions", {{"KHR_texture_transform", std::move(transform)}}}};
 }
 
 constexpr float kUsualIor = 1.5f, kUsualF0 = 0.04f;  // index of refraction, and its reflectance
@@ -375,13 +378,20 @@ Result<void> write_gltf(const std::string& path, Document& doc) {
 
 Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front,
                         const GltfMaterial* back) {
+  return write_mesh(path, mesh, front, back, MeshUv{});
+}
+
+Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMaterial* front, const GltfMaterial* back,
+                        const MeshUv& uv) {
   if (Result<void> whole = check_mesh(mesh, path); !whole) return whole;
   const std::filesystem::path target(path);
   Document doc;
   doc.embed = target.extension() != ".gltf";
   doc.stem = target.stem().string();
   doc.folder = target.parent_path().string();
-  doc.root["asset"] = {{"version", "2.0"}, {"generator", "Weftlight"}, {"extras", {{"weftlight_uv_mm", true}}}};
+  doc.uv = uv;
+  doc.root["asset"] = {{"version", "2.0"}, {"generator", "Weftlight"}};
+  if (uv.millimetres) doc.root["asset"]["extras"] = {{"weftlight_uv_mm", true}};
   add_mesh(doc, mesh, front, back);
   if (front) add_materials(doc, *front, back);
   if (!doc.images) return doc.images;

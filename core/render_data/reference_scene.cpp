@@ -163,7 +163,7 @@ void lay_over(Image& picture, const TracedImage& traced, float exposure_ev, bool
       for (int k = 0; k < 3; ++k) {
         out[k] = linear ? scene[k] + background[k] * (1 - p.a) : encode(shown[k] + decode(background[k]) * (1 - p.a));
       }
-      if (picture.channels == 4) out[3] = std::max(out[3], p.a);
+      if (picture.channels == 4) out[3] = p.a + out[3] * (1 - p.a);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "texture_set/export_target.h"
 
+#include "base/mark.h"
+
 namespace weftlight::texture_set {
 namespace {
 
@@ -15,6 +17,15 @@ constexpr AlphaRow kAlphas[] = {{Alpha::kAuto, "auto"},
                                 {Alpha::kMask, "mask"},
                                 {Alpha::kHashed, "hashed"},
                                 {Alpha::kBlend, "blend"}};
+
+struct UvUnitRow {
+  const char* name;
+  const char* title;
+};
+constexpr UvUnitRow kUvUnits[] = {{"mm", base::mark("millimetres")},
+                                  {"cm", base::mark("centimetres")},
+                                  {"m", base::mark("metres")},
+                                  {"tile", base::mark("tiles")}};
 
 }  // namespace
 
@@ -33,6 +44,16 @@ std::optional<Alpha> alpha_named(const std::string& name) {
   }
   return std::nullopt;
 }
+
+std::optional<UvUnit> uv_unit_named(const std::string& name) {
+  for (size_t i = 0; i < std::size(kUvUnits); ++i)
+    if (name == kUvUnits[i].name) return static_cast<UvUnit>(i);
+  return std::nullopt;
+}
+
+const char* uv_unit_name(UvUnit unit) { return kUvUnits[static_cast<size_t>(unit)].name; }
+
+const char* uv_unit_title(UvUnit unit) { return kUvUnits[static_cast<size_t>(unit)].title; }
 
 const char* alpha_name(Alpha alpha) { return kAlphas[static_cast<size_t>(alpha)].name; }
 

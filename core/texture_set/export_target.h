@@ -20,6 +20,19 @@ struct SetFacts;
 /// Alpha mode of the gaps between threads.
 enum class Alpha { kAuto, kOpaque, kMask, kHashed, kBlend };
 
+/// One unit of a mesh's texture coordinates.
+enum class UvUnit { kMm, kCm, kM, kTile };
+
+/// How the texture coordinates of a mesh are meant.
+struct UvMapping {
+  UvUnit unit = UvUnit::kMm;
+  // By which the cloth is moved on the mesh, in mm: right and up as in the images.
+  float right_mm = 0, up_mm = 0;
+};
+std::optional<UvUnit> uv_unit_named(const std::string& name);
+const char* uv_unit_name(UvUnit unit);   // as --uv names it
+const char* uv_unit_title(UvUnit unit);  // English plural; show tr()
+
 struct ExportTarget {
   const char* id;                    // as --target, folders and texture_set.json name it
   const char* title;                 // the product name, as in "Unreal Engine"; show tr(title)

@@ -44,16 +44,6 @@ float texels_per_thread(const Cloth& cloth, int width, int height) {
                   static_cast<float>(height) / static_cast<float>(std::max<size_t>(cloth.picks.size(), 1)));
 }
 
-/// Texels baked per texel of the set, per side: one for wide threads; otherwise at least two, for smooth edges and a
-/// variance of the normals; more if threads are thinner than texels.
-int supersampling(const Cloth& cloth, TextureSize size) {
-  const float texels = texels_per_thread(cloth, size.width, size.height);
-  if (texels >= kSmoothTexels) return 1;
-  int factor = 2;
-  while (factor < 8 && texels * static_cast<float>(factor) < kSamplesPerThread) factor *= 2;
-  return factor;
-}
-
 /// Factor by which the maps of the whole face are coarser than the samples of the set, per side.
 int coarsening(const Cloth& cloth, TextureSize size, int factor, bool horizon) {
   const int64_t most = horizon ? kMaxRawTexels : kMaxCoarseTexels;
@@ -121,6 +111,14 @@ Linear times(const Linear& c, const glm::vec3& f) {
 }
 
 }  // namespace
+
+int supersampling(const Cloth& cloth, TextureSize size) {
+  const float texels = texels_per_thread(cloth, size.width, size.height);
+  if (texels >= kSmoothTexels) return 1;
+  int factor = 2;
+  while (factor < 8 && texels * static_cast<float>(factor) < kSamplesPerThread) factor *= 2;
+  return factor;
+}
 
 TextureSize texture_size(float width_mm, float depth_mm, int size) {
   const float longer = std::max(width_mm, depth_mm);

@@ -23,6 +23,9 @@ struct TextureSize {
   int width = 0, height = 0;
 };
 TextureSize texture_size(float width_mm, float depth_mm, int size);
+/// Texels baked for each texel of a face of this size, per side: one for wide threads; otherwise at least two, for
+/// smooth edges and a variance of the normals; more if threads are thinner than texels.
+int supersampling(const Cloth& cloth, TextureSize size);
 
 struct FaceOptions {
   TextureSize size;

@@ -13,7 +13,7 @@ using base::content_hash;
 using cloth::Cloth, cloth::ThreadBody;
 using design::Lobes;
 using drape::Vec2, drape::compute_frames;
-using files::MipContainer, files::extension_of, files::write_mesh;
+using files::MeshUv, files::MipContainer, files::extension_of, files::write_mesh;
 
 namespace {
 
@@ -106,6 +106,43 @@ std::string digest(const std::string& text) {
   return out;
 }
 
+UvTransform uv_transform(const UvMapping& uv, float width_mm, float depth_mm) {
+  constexpr std::array kMm{1.0, 10.0, 1000.0};
+  const auto width = static_cast<double>(width_mm), depth = static_cast<double>(depth_mm);
+  UvTransform out;
+  if (uv.unit != UvUnit::kTile) {
+    const double mm = kMm[static_cast<size_t>(uv.unit)];
+    out.scale_u = mm / width, out.scale_v = mm / depth;
+  }
+  // Minus nothing would be written as -0.
+  if (uv.right_mm != 0) out.offset_u = -static_cast<double>(uv.right_mm) / width;
+  if (uv.up_mm != 0) out.offset_v = -static_cast<double>(uv.up_mm) / depth;
+  return out;
+}
+
+UvTransform uv_transform(const SetFacts& set) {
+  return uv_transform(set.uv, set.front.small().width_mm, set.front.small().depth_mm);
+}
+
+std::array<double, 2> uv_per_mm(const SetFacts& set) {
+  const UvTransform to_repeats = uv_transform(set);
+  const SurfaceTexels& s = set.front.small();
+  return {1 / (to_repeats.scale_u * static_cast<double>(s.width_mm)),
+          1 / (to_repeats.scale_v * static_cast<double>(s.depth_mm))};
+}
+
+Mesh mapped(const SetFacts& set, Mesh mesh) {
+  if (set.uv.unit == UvUnit::kMm) return mesh;
+  const auto [across, up] = uv_per_mm(set);
+  for (Vec2& uv : mesh.uv_mm) uv = {uv[0] * static_cast<float>(across), uv[1] * static_cast<float>(up)};
+  return mesh;
+}
+
+MeshUv mesh_uv(const SetFacts& set) {
+  const UvTransform uv = uv_transform(set);
+  return {set.uv.unit == UvUnit::kMm, static_cast<float>(uv.offset_u), static_cast<float>(0 - uv.offset_v)};
+}
+
 Mesh scale_quad() {
   Mesh mesh;
   mesh.name = "quad_100_mm";
@@ -119,7 +156,8 @@ Mesh scale_quad() {
 }
 
 base::Result<void> write_scale_quad(const SetFacts& set) {
-  return write_mesh(set.folder + "/" + set.name + "_quad.glb", scale_quad(), nullptr);
+  return write_mesh(set.folder + "/" + set.name + "_quad.glb", mapped(set, scale_quad()), nullptr, nullptr,
+                    mesh_uv(set));
 }
 
 }  // namespace weftlight::texture_set

@@ -1,13 +1,16 @@
 #pragma once
 // What the files of the targets write their materials from: the facts of a set, and the parts that several share.
-// Texture coordinates are in millimetres everywhere; each material scales them to repeats.
+// Texture coordinates are in millimetres, unless the set is made for another unit; each material scales them to
+// repeats.
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "design/design.h"
 #include "drape/mesh.h"
+#include "files/mesh_uv.h"
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
 #include "texture_set/mip_images.h"
@@ -33,8 +36,21 @@ struct SetFacts {
   const Mesh& mesh;
   const Constants& constants;
   MipChoice mips{};
+  UvMapping uv{};
   const FaceSource& of(Face face) const { return face == Face::kFront ? front : back; }
 };
+
+/// From texture coordinates to repeats of the tile: coordinate x scale + offset, right and up in the image.
+struct UvTransform {
+  double scale_u = 1, scale_v = 1, offset_u = 0, offset_v = 0;
+};
+UvTransform uv_transform(const SetFacts& set);
+UvTransform uv_transform(const UvMapping& uv, float width_mm, float depth_mm);
+/// Texture coordinates of the set for each millimetre, right and up.
+std::array<double, 2> uv_per_mm(const SetFacts& set);
+/// The mesh with its coordinates in the set's unit (in Mesh::uv_mm), and what its file says of them.
+Mesh mapped(const SetFacts& set, Mesh mesh);
+files::MeshUv mesh_uv(const SetFacts& set);
 
 /// An upright square with sides of 100 mm and texture coordinates in millimetres.
 Mesh scale_quad();

@@ -13,6 +13,7 @@
 #include "platform/file.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
+#include "texture_set/recolour.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/set_images.h"
 
@@ -48,12 +49,12 @@ std::string readme(const FaceSource& face, const TextureSetOptions& o) {
   return fill(
       tr("{name}: one seamless tile of {source}, {size} ({width} x {height} texels), for {target}; files with _back "
          "show the other face.\n"
-         "Tile it once every {size} (the materials take texture coordinates in millimetres); normal maps are "
+         "Tile it once every {size} (the materials take texture coordinates in {unit}); normal maps are "
          "{normal}; end 1 is at the right, pick 1 at the top.{note}\n"
          "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n"),
       arg("name", o.name), arg("source", o.source), arg("size", size_text(s)), arg("width", face.size().width),
       arg("height", face.size().height), arg("target", o.target->id), arg("normal", o.target->normal),
-      arg("note", *o.target->note ? tr(o.target->note) : ""));
+      arg("unit", tr(uv_unit_title(o.uv.unit))), arg("note", *o.target->note ? tr(o.target->note) : ""));
 }
 
 /// The files of the set, without its list.
@@ -101,6 +102,12 @@ json fit_json(const FaceSource& face) {
           {"radiance", checks_json(face)}};
 }
 
+/// Repeats of the tile at texture coordinates: coordinate x scale + offset, right and up in the image.
+json uv_json(const SetFacts& set) {
+  const UvTransform uv = uv_transform(set);
+  return {{"scale", {uv.scale_u, uv.scale_v}}, {"offset", {uv.offset_u, uv.offset_v}}};
+}
+
 std::string set_json(const SetImages& images, const SetFacts& set, const TextureSetOptions& options,
                      const SetIdentity& identity) {
   const SurfaceTexels& s = set.front.small();
@@ -115,7 +122,8 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"target", identity.target},
             {"normal", set.target.normal},
             {"orientation", "end 1 right, pick 1 top"},
-            {"texture_coordinates", "millimetres"},
+            {"texture_coordinates", uv_unit_title(options.uv.unit)},
+            {"uv", uv_json(set)},
             {"size_mm", {s.width_mm, s.depth_mm}},
             {"size_texels", {set.front.size().width, set.front.size().height}},
             {"repeat", {{"ends", cloth.ends.size()}, {"picks", cloth.picks.size()}}},
@@ -126,6 +134,7 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"fit", {{"front", fit_json(set.front)}, {"back", fit_json(set.back)}}},
             {"maps", images.maps}};
   if (!images.factors.empty()) root["factors"] = images.factors;
+  if (options.masks) root["recolour"] = recolour_json(colors_of(set.design, cloth), images);
   if (*set.target.material) root["material"] = set.name + set.target.material;
   if (!options.key.empty()) root["key"] = options.key;
   if (options.archived) root["archived"] = true;
@@ -201,6 +210,14 @@ std::function<bool(float)> face_progress(const ExportProgress& progress, float f
   };
 }
 
+/// All images of a face.
+base::Result<void> write_images(SetImages& images, const FaceSource& source, const Design& design, Face face,
+                                const TextureSetOptions& options) {
+  base::Result<void> done = write_face(images, source, face);
+  if (done && options.masks) done = write_recolour_images(images, source, colors_of(design, source.cloth()), face);
+  return done;
+}
+
 /// Writes the set into `folder`, which is later moved to `destination`.
 base::Result<void> write_into(const std::string& folder, const std::string& destination, const Design& design,
                               const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress) {
@@ -216,10 +233,10 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                    face_progress(progress, 0),
                    mips_for(*options.target, options.mips),
                    options.alpha};
-  if (base::Result<void> written = write_face(images, front, Face::kFront); !written) return written;
+  if (base::Result<void> written = write_images(images, front, design, Face::kFront, options); !written) return written;
   const FaceSource back = face_of(design, cells, Face::kBack, options);
   images.keep_going = face_progress(progress, kFaceDone);
-  if (base::Result<void> written = write_face(images, back, Face::kBack); !written) return written;
+  if (base::Result<void> written = write_images(images, back, design, Face::kBack, options); !written) return written;
   const SetFacts set{folder,
                      options.name,
                      *options.target,
@@ -230,7 +247,8 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                      back,
                      mesh,
                      images.constants,
-                     images.mips};
+                     images.mips,
+                     options.uv};
   base::Result<void> done = set.target.write_material ? set.target.write_material(set) : base::Result<void>();
   if (progress.stop.stop_requested()) return stopped();
   if (done) done = write_sheet(images, set);
@@ -258,7 +276,11 @@ std::string file_name_of(const std::string& text) {
 std::string key_of(const TextureSetOptions& o) {
   return o.program_version + " " + o.target->id + " " + o.name + " " + std::to_string(o.size) + " " +
          alpha_name(o.alpha) + " " + number(static_cast<double>(o.distance_m)) + " " +
-         number(static_cast<double>(o.tile_mm)) + (o.mips ? extension_of(*o.mips) : "");
+         number(static_cast<double>(o.tile_mm)) + (o.mips ? extension_of(*o.mips) : "") + (o.masks ? " masks" : "") +
+         (o.uv.unit == UvUnit::kMm && o.uv.right_mm == 0 && o.uv.up_mm == 0
+              ? ""
+              : std::string(" uv ") + uv_unit_name(o.uv.unit) + " " + number(static_cast<double>(o.uv.right_mm)) + " " +
+                    number(static_cast<double>(o.uv.up_mm)));
 }
 
 void set_density(TextureSetOptions& options, const Design& design, float texels_per_mm) {

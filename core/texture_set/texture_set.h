@@ -35,6 +35,8 @@ struct TextureSetOptions {
   Alpha alpha = Alpha::kAuto;
   float distance_m = 1;                // viewing distance of the footprint in the roughness; 0: no footprint
   std::optional<MipContainer> mips{};  // images with prefiltered mipmaps beside the others
+  UvMapping uv{};                      // of the meshes that wear the material
+  bool masks = false;                  // images for recolouring (texture_set/recolour.h)
   float tile_mm = 0;  // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
   std::string modified = "2000-01-01T00:00:00Z";  // time of the draft, ISO 8601, for formats that need it
   std::string key;                                // hash of all inputs of the set, for is_complete()

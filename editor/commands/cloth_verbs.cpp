@@ -7,7 +7,9 @@
 
 #include "base/text.h"
 #include "chart/scene.h"
+#include "commands/backdrop.h"
 #include "commands/commands.h"
+#include "commands/export_options.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
 #include "design/lights.h"
@@ -58,6 +60,8 @@ std::string all_drape_names() {
 struct PictureVerb {
   PictureOptions options;
   std::string size = "1280x800", view, light, exposure;
+  bool transparent = false;
+  Backdrop backdrop() const { return transparent ? Backdrop::kTransparent : Backdrop::kShown; }
 };
 
 /// False, with a line on stderr: the size is out of range.
@@ -133,6 +137,7 @@ std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
   add_mesh_options(verb, o);
   add_view_options(verb, *picture);
   add_light_options(verb, *picture);
+  verb.add_flag("--transparent", picture->transparent, tr("Cloth and form alone, over nothing: a picture with alpha"));
   add_progress(verb, o.quiet, o.progress_json);
   verb.add_option("--stats", o.stats,
                   tr("JSON file for the cost and the estimated error of the picture; default: none"))
@@ -165,7 +170,9 @@ RunVerb add_render(CLI::App& verb) {
                      "right; default: "
                      "one picture"))
       ->check(whole_number(1, 3600));
-  return [picture] { return apply_picture_texts(*picture) ? render_command(picture->options) : kUsage; };
+  return [picture] {
+    return apply_picture_texts(*picture) ? render_command(picture->options, picture->backdrop()) : kUsage;
+  };
 }
 
 RunVerb add_reference(CLI::App& verb) {
@@ -178,7 +185,9 @@ RunVerb add_reference(CLI::App& verb) {
                 tr("Every fibre of the threads, for a near view of up to some square centimetres; light is followed "
                    "until it leaves them"))
       ->excludes(bounces);
-  return [picture] { return apply_picture_texts(*picture) ? reference_command(picture->options) : kUsage; };
+  return [picture] {
+    return apply_picture_texts(*picture) ? reference_command(picture->options, picture->backdrop()) : kUsage;
+  };
 }
 
 void add_texture_options(CLI::App& verb, ExportOptions& o) {
@@ -205,9 +214,28 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
   verb.add_option("--mesh", o.mesh, tr("Drape that the .glb shows; default: plane"))->type_name(tr("NAME|FILE"));
 }
 
+void add_material_options(CLI::App& verb, MaterialOptions& material) {
+  verb.add_flag("--masks", material.masks,
+                tr("Images for recolouring too: the base colour of white yarn, warp and weft, and the colours of the "
+                   "draft"));
+  verb.add_option("--uv", material.uv,
+                  tr("Unit of the texture coordinates of the meshes that will wear the material; tile: a repeat of the "
+                     "images; default: mm"))
+      ->check(one_of({"mm", "cm", "m", "tile"}));
+  verb.add_option_function<std::string>(
+          "--uv-offset",
+          [&material](const std::string& text) { parse_pair(text, ',', material.uv_right_mm, material.uv_up_mm); },
+          tr("Millimetres by which the cloth is moved on these meshes, to the right and up; default: 0,0"))
+      ->check(pair_of(',', "X,Y"));
+}
+
 RunVerb add_export(CLI::App& verb) {
-  const auto options = std::make_shared<ExportOptions>();
-  ExportOptions& o = *options;
+  struct Options {
+    ExportOptions command;
+    MaterialOptions material;
+  };
+  const auto options = std::make_shared<Options>();
+  ExportOptions& o = options->command;
   verb.add_option("files", o.files, tr("Drafts (.wif, .dtx, .wpo), or folders of drafts"))->required();
   verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
       ->delimiter(',')
@@ -215,6 +243,7 @@ RunVerb add_export(CLI::App& verb) {
       ->check(one_of(target_ids()));
   verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path(mark("FOLDER")));
   add_texture_options(verb, o);
+  add_material_options(verb, options->material);
   verb.add_option("--name", o.name,
                   tr("Template for the folder of a set; {name}, {target} and {size} are filled in; default: {name}, "
                      "with several targets {name}/{target}"))
@@ -227,7 +256,7 @@ RunVerb add_export(CLI::App& verb) {
   verb.add_flag("--watch", o.watch, tr("Export again whenever a draft changes"));
   verb.add_flag("--force", o.force, tr("Overwrite other files that have the same names"));
   add_progress(verb, o.quiet, o.progress_json);
-  return [options] { return export_command(*options); };
+  return [options] { return export_command(options->command, options->material); };
 }
 
 /// One option for each measured quantity, with the values that the chart knows.

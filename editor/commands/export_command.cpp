@@ -18,6 +18,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "commands/commands.h"
+#include "commands/export_options.h"
 #include "commands/progress.h"
 #include "design/versions.h"
 #include "files/design_drape.h"
@@ -37,10 +38,11 @@ using design::Design, design::at_version, design::version_named;
 using drape::Mesh;
 using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
     files::load_drape, files::plain_zip_size, files::write_zip;
-using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::alpha_named,
-    texture_set::digest, texture_set::file_name_of, texture_set::fill_template, texture_set::is_complete,
-    texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files, texture_set::lists_archive,
-    texture_set::set_density, texture_set::target_named, texture_set::warnings_of, texture_set::write_texture_set;
+using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::UvUnit,
+    texture_set::alpha_named, texture_set::digest, texture_set::file_name_of, texture_set::fill_template,
+    texture_set::is_complete, texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files,
+    texture_set::lists_archive, texture_set::set_density, texture_set::target_named, texture_set::uv_unit_named,
+    texture_set::warnings_of, texture_set::write_texture_set;
 using wif::is_draft_name, wif::is_wif_name;
 
 namespace {
@@ -177,7 +179,8 @@ std::string state_name(const std::string& name, const std::string& version, std:
 }
 
 /// One folder for each draft, version and target.
-std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const ExportTarget*>& targets) {
+std::vector<Job> jobs_of(const ExportOptions& options, const MaterialOptions& material,
+                         const std::vector<const ExportTarget*>& targets) {
   const std::string form = !options.name.empty() ? options.name : targets.size() > 1 ? "{name}/{target}" : "{name}";
   std::vector<Job> jobs;
   const std::vector<std::string> files = drafts_of(options.files), names = set_names(files);
@@ -192,7 +195,8 @@ std::vector<Job> jobs_of(const ExportOptions& options, const std::vector<const E
         o.program_version = base::version(), o.size = options.size, o.force = options.force;
         o.alpha = alpha_named(options.alpha).value_or(Alpha::kAuto);
         o.distance_m = options.distance_m, o.tile_mm = options.tile_cm <= 0 ? kTileOfYarns : 10 * options.tile_cm;
-        o.modified = changed(file);
+        o.modified = changed(file), o.masks = material.masks;
+        o.uv = {uv_unit_named(material.uv).value_or(UvUnit::kMm), material.uv_right_mm, material.uv_up_mm};
         if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
         std::error_code ec;
         jobs.push_back({file, folder_of(options.out, form, o), version, o, form, fs::last_write_time(file, ec)});
@@ -361,7 +365,9 @@ void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh
 
 }  // namespace
 
-int export_command(const ExportOptions& options) {
+int export_command(const ExportOptions& options) { return export_command(options, {}); }
+
+int export_command(const ExportOptions& options, const MaterialOptions& material) {
   std::vector<const ExportTarget*> targets;
   for (const std::string& name : options.targets) {
     const ExportTarget* const target = target_named(name);
@@ -377,7 +383,7 @@ int export_command(const ExportOptions& options) {
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
   if (!mesh)
     return fail({base::ErrorKind::kInput, fill(tr("--mesh: {problem}"), arg("problem", message(mesh.error())))});
-  const std::vector<Job> jobs = jobs_of(options, targets);
+  const std::vector<Job> jobs = jobs_of(options, material, targets);
   if (jobs.empty()) {
     return fail({base::ErrorKind::kInput,
                  tr("there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts"),

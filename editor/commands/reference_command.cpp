@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
-#include "commands/picture_setup.h"
+#include "commands/transparent.h"
 #include "render_data/reference_scene.h"
 
 namespace weftlight::commands {
@@ -55,7 +55,9 @@ base::Result<void> make_fibres(ReferenceScene& scene, const ReferenceView& view,
 
 }  // namespace
 
-int reference_command(const PictureOptions& o) {
+int reference_command(const PictureOptions& o) { return reference_command(o, Backdrop::kShown); }
+
+int reference_command(const PictureOptions& o, Backdrop backdrop) {
   PictureSetup setup;
   if (const int code = setup.open(o); code != kDone) return code;
   const Design& design = setup.design;
@@ -69,7 +71,7 @@ int reference_command(const PictureOptions& o) {
       return fail({made.error().kind, message(made.error()), o.file});
   }
 
-  Frame frame = setup.frame(o);
+  Frame frame = frame_over(setup, o, backdrop);
   frame.cloth = false;
   const FrameStats drawn = setup.renderer->draw(design.scene, design.look, frame);
   const bool linear = writes_linear(o.out);
@@ -78,7 +80,7 @@ int reference_command(const PictureOptions& o) {
   const TracedImage traced = scene.trace(view, progress_on(meter, o.out));
   meter.clear();
   lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
-  const base::Result<void> saved = write_picture(o.out, picture);
+  const base::Result<void> saved = write_picture(o.out, picture, backdrop);
   if (saved) meter.set(0, 1, o.out);
   return finish(saved);
 }

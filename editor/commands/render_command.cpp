@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
-#include "commands/picture_setup.h"
+#include "commands/transparent.h"
 #include "light/lod_table.h"
 #include "render_data/method_weights.h"
 #include "wif/wif.h"
@@ -45,8 +45,8 @@ std::string numbered(const std::string& path, int number) {
 }
 
 /// Draws one full turn of the view around its target, in even steps from its present azimuth.
-int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
-  const Frame frame = setup.frame(o);
+int draw_turntable(PictureSetup& setup, const PictureOptions& o, Backdrop backdrop) {
+  const Frame frame = frame_over(setup, o, backdrop);
   Scene scene = setup.design.scene;
   const float from = scene.view_azimuth;
   ProgressMeter progress(setup.progress, o.turntable);
@@ -60,7 +60,7 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o) {
       progress.clear();
       return fail(stats.cloth.error());
     }
-    const auto saved = write_picture(file, setup.renderer->read_back(writes_linear(o.out)));
+    const auto saved = write_picture(file, setup.renderer->read_back(writes_linear(o.out)), backdrop);
     if (!saved) {
       progress.clear();
       return fail(saved.error());
@@ -82,14 +82,16 @@ void keep_within(double budget_ms, PictureSetup& setup, Frame frame) {
 
 }  // namespace
 
-int render_command(const PictureOptions& o) {
+int render_command(const PictureOptions& o) { return render_command(o, Backdrop::kShown); }
+
+int render_command(const PictureOptions& o, Backdrop backdrop) {
   PictureSetup setup;
   if (o.turntable > 0 && !o.stats.empty()) return refuse(tr("--stats is for one picture; leave it or --turntable out"));
   if (const int code = setup.open(o); code != kDone) return code;
   if (o.budget_ms > 0) keep_within(o.budget_ms, setup, setup.frame(o));
-  if (o.turntable > 0) return draw_turntable(setup, o);
+  if (o.turntable > 0) return draw_turntable(setup, o, backdrop);
   const Method requested = setup.design.look.method;
-  Frame frame = setup.frame(o);
+  Frame frame = frame_over(setup, o, backdrop);
   frame.timed = !o.stats.empty();
   ProgressMeter progress(setup.progress, 1);
   progress.set(0, 0, fill(tr("drawing {width} x {height} pixels"), arg("width", o.width), arg("height", o.height)));
@@ -101,7 +103,7 @@ int render_command(const PictureOptions& o) {
     print_problem(fill(tr("drawn with the method {method}, the closest one available"),
                        arg("method", std::string(method_name(stats.method)))));
   }
-  base::Result<void> saved = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)));
+  base::Result<void> saved = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)), backdrop);
   if (saved) progress.set(0, 1, o.out);
   if (saved && !o.stats.empty()) saved = write_stats(o.stats, stats, setup.design.look.tolerance, o);
   return finish(saved);

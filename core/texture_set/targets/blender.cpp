@@ -27,19 +27,19 @@ constexpr ImageRow kImages[] = {
 };
 
 // Version 4.0 renamed sockets and reduces the diffuse part by the specular reflectance. The glTF
-// importer stores 1 - v; the script subtracts that one unit, which is a millimetre there.
+// importer stores 1 - v; the script subtracts that one unit.
 constexpr const char* kScript =
     R"("""Builds the material "{NAME}" from the images beside this file: front and back, each with its own.
 Run it in the Scripting tab (open it there from the folder of the set), or `blender -P` it.
-Texture coordinates are in millimetres, as in {NAME}.glb. For a mesh on which one UV unit is one repeat of
-{WIDTH_MM} x {DEPTH_MM} mm, set MM_UV = False."""
+Texture coordinates are in {UNIT}, as in {NAME}.glb. For a mesh on which one UV unit is one repeat of
+{WIDTH_MM} x {DEPTH_MM} mm, set TILING = (1, 1)."""
 import os
 import bmesh
 import bpy
 
 NAME = "{NAME}"
-SIZE_MM = ({WIDTH_MM}, {DEPTH_MM})
-MM_UV = True
+TILING = ({TILING_U}, {TILING_V})  # repeats in a unit of the coordinates
+OFFSET = ({OFFSET_U}, {OFFSET_V})  # in repeats, right and up
 
 def folder():
     """The folder of this script; if it is not saved, that of the .blend."""
@@ -60,8 +60,8 @@ material.blend_method = "{BLEND}"
 nodes, links = material.node_tree.nodes, material.node_tree.links
 nodes.remove(nodes["Principled BSDF"])
 place = nodes.new("ShaderNodeMapping")
-place.inputs["Scale"].default_value = (1 / SIZE_MM[0], 1 / SIZE_MM[1], 1) if MM_UV else (1, 1, 1)
-place.inputs["Location"].default_value = (0, -1 / SIZE_MM[1], 0) if MM_UV else (0, 0, 0)
+place.inputs["Scale"].default_value = (TILING[0], TILING[1], 1)
+place.inputs["Location"].default_value = (OFFSET[0], OFFSET[1] - TILING[1], 0)
 links.new(nodes.new("ShaderNodeTexCoord").outputs["UV"], place.inputs["Vector"])
 
 def image(suffix, colour=False):
@@ -176,10 +176,16 @@ std::string older_of(const FaceSource& face) {
 base::Result<void> write_script(const SetFacts& set) {
   const EngineFit &front = set.front.fit(), &back = set.back.fit();
   const SurfaceTexels& s = set.front.small();
+  const UvTransform uv = uv_transform(set);
   return write_file_atomically(
       set.folder + "/" + set.name + ".py",
       fill_template(kScript, {{"NAME", set.name},
                               {"BLEND", blend_of(set.alpha)},
+                              {"UNIT", uv_unit_title(set.uv.unit)},
+                              {"TILING_U", number(uv.scale_u)},
+                              {"TILING_V", number(uv.scale_v)},
+                              {"OFFSET_U", number(uv.offset_u)},
+                              {"OFFSET_V", number(uv.offset_v)},
                               {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
                               {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
                               {"THROUGH", number(static_cast<double>(mean_transmission(set)))},

@@ -7,13 +7,14 @@
 
 #include "cloth/srgb.h"
 #include "files/files.h"
+#include "files/mesh_uv.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 
 using cloth::srgb_decoded;
 using draft::Face;
-using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::encode_png, files::write_mesh;
+using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::MeshUv, files::encode_png, files::write_mesh;
 
 namespace {
 
@@ -66,8 +67,8 @@ GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
   if (beside && source.fit().sheen > 0) {
     set_sheen(m, set, face);
   }
-  m.uv_scale_u = 1 / source.small().width_mm;
-  m.uv_scale_v = 1 / source.small().depth_mm;
+  const UvTransform uv = uv_transform(set);
+  m.uv_scale_u = static_cast<float>(uv.scale_u), m.uv_scale_v = static_cast<float>(uv.scale_v);
   m.f0 = source.fit().f0, m.f90 = source.fit().f90;
   m.transmission = mean_transmission(set);
   m.alpha = set.alpha == Alpha::kOpaque ? GltfAlpha::kOpaque
@@ -86,7 +87,10 @@ base::Result<void> write_material(const SetFacts& set) {
 
 base::Result<void> write_gltf(const SetFacts& set, const std::string& extension, GltfImages images) {
   const GltfMaterial front = material_of(set, Face::kFront, images), back = material_of(set, Face::kBack, images);
-  return write_mesh(set.folder + "/" + set.name + extension, set.mesh, &front, &back);
+  const std::string path = set.folder + "/" + set.name + extension;
+  const MeshUv uv = mesh_uv(set);
+  return uv.millimetres ? write_mesh(path, set.mesh, &front, &back, uv)
+                        : write_mesh(path, mapped(set, set.mesh), &front, &back, uv);
 }
 
 const ExportTarget targets::kGltf{

@@ -45,10 +45,12 @@ anisotropy_enabled = true
 anisotropy = 1.0
 anisotropy_flowmap = ExtResource("4")
 uv1_scale = Vector3({SCALE_U}, {SCALE_V}, 1)
+uv1_offset = Vector3({OFFSET_U}, {OFFSET_V}, 0)
 {NEXT})";
 
 base::Result<void> write_godot_face(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
+  const UvTransform uv = uv_transform(set);
   const std::string name = material_name(set, face);
   // Godot has one material for both sides: the front has the back as its next pass.
   const bool front = face == Face::kFront;
@@ -65,8 +67,10 @@ base::Result<void> write_godot_face(const SetFacts& set, Face face) {
                                      {"TRANSPARENCY", transparency},
                                      {"CULL", face == Face::kBack ? "1" : "0"},
                                      {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0) / 0.16))},
-                                     {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
-                                     {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
+                                     {"SCALE_U", number(uv.scale_u)},
+                                     {"SCALE_V", number(uv.scale_v)},
+                                     {"OFFSET_U", number(uv.offset_u)},
+                                     {"OFFSET_V", number(0 - uv.offset_v)},
                                      {"STEPS", front ? "6" : "5"},
                                      {"BACK", front ? back : std::string{}},
                                      {"NEXT", front ? "next_pass = ExtResource(\"5\")\n" : ""}}));

@@ -39,13 +39,17 @@ constexpr const char* kImageNode = R"(    <image name="{WHAT}" type="{TYPE}">
       <input name="texcoord" type="vector2" nodename="uv" />
     </image>
 )";
-// One face. Texture coordinates are millimetres, right and up in the image.
+// One face. Texture coordinates run right and up in the image.
 constexpr const char* kGraph = R"(  <nodegraph name="NG_{NAME}">
-    <texcoord name="uv_mm" type="vector2" />
-    <multiply name="uv" type="vector2">
-      <input name="in1" type="vector2" nodename="uv_mm" />
+    <texcoord name="uv_{UNIT}" type="vector2" />
+    <multiply name="uv_scaled" type="vector2">
+      <input name="in1" type="vector2" nodename="uv_{UNIT}" />
       <input name="in2" type="vector2" value="{SCALE_U}, {SCALE_V}" />
     </multiply>
+    <add name="uv" type="vector2">
+      <input name="in1" type="vector2" nodename="uv_scaled" />
+      <input name="in2" type="vector2" value="{OFFSET_U}, {OFFSET_V}" />
+    </add>
 {IMAGES}    <normalmap name="normal" type="vector3">
       <input name="in" type="vector3" nodename="normal_image" />
     </normalmap>
@@ -101,7 +105,7 @@ constexpr const char* kStage = R"(#usda 1.0
     defaultPrim = "{PRIM}"
     metersPerUnit = 0.001
     upAxis = "Y"
-    doc = "100 mm of cloth; texture coordinates are millimetres"
+    doc = "100 mm of cloth; texture coordinates are {UNITS}"
 )
 
 def Xform "{PRIM}"
@@ -127,7 +131,7 @@ constexpr const char* kMesh = R"(    def Mesh "{FACE}" (
         normal3f[] normals = [(0, 0, {Z}), (0, 0, {Z}), (0, 0, {Z}), (0, 0, {Z})] (
             interpolation = "vertex"
         )
-        texCoord2f[] primvars:st = [(-100, -100), (0, -100), (0, 0), (-100, 0)] (
+        texCoord2f[] primvars:st = [({LEFT}, {LOW}), (0, {LOW}), (0, 0), ({LEFT}, 0)] (
             interpolation = "vertex"
         )
         rel material:binding = </{PRIM}/Materials/{MATERIAL}>
@@ -162,6 +166,7 @@ constexpr const char* kPreview = R"(        def Material "{MATERIAL}"
                 uniform token info:id = "UsdTransform2d"
                 float2 inputs:in.connect = </{PRIM}/Materials/{MATERIAL}/st.outputs:result>
                 float2 inputs:scale = ({SCALE_U}, {SCALE_V})
+                float2 inputs:translation = ({OFFSET_U}, {OFFSET_V})
                 float2 outputs:result
             }
 {TEXTURES}        }
@@ -219,11 +224,15 @@ std::string mtlx_images(const SetFacts& set, Face face) {
 
 Values values_of(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
+  const UvTransform uv = uv_transform(set);
   return {{"IMAGES", mtlx_images(set, face)},
           {"OPACITY_INPUT", set.alpha == Alpha::kOpaque ? "" : kOpacityInput},
           {"NAME", prim_name(material_name(set, face))},
-          {"SCALE_U", number(1 / static_cast<double>(source.small().width_mm))},
-          {"SCALE_V", number(1 / static_cast<double>(source.small().depth_mm))},
+          {"UNIT", uv_unit_name(set.uv.unit)},
+          {"SCALE_U", number(uv.scale_u)},
+          {"SCALE_V", number(uv.scale_v)},
+          {"OFFSET_U", number(uv.offset_u)},
+          {"OFFSET_V", number(uv.offset_v)},
           {"IOR", number(ior_of(static_cast<double>(source.fit().f0)))},
           {"FUZZ_WEIGHT", source.fit().sheen > 0 ? "1" : "0"},
           {"FUZZ_ROUGHNESS", number(static_cast<double>(source.fit().sheen_roughness))}};
@@ -265,29 +274,35 @@ std::string usd_material(const SetFacts& set, Face face) {
     opacity = "                float inputs:opacity.connect = </{PRIM}/Materials/{MATERIAL}/opacity.outputs:r>\n";
     if (set.alpha == Alpha::kMask) opacity += "                float inputs:opacityThreshold = 0.5\n";
   }
-  const SurfaceTexels& s = set.of(face).small();
+  const UvTransform uv = uv_transform(set);
   return fill_template(kPreview, {{"TEXTURES", textures},
                                   {"USD_OPACITY", opacity},
                                   {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0)))},
                                   {"PRIM", prim},
                                   {"MATERIAL", material},
-                                  {"SCALE_U", number(1 / static_cast<double>(s.width_mm))},
-                                  {"SCALE_V", number(1 / static_cast<double>(s.depth_mm))}});
+                                  {"SCALE_U", number(uv.scale_u)},
+                                  {"SCALE_V", number(uv.scale_v)},
+                                  {"OFFSET_U", number(uv.offset_u)},
+                                  {"OFFSET_V", number(uv.offset_v)}});
 }
 
 std::string stage(const SetFacts& set) {
   const std::string prim = prim_name(set.name);
+  const auto [across, up] = uv_per_mm(set);
   std::string meshes, materials;
   for (const Face face : {Face::kFront, Face::kBack}) {
     const bool back = face == Face::kBack;
     meshes += fill_template(kMesh, {{"FACE", back ? "Back" : "Front"},
                                     {"ORIENTATION", back ? "leftHanded" : "rightHanded"},
                                     {"Z", back ? "-1" : "1"},
+                                    {"LEFT", number(-100 * across)},
+                                    {"LOW", number(-100 * up)},
                                     {"PRIM", prim},
                                     {"MATERIAL", prim_name(material_name(set, face))}});
     materials += usd_material(set, face);
   }
-  return fill_template(kStage, {{"MESHES", meshes}, {"MATERIALS", materials}, {"PRIM", prim}});
+  return fill_template(
+      kStage, {{"MESHES", meshes}, {"MATERIALS", materials}, {"UNITS", uv_unit_title(set.uv.unit)}, {"PRIM", prim}});
 }
 
 /// The same stage with the materials of the .mtlx.

@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "draft/drawdown.h"
+#include "files/fabric_physics.h"
 #include "files/zip.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
@@ -19,7 +20,7 @@ using base::write_file_atomically;
 using cloth::Cloth, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::srgb_from_linear;
 using design::Design, design::Yarn;
 using draft::BitMatrix, draft::Face, draft::Rgb, draft::drawdown;
-using files::ZipEntry, files::ZipKind, files::write_zip;
+using files::FabricPhysics, files::ZipEntry, files::ZipKind, files::fabric_physics, files::write_zip;
 
 namespace {
 
@@ -117,6 +118,26 @@ std::string construction_of(const Design& design, const BitMatrix& cells) {
   return design.draft.shafts > kMaxDobbyShafts ? "Jacquard" : "Dobby";
 }
 
+std::string physics_file(const SetFacts& set) { return set.name + "_physics.json"; }
+
+/// U3M's file of physics. Its raw data are forces that a machine measured, which there are none of; what is computed
+/// from the yarns stands in the part that is free.
+base::Result<void> write_physics(const SetFacts& set) {
+  const FabricPhysics p = fabric_physics(set.design);
+  const json root{{"schema", "1.1"},
+                  {"raw_data", nullptr},
+                  {"custom",
+                   {{"weftlight",
+                     {{"source", "computed from yarns and sett, not measured"},
+                      {"weight_kg_per_m2", p.kg_per_m2},
+                      {"thickness_mm", p.thickness_mm},
+                      {"bending_n_m", p.bending_n_m},
+                      {"bending_length_mm", p.bending_length_mm},
+                      {"stretch_n_per_m", p.stretch_n_per_m},
+                      {"bias_n_per_m", p.bias_n_per_m}}}}}};
+  return write_file_atomically(set.folder + "/" + physics_file(set), root.dump(2) + "\n");
+}
+
 json physics(const SetFacts& set) {
   const Cloth& cloth = set.front.cloth();
   const std::map<std::string, double> grams = grams_of(cloth);
@@ -125,12 +146,11 @@ json physics(const SetFacts& set) {
   json parts = json::array();
   for (const auto& [type, g] : grams)
     parts.push_back({{"ratio", total > 0 ? g / total : 1.0}, {"type", type}, {"name", nullptr}});
-  const double area_m2 = static_cast<double>(cloth.width_mm) * static_cast<double>(cloth.depth_mm) * 1e-6;
   const SurfaceTexels &front = set.front.small(), &back = set.back.small();
   const BitMatrix weave = lay_out(set.design, drawdown(set.design.draft), Face::kFront, Period::kRepeat).up;
   return {{"thickness", static_cast<double>(front.high_mm + back.high_mm)},
-          {"weight", total / area_m2},
-          {"devices", {{"fab", "null"}}},
+          {"weight", 1000 * fabric_physics(set.design).kg_per_m2},
+          {"devices", {{"fab", physics_file(set)}}},
           {"composition", {{"parts", parts}}},
           {"material_type", {{"type", "Woven"}, {"name", nullptr}}},
           {"construction", {{"type", construction_of(set.design, weave)}, {"name", nullptr}}}};
@@ -237,8 +257,10 @@ base::Result<void> write_material(const SetFacts& set) {
                     {"metadata", nullptr}}}};
   const std::string file = set.name + ".u3m", path = set.folder + "/" + file;
   const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-  if (base::Result<void> done = write_file_atomically(path, text); !done) return done;
-  std::vector<ZipEntry> entries{{file, path}};
+  base::Result<void> done = write_file_atomically(path, text);
+  if (done) done = write_physics(set);
+  if (!done) return done;
+  std::vector<ZipEntry> entries{{file, path}, {physics_file(set), set.folder + "/" + physics_file(set)}};
   for (const Face face : {Face::kFront, Face::kBack}) {
     for (const ImageRow& row : kImages) {
       if (!factors_of(set, row.suffix, face).empty()) continue;

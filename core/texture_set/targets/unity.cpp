@@ -105,15 +105,15 @@ base::Result<void> write_import_settings(const SetFacts& set, Face face) {
   return {};
 }
 
-/// The texture of each slot, scaled from millimetres to repeats.
+/// The texture of each slot, scaled to repeats.
 std::vector<std::string> textures_of(const SetFacts& set, const UnityShader& shader, Face face) {
-  const SurfaceTexels& s = set.of(face).small();
+  const UvTransform uv = uv_transform(set);
   std::vector<std::string> out;
   for (const UnitySlot& slot : shader.slots) {
     out.push_back(std::string(slot.slot) +
                   ":\n        m_Texture: {fileID: 2800000, guid: " + guid(mipped_image_named(set, slot.suffix, face)) +
-                  ", type: 3}\n        m_Scale: {x: " + number(1 / static_cast<double>(s.width_mm)) +
-                  ", y: " + number(1 / static_cast<double>(s.depth_mm)) + "}\n        m_Offset: {x: 0, y: 0}");
+                  ", type: 3}\n        m_Scale: {x: " + number(uv.scale_u) + ", y: " + number(uv.scale_v) +
+                  "}\n        m_Offset: {x: " + number(uv.offset_u) + ", y: " + number(uv.offset_v) + "}");
   }
   return out;
 }
@@ -147,10 +147,10 @@ base::Result<void> write_face(const SetFacts& set, const UnityShader& shader, Fa
   return write_file_atomically(set.folder + "/" + file + ".meta", fill_template(kMaterialMeta, {{"GUID", guid(file)}}));
 }
 
-/// The quad as .obj, since Unity cannot read glTF without a package: metres, texture coordinates in millimetres.
+/// The quad as .obj, since Unity cannot read glTF without a package: metres, texture coordinates in the set's unit.
 base::Result<void> write_obj_quad(const SetFacts& set) {
-  const Mesh quad = scale_quad();
-  std::string text = "# 100 mm a side; texture coordinates in millimetres\n";
+  const Mesh quad = mapped(set, scale_quad());
+  std::string text = std::string("# 100 mm a side; texture coordinates in ") + uv_unit_title(set.uv.unit) + "\n";
   for (const Vec3& p : quad.position_mm)
     text += "v " + number(static_cast<double>(p[0]) / 1000) + " " + number(static_cast<double>(p[1]) / 1000) + " 0\n";
   for (const Vec2& t : quad.uv_mm)

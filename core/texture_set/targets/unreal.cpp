@@ -25,14 +25,14 @@ constexpr ImageRow kImages[] = {
 
 constexpr const char* kScript =
     R"("""Imports this set into Unreal Engine 5 and makes its materials: run it from the editor's Python console
-(Python Editor Script Plugin), or Tools > Execute Python Script. Texture coordinates are in millimetres, as in
-{NAME}_quad.glb. For a mesh on which one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm, set MM_UV = False."""
+(Python Editor Script Plugin), or Tools > Execute Python Script. Texture coordinates are in {UNIT}, as in
+{NAME}_quad.glb. For a mesh on which one UV unit is one repeat of {WIDTH_MM} x {DEPTH_MM} mm, set TILING = (1, 1)."""
 import os
 import unreal
 
 NAME = "{NAME}"
-SIZE_MM = ({WIDTH_MM}, {DEPTH_MM})
-MM_UV = True
+TILING = ({TILING_U}, {TILING_V})  # repeats in a unit of the coordinates
+OFFSET = ({OFFSET_U}, {OFFSET_V})  # in repeats, right and down
 ALPHA = "{ALPHA}"
 INTO = "/Game/Weftlight/" + NAME
 FOLDER = os.path.dirname(os.path.abspath(__file__))
@@ -77,8 +77,16 @@ def material(side, specular):
         made.set_editor_property("blend_mode", unreal.BlendMode.BLEND_MASKED)
         made.set_editor_property("dither_opacity_mask", ALPHA == "hashed")
     place = lib.create_material_expression(made, unreal.MaterialExpressionTextureCoordinate, -800, 0)
-    place.set_editor_property("u_tiling", 1 / SIZE_MM[0] if MM_UV else 1)
-    place.set_editor_property("v_tiling", 1 / SIZE_MM[1] if MM_UV else 1)
+    place.set_editor_property("u_tiling", TILING[0])
+    place.set_editor_property("v_tiling", TILING[1])
+    if OFFSET != (0, 0):
+        shift = lib.create_material_expression(made, unreal.MaterialExpressionConstant2Vector, -800, 150)
+        shift.set_editor_property("r", OFFSET[0])
+        shift.set_editor_property("g", OFFSET[1])
+        moved = lib.create_material_expression(made, unreal.MaterialExpressionAdd, -650, 50)
+        lib.connect_material_expressions(place, "", moved, "A")
+        lib.connect_material_expressions(shift, "", moved, "B")
+        place = moved
 
     def sample(kind, row):
         node = lib.create_material_expression(made, unreal.MaterialExpressionTextureSample, -500, 250 * row)
@@ -113,10 +121,16 @@ material("_back", {BACK_SPECULAR})
 
 base::Result<void> write_material(const SetFacts& set) {
   const SurfaceTexels& s = set.front.small();
+  const UvTransform uv = uv_transform(set);
   base::Result<void> done = write_file_atomically(
       set.folder + "/" + set.name + "_import.py",
       fill_template(kScript, {{"NAME", set.name},
                               {"ALPHA", alpha_name(set.alpha)},
+                              {"UNIT", uv_unit_title(set.uv.unit)},
+                              {"TILING_U", number(uv.scale_u)},
+                              {"TILING_V", number(uv.scale_v)},
+                              {"OFFSET_U", number(uv.offset_u)},
+                              {"OFFSET_V", number(0 - uv.offset_v)},
                               {"WIDTH_MM", number(static_cast<double>(s.width_mm))},
                               {"DEPTH_MM", number(static_cast<double>(s.depth_mm))},
                               {"SPECULAR", number(static_cast<double>(set.front.fit().specular()))},

@@ -240,5 +240,19 @@ TEST_F(Export, watch_exports_changed_drafts_again) {
   waitpid(child, nullptr, 0);
 }
 
+TEST_F(Export, masks_and_units_of_texture_coordinates_are_options_of_every_target) {
+  EXPECT_EQ(exported({"--target", "raw,unity-urp", "--size", "16", "--masks", "--uv", "cm", "--uv-offset", "5,0"}).code,
+            kDone);
+  EXPECT_TRUE(has("a/raw/a_front_white.png") && has("a/unity-urp/a_back_index.png"));
+  const json a = list("a/unity-urp");
+  EXPECT_EQ(a["texture_coordinates"], "centimetres");
+  EXPECT_NEAR(a["uv"]["offset"][0].get<double>(), -5 / a["size_mm"][0].get<double>(), 1e-4);
+  EXPECT_FALSE(a["recolour"]["colors"].empty());
+  const Ran inch = exported({"--uv", "inch"});
+  EXPECT_EQ(inch.code, kUsage);
+  EXPECT_TRUE(inch.said.find("--uv") != std::string::npos && inch.said.find("tile") != std::string::npos) << inch.said;
+  EXPECT_EQ(exported({"--uv-offset", "5"}).code, kUsage);
+}
+
 }  // namespace
 }  // namespace weftlight::commands

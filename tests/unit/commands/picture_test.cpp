@@ -231,5 +231,35 @@ TEST_F(Pictures, a_turntable_is_one_turn_in_equal_steps) {
   EXPECT_EQ(drawn("turn.png", {"--turntable", "3", "--stats", path("s.json")}), kUsage);
 }
 
+// Over any backdrop the transparent picture is the opaque one with that backdrop, but for the ground and 8 bits.
+TEST_F(Pictures, a_transparent_picture_has_colours_that_are_not_premultiplied) {
+  const std::vector<std::string> line{
+      "render", corner_of("plain"), "--mesh", "sphere",        "--size", "64x48", "--method",
+      "cloth",  "--exposure",       "0",      "--transparent", "-o"};
+  const auto drawn = [&](const std::string& out) {
+    std::vector<std::string> all = line;
+    all.push_back(path(out));
+    return run(all).code;
+  };
+  if (const int code = drawn("a.png"); code == kNoGraphics) GTEST_SKIP() << "no graphics";
+  else ASSERT_EQ(code, kDone);
+  ASSERT_EQ(drawn("a.exr"), kDone);
+  const base::Result<Image> png = read_image(path("a.png")), exr = read_image(path("a.exr"));
+  ASSERT_TRUE(png && exr) << problem_of(png) << problem_of(exr);
+  ASSERT_EQ(png->channels, 4);
+  EXPECT_EQ(png->texels[3], 0) << "the corner is empty";
+  EXPECT_EQ(exr->texels[0], 0) << "and has no colour of the backdrop";
+  float edge = 1, inside = 0;
+  size_t partial = 0;
+  for (size_t i = 0; i < png->texels.size(); i += 4) {
+    const float alpha = png->texels[i + 3];
+    EXPECT_NEAR(alpha, exr->texels[i + 3], 0.01f);
+    if (alpha > 0.99f) inside = std::max(inside, png->texels[i]);
+    else if (alpha > 0.2f) edge = std::min(edge, png->texels[i]), ++partial;
+  }
+  EXPECT_GT(partial, 20u);
+  EXPECT_GT(edge, 0.1f * inside) << "premultiplied colours would darken the rim";
+}
+
 }  // namespace
 }  // namespace weftlight::commands

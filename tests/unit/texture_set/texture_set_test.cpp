@@ -244,8 +244,7 @@ TEST(TextureSet, EveryTargetHasTheSameScale) {
   // The files of all engines have the same scale.
   const Scratch scratch("scale");
   const Cloth cloth = lay_out(sample_design(), drawdown(sample_design().draft), Face::kFront, Period::kRepeat);
-  const std::string scale = number(1 / static_cast<double>(cloth.width_mm)),
-                    width = number(static_cast<double>(cloth.width_mm));
+  const std::string scale = number(1 / static_cast<double>(cloth.width_mm));
   const auto holds = [&](const ExportTarget& target, const std::string& file, const std::string& text) {
     const std::string folder = scratch / target.id;
     ASSERT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), options_for(target, 32))), "");
@@ -255,8 +254,8 @@ TEST(TextureSet, EveryTargetHasTheSameScale) {
   };
   holds(targets::kGodot, "sample.tres", "uv1_scale = Vector3(" + scale);
   holds(targets::kUnityUrp, "sample.mat", "m_Scale: {x: " + scale);
-  holds(targets::kUnreal, "sample_import.py", "SIZE_MM = (" + width);
-  holds(targets::kBlender, "sample.py", "SIZE_MM = (" + width);
+  holds(targets::kUnreal, "sample_import.py", "TILING = (" + scale);
+  holds(targets::kBlender, "sample.py", "TILING = (" + scale);
   holds(targets::kMaterialX, "sample.mtlx", "value=\"" + scale);
   holds(targets::kMaterialX, "sample_openpbr.usda", "sample.mtlx");
 }

@@ -38,6 +38,11 @@ function(weftlight_pkg prefix module package)
   weftlight_missing("${module}" ${package})
 endfunction()
 
+if(EMSCRIPTEN)
+  include(${CMAKE_CURRENT_LIST_DIR}/web/dependencies.cmake)
+  return()
+endif()
+
 find_program(WEFTLIGHT_PKG_CONFIG NAMES pkg-config pkgconf)
 if(NOT WEFTLIGHT_PKG_CONFIG)
   weftlight_missing("pkg-config" pkg-config)

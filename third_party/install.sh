@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Installs the packages of packages.txt that are missing (Debian/Ubuntu, apt).
-# Usage: third_party/install.sh build|test      (test includes build)
+# Usage: third_party/install.sh build|test|web      (test includes build, web includes both)
 # Asks nothing when all is there; elsewhere than on apt it prints the names.
 set -euo pipefail
 want=${1:-build}
 list=$(dirname "$0")/packages.txt
-mapfile -t names < <(awk -v want="$want" '!/^#/ && NF && (want == "test" || $2 == "build") {print $1}' "$list")
+kinds=" build $want "
+[[ $want == web ]] && kinds+="test "
+mapfile -t names < <(awk -v kinds="$kinds" '!/^#/ && NF && index(kinds, " " $2 " ") {print $1}' "$list")
 if ! command -v dpkg-query >/dev/null 2>&1; then
   # Not Debian: CMake names whatever is missing.
   if ! command -v cmake >/dev/null 2>&1; then

@@ -113,7 +113,7 @@ std::string drape_key(const Design& design) {
     const std::string path = kept_drape_path(design);
     std::error_code ec;
     const auto written = fs::last_write_time(path, ec);
-    if (!ec) return path + "@" + std::to_string(written.time_since_epoch().count());
+    if (!ec) return path + "@" + std::to_string(static_cast<int64_t>(written.time_since_epoch().count()));
   }
   return shipped_file(design);
 }

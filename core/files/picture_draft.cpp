@@ -1,8 +1,5 @@
 #include "files/picture_draft.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -17,6 +14,7 @@
 #include "design/repeat.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
+#include "files/scaled.h"
 #include "weaves/families.h"
 #include "wif/other_formats.h"
 
@@ -74,17 +72,6 @@ Image cropped(const Image& image, const PictureCrop& crop) {
     const auto first = image.texels.begin() + static_cast<std::ptrdiff_t>(row * channels);
     out.texels.insert(out.texels.end(), first, first + static_cast<std::ptrdiff_t>(out.width) * image.channels);
   }
-  return out;
-}
-
-/// Each pixel is the mean of its area.
-Image scaled(Image image, int width, int height) {
-  Image out{width, height, image.channels, {}};
-  out.texels.resize(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(image.channels));
-  const OIIO::ImageBuf from(OIIO::ImageSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT),
-                            image.texels.data());
-  OIIO::ImageBuf to(OIIO::ImageSpec(width, height, image.channels, OIIO::TypeDesc::FLOAT), out.texels.data());
-  OIIO::ImageBufAlgo::resize(to, from, "box");
   return out;
 }
 

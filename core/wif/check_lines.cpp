@@ -22,7 +22,8 @@ constexpr size_t kMaxQuotedBytes = 40;
 std::string short_quote(std::string_view line) {
   const std::string_view text = trimmed(line);
   if (text.size() <= kMaxQuotedBytes) return quoted(text);
-  return quoted(std::string(is_utf8(text) ? cut_utf8(text, kMaxQuotedBytes) : text.substr(0, kMaxQuotedBytes)) + "...");
+  return wif::quoted(std::string(is_utf8(text) ? cut_utf8(text, kMaxQuotedBytes) : text.substr(0, kMaxQuotedBytes)) +
+                     "...");
 }
 
 void check_head(const WifText& text, Diagnostics& diagnostics) {

@@ -1,0 +1,39 @@
+# The build for browsers (docs/web.md): header-only libraries of Debian's -dev packages through one folder of
+# links, so that nothing else of the system is seen, and those that third_party/web/libraries.sh compiles from Debian's
+# source packages. Under the names that third_party/dependencies.cmake gives them elsewhere.
+
+find_package(Threads REQUIRED)
+set(web_libraries ${CMAKE_SOURCE_DIR}/build/web-libraries CACHE PATH "Made by third_party/web/libraries.sh")
+if(NOT EXISTS ${web_libraries}/done)
+  message(FATAL_ERROR "The libraries of the build for browsers are not there: run third_party/web/libraries.sh "
+                      "(./check web does).")
+endif()
+
+# weftlight_web_library(TARGET [LIBRARY file] [INCLUDE folder] [DEFINE ...])
+function(weftlight_web_library target)
+  cmake_parse_arguments(ARG "" "LIBRARY;INCLUDE" "DEFINE" ${ARGN})
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${target} SYSTEM INTERFACE ${web_libraries}/include ${ARG_INCLUDE})
+  target_compile_definitions(${target} INTERFACE ${ARG_DEFINE})
+  if(ARG_LIBRARY)
+    target_link_libraries(${target} INTERFACE ${web_libraries}/lib/${ARG_LIBRARY})
+  endif()
+endfunction()
+
+weftlight_web_library(fmt::fmt DEFINE FMT_HEADER_ONLY=1)
+weftlight_web_library(tl::expected)
+weftlight_web_library(glm::glm)
+weftlight_web_library(nlohmann_json::nlohmann_json)
+weftlight_web_library(TinyGLTF::TinyGLTF LIBRARY libtinygltf.a)
+weftlight_web_library(stb)
+weftlight_web_library(ZLIB::ZLIB LIBRARY libz.a)
+weftlight_web_library(meshoptimizer::meshoptimizer LIBRARY libmeshoptimizer.a)
+
+set(web_flags -pthread -fwasm-exceptions -sSUPPORT_LONGJMP=wasm)
+add_compile_options(${web_flags})
+add_compile_options("SHELL:-include ${CMAKE_SOURCE_DIR}/third_party/web/standard_library.h")
+include_directories(SYSTEM ${CMAKE_SOURCE_DIR}/third_party/web/include)
+add_link_options(${web_flags})
+add_library(web_standard_library STATIC ${CMAKE_SOURCE_DIR}/third_party/web/standard_library.cpp)
+target_link_libraries(web_standard_library PUBLIC fmt::fmt)
+link_libraries(web_standard_library)

@@ -132,7 +132,7 @@ PageAnswer with_security(PageAnswer answer) {
 }
 
 constexpr std::string_view kFrame = R"html(<!doctype html>
-<html><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1,viewport-fit=cover">
+<html lang="{{lang}}"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1,viewport-fit=cover">
 <meta name="color-scheme" content="light dark"><title>Weftlight</title>
 <style nonce="{{nonce}}">{{style}}</style></head>
 <body>{{body}}</body></html>
@@ -196,7 +196,10 @@ void PhonePage::show(PhoneShown shown) {
 PageAnswer PhonePage::page(int status, const std::string& body) const {
   const std::string nonce = secret(random_, kNonceBytes);
   PageAnswer answer{status, kHtml,
-                    filled_page(filled_page(kFrame, {{"nonce", "{{nonce}}"}, {"style", kPhoneStyle}, {"body", body}}),
+                    filled_page(filled_page(kFrame, {{"nonce", "{{nonce}}"},
+                                                     {"style", kPhoneStyle},
+                                                     {"body", body},
+                                                     {"lang", html(tr_in("code of this language", "en"))}}),
                                 {{"nonce", nonce}, {"script", kPhoneScript}})};
   // Without a nonce neither style nor script would run; the page does without.
   const std::string own = nonce.empty() ? "'none'" : "'nonce-" + nonce + "'";

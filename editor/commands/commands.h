@@ -46,7 +46,7 @@ struct ConvertOptions {
   ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // the size that the result has to fit
   bool closest = false;    // a draft that does not fit is replaced by the closest weave
-  std::string version;     // the name of the version to take; empty: the draft as it is
+  std::string version{};   // the name of the version to take; empty: the draft as it is
   files::PictureDraft picture{};
 };
 /// NaN or empty: the design's own value.

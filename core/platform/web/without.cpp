@@ -25,6 +25,9 @@ ClipboardText clipboard_text(void* /*window*/) { return {}; }
 tl::expected<void, MissingProgram> show_folder(const std::string& /*folder*/) {
   return tl::unexpected(MissingProgram{"xdg-open"});
 }
+tl::expected<void, MissingProgram> show_page(const std::string& /*file*/) {
+  return tl::unexpected(MissingProgram{"xdg-open"});
+}
 struct FileDialog::Asked {};
 FileDialog::FileDialog() = default;
 FileDialog::~FileDialog() = default;

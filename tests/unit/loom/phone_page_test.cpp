@@ -124,6 +124,7 @@ TEST_F(PhonePageTest, EveryAnswerHasTheHeadOfAPageInALocalNetwork) {
   const size_t nonce = policy.find("'nonce-") + 7;
   EXPECT_NE(answer.body.find("<script nonce=\"" + policy.substr(nonce, 32)), std::string::npos);
   EXPECT_EQ(answer.body.find(" style="), std::string::npos) << "the policy allows no style of an element";
+  EXPECT_NE(answer.body.find("<html lang=\"en\">"), std::string::npos) << "so that it is read aloud in its language";
   EXPECT_EQ(answer.body.find("{{"), std::string::npos) << "something was not filled in";
   EXPECT_NE(field(*page.take(get("/")).answer, "Content-Security-Policy"), policy) << "each answer has its own";
 }

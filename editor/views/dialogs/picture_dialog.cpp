@@ -303,7 +303,7 @@ DialogResult draw_picture(PanelContext& c, PicturePrompt& p) {
   }
   ImGui::EndGroup();
   const bool ready = p.stage->weaver.is_current() && p.stage->shown == p.stage->weaver.result() && p.why.empty();
-  const int pressed = draw_buttons(c, {mark("Weave"), mark("Cancel")}, true);
+  const int pressed = draw_buttons(c, {mark("Weave the picture"), mark("Cancel")}, true);
   // What is chosen may still be woven.
   p.accepted = (p.accepted || pressed == 0) && p.why.empty() && p.stage->weaver.problem().empty();
   if (!p.accepted || !ready) return pressed == 0 ? DialogResult{} : dialog_result(pressed);

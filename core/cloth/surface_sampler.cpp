@@ -101,7 +101,8 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
   for (int i = out.first, last = thread_at(threads, to_mm) + margin; i <= last; ++i) {
     const int thread = wrap(i, static_cast<int>(threads.size()));
     const ThreadBody& body = threads[static_cast<size_t>(thread)];
-    out.of.push_back(thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length));
+    out.of.push_back(
+        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length));
     const ThreadTexture& t = out.of.back();
     // At the ridge, where the grooves appear widest.
     const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),

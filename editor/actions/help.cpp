@@ -14,7 +14,7 @@ namespace {
 /// Texts are looked up while the window is drawn and on other threads: another language waits for the next start.
 void add_languages(Actions& all, const WindowActions& window, Settings& settings) {
   const auto language = [&](const std::string& code, const std::string& label, const std::string& said) {
-    Action& a = add(all, "Help", ("language:" + code).c_str(), label.c_str(), "", [&settings, &window, code, said] {
+    Action& a = add(all, "Help", ("language." + code).c_str(), label.c_str(), "", [&settings, &window, code, said] {
       settings.language = code;
       window.say(said);
     });

@@ -35,7 +35,7 @@ TEST_F(LanguageTest, IsChosenInAMenuForTheNextStartAndChangesNoFile) {
     saved = painted_and_saved(w);
     ASSERT_NO_FATAL_FAILURE(click(w, "menu:Help"));
     ASSERT_NO_FATAL_FAILURE(click(w, "menu.Language"));
-    ASSERT_NO_FATAL_FAILURE(click(w, "menu.language:de"));
+    ASSERT_NO_FATAL_FAILURE(click(w, "menu.language.de"));
     ASSERT_TRUE(comes_true([&] { return w.has("message"); })) << "the window does not say when";
     display_.focus();
     display_.key("ctrl+q");

@@ -12,6 +12,7 @@
 #include "design/edits.h"
 #include "design/loom.h"
 #include "design/thread_text.h"
+#include "design/versions.h"
 #include "draft/block_text.h"
 #include "draft/factor.h"
 #include "session/editing/selection_state.h"
@@ -20,7 +21,7 @@ namespace weftlight::actions {
 
 using design::Design, design::Leading, design::Yarn, design::color_text, design::is_consistent, design::loom_size,
     design::with_leading, design::with_lock, design::with_new_yarn, design::with_rising, design::with_thread_spacing,
-    design::with_thread_thickness;
+    design::with_thread_thickness, design::with_version;
 using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Selection, draft::ShedControl,
     draft::System, draft::blank_draft, draft::block_text, draft::clipped, draft::closest_drawdown, draft::drawdown,
     draft::kMaxShafts;
@@ -45,7 +46,9 @@ Design rich_design() {
   for (const int pick : {1, 8}) d = with_thread_spacing(std::move(d), System::kWeft, pick, 1.25f);
   d.title = "All of it";
   d.loom = {Leading::kThreading, false, 8, 10, 3};
-  return d;
+  d = with_version(std::move(d), "In blue");
+  d.draft.palette[1] = {0.1f, 0.4f, 0.2f};
+  return with_version(std::move(d), "In green");
 }
 
 /// Twelve picks that lift four shafts alone and together: six treadles do with two feet.
@@ -195,7 +198,9 @@ const std::set<std::string> kEdits = {"advance_down",
                                       "move_left",
                                       "move_right",
                                       "move_up",
+                                      "next_version",
                                       "point_end",
+                                      "previous_version",
                                       "quarter_turn",
                                       "redo",
                                       "repeat_all",

@@ -94,13 +94,8 @@ class EachLanguage : public ScratchFolder {
     const std::string wif = path(language + ".wif");
     speak(language, "weave point_twill --ends 20 --picks 20 -o " + in_quotes(wif));
     all += read_file(wif).value_or("no draft");
-    speak(language, "convert --plain " + draft + " " + in_quotes(wif));
-    all += read_file(wif).value_or("no copy");
-    for (const char* verb : {"info --json ", "analyse --json "}) {
-      speak(language, verb + draft);
-      all += read_file(path("out")).value_or("no report");
-    }
-    return all;
+    speak(language, "analyse --json " + draft);
+    return all + read_file(path("out")).value_or("no report");
   }
 };
 

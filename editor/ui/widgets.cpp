@@ -182,7 +182,9 @@ void row_label(const Context& c, const char* label, const char* tip) {
   ImGui::PopStyleColor();
   tooltip(c, tip);
   // A label longer than its column moves its own row only.
-  ImGui::SameLine(x + std::max(c.style.px(kLabelColumn), ImGui::GetItemRectSize().x + c.style.px(6)));
+  const float field = x + std::max(c.style.px(kLabelColumn), ImGui::GetItemRectSize().x + c.style.px(6));
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(field);  // SameLine's own offset counts from the group
 }
 
 void buttons_row(const Context& c, std::span<const char* const> labels) {

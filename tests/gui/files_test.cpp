@@ -150,6 +150,29 @@ TEST_F(FilesTest, SavesThroughALink) {
   EXPECT_TRUE(fs::is_symlink(link));
 }
 
+TEST_F(FilesTest, APictureIsWovenInItsDialog) {
+  std::string picture = "P6\n40 20\n255\n";
+  for (int i = 0; i < 40 * 20; ++i) picture.append(3, i % 40 < 10 ? '\0' : '\xff');
+  put(folder_ / "stripe.ppm", picture);
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.click(w.middle_of("menu:Draft"));
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.picture"); }));
+  display_.click(w.middle_of("menu.picture"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type((folder_ / "stripe.ppm").string());
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return w.has("picture.woven"); }));
+  for (const char* field : {"picture.ends", "picture.loom:Jacquard", "picture.floats"}) {
+    const auto [at, size] = w.place_of(field);
+    EXPECT_LT(at.x + size.x, 1280) << field << " is out of sight";
+  }
+  ASSERT_NO_FATAL_FAILURE(press(w, "Weave the picture"));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 40; }));
+  EXPECT_EQ(design_of(w.live()).draft.picks(), 20);
+}
+
 TEST_F(FilesTest, RecoveredUnsavedWorkDoesNotOverwriteAFile) {
   const std::string original = bytes_of(draft_);
   std::string lost;

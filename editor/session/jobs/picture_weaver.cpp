@@ -63,9 +63,8 @@ base::Result<PictureResult> picture_result(const Design& base, const Image& pict
   put_on_loom(draft, choices, out.wrong, progress);
   if (progress.stopped()) return base::failure(base::ErrorKind::kCancelled, tr("stopped"));
   auto design = std::make_shared<const Design>(with_draft(base, std::move(draft), choices));
-  const auto [w, h] = fitted_size(width, height, design->draft.ends(), design->draft.picks());
   out.floats = longest_floats(drawdown(design->draft));
-  out.shown = thumbnail_of(design->draft, w, h);
+  out.shown = whole_draft(design->draft, width, height);
   out.design = std::move(design);
   return out;
 }

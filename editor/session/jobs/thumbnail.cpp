@@ -126,14 +126,8 @@ struct Picture {
   }
 };
 
-}  // namespace
-
-Thumbnail thumbnail_of(const Draft& draft, int width, int height) {
-  if (draft.ends() == 0 || draft.picks() == 0 || width <= 0 || height <= 0) return {};
-  const float w = static_cast<float>(width), h = static_cast<float>(height);
-  const float fits = std::min(static_cast<float>(draft.ends()), static_cast<float>(draft.picks()) * w / h);
-  float cell = w / std::max(fits, static_cast<float>(kMinAcross));
-  if (cell >= 2) cell = std::floor(cell);
+/// From end 1 and pick 1 on, repeated where there is room. cell: pixels a thread.
+Thumbnail drawn(const Draft& draft, float cell, int width, int height) {
   const Side across = side_of(width, cell, draft.ends()), down = side_of(height, cell, draft.picks());
   constexpr float kFlat = 2, kShaded = 6;  // pixels per cell
   const Picture picture{draft,
@@ -147,6 +141,26 @@ Thumbnail thumbnail_of(const Draft& draft, int width, int height) {
   for (int y = 0; y < height; ++y)
     for (int x = width; x-- > 0;) out.pixels.push_back(picture.pixel(x, y));
   return out;
+}
+
+/// Cells of two pixels and more have whole ones.
+float whole_pixels(float cell) { return cell >= 2 ? std::floor(cell) : cell; }
+
+}  // namespace
+
+Thumbnail thumbnail_of(const Draft& draft, int width, int height) {
+  if (draft.ends() == 0 || draft.picks() == 0 || width <= 0 || height <= 0) return {};
+  const float w = static_cast<float>(width), h = static_cast<float>(height);
+  const float fits = std::min(static_cast<float>(draft.ends()), static_cast<float>(draft.picks()) * w / h);
+  return drawn(draft, whole_pixels(w / std::max(fits, static_cast<float>(kMinAcross))), width, height);
+}
+
+Thumbnail whole_draft(const Draft& draft, int width, int height) {
+  if (draft.ends() == 0 || draft.picks() == 0 || width <= 0 || height <= 0) return {};
+  const auto ends = static_cast<float>(draft.ends()), picks = static_cast<float>(draft.picks());
+  const float cell = whole_pixels(std::min(static_cast<float>(width) / ends, static_cast<float>(height) / picks));
+  const auto side = [cell](float threads) { return std::max(static_cast<int>(threads * cell), 1); };
+  return drawn(draft, cell, side(ends), side(picks));
 }
 
 }  // namespace weftlight::session

@@ -20,5 +20,7 @@ struct Thumbnail {
 /// End 1 at the right, pick 1 on top. A small draft is repeated; a large one is shown as far as it fits its shorter
 /// side. Empty if the draft has no crossing.
 Thumbnail thumbnail_of(const Draft& draft, int width, int height);
+/// The same of all its crossings, each once, in at most this size.
+Thumbnail whole_draft(const Draft& draft, int width, int height);
 
 }  // namespace weftlight::session

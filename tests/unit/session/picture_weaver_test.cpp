@@ -52,8 +52,8 @@ TEST(PictureResults, KeepWhatIsNotTheWeave) {
   EXPECT_EQ(made->colors.size(), 3u);
   EXPECT_NEAR(made->portion[0], 1.0f / 3, 0.03f);
   EXPECT_LE(made->floats.warp_front, 7);
-  EXPECT_EQ(made->shown.width, 100);
-  EXPECT_EQ(made->shown.height, 50) << "the whole draft, in its proportions";
+  EXPECT_EQ(made->shown.width, 96) << "each end once, two pixels wide";
+  EXPECT_EQ(made->shown.height, 48);
   EXPECT_TRUE(is_consistent(*made->design));
 }
 

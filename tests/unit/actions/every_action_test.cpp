@@ -246,6 +246,7 @@ bool changes(BareEditor& editor, const Action& action, const Stage& stage) {
   stage.prepare(editor);
   follow_document(editor.view(), editor.document());
   const auto before = editor.document().snapshot();
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): a copy shows whether the original was written to.
   const Design value = *before;
   if (action.enabled && !action.enabled()) return false;
   if (action.label) {
@@ -263,7 +264,7 @@ bool changes(BareEditor& editor, const Action& action, const Stage& stage) {
 
   EXPECT_FALSE(editor.document().history().undo_label().empty()) << "the step has a name";
   EXPECT_FALSE(editor.document().is_saved());
-  const Design edited = *after;
+  const Design& edited = *after;
   editor.undo();
   EXPECT_EQ(editor.document().now(), value) << "after undo";
   EXPECT_EQ(editor.document().cells(), drawdown(value.draft)) << "after undo";

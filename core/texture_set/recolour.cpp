@@ -209,7 +209,8 @@ base::Result<void> write_rows(const RecolourSource& made, TextureSize size, int 
 void record(SetImages& set, const RecolourImage& image, const std::string& file, TextureSize size, Face face) {
   constexpr const char* kLetters[] = {"R", "G", "B"};
   json channels = json::object();
-  for (size_t c = 0; c < image.channels.size(); ++c) channels[kLetters[c]] = image.channels[c];
+  for (size_t c = 0; c < std::min(image.channels.size(), std::size(kLetters)); ++c)
+    channels[kLetters[c]] = image.channels[c];
   set.maps.push_back({{"file", file},
                       {"face", face == Face::kFront ? "front" : "back"},
                       {"color_space", image.srgb ? "sRGB" : "linear"},

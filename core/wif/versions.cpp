@@ -17,7 +17,7 @@
 namespace weftlight::wif {
 
 using base::arg, base::fill, base::tr;
-using design::Version, design::grid_cells, design::kMaxVersionCells, design::kMaxVersions, design::unused_version_name,
+using design::grid_cells, design::kMaxVersionCells, design::kMaxVersions, design::unused_version_name,
     design::version_name, design::version_of;
 
 namespace {

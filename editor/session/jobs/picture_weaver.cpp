@@ -14,7 +14,7 @@ namespace weftlight::session {
 using analysis::longest_floats;
 using base::TaskProgress, base::message, base::tr;
 using design::Leading;
-using draft::BitMatrix, draft::ClosestDraft, draft::Draft, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
+using draft::ClosestDraft, draft::Draft, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
     draft::within_loom;
 using files::Image, files::WovenPicture, files::woven_picture;
 

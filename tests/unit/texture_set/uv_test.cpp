@@ -68,7 +68,7 @@ class Uv : public testing::Test {
   std::string written(const ExportTarget& target, UvMapping uv) {
     TextureSetOptions options = options_for(target, 16);
     options.uv = uv;
-    const std::string folder = scratch_ / (std::string(target.id) + uv_unit_name(uv.unit));
+    std::string folder = scratch_ / (std::string(target.id) + uv_unit_name(uv.unit));
     EXPECT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), options)), "");
     return folder;
   }

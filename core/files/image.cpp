@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "files/files.h"
 #include "files/image_rows.h"
+#include "files/image_shape.h"
 
 namespace weftlight::files {
 
@@ -23,7 +24,6 @@ using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, b
 
 namespace {
 
-constexpr int kMaxSide = 65536;
 constexpr int kMaxChannels = 256;
 constexpr int64_t kMaxValues = int64_t{1} << 29;  // 2 GiB of floats
 constexpr float kMaxHalf = 65504.0f;
@@ -32,20 +32,6 @@ constexpr int kPngLevel = 1;
 // The filter "up". For maps of 2048^2, libpng's choice among five filters takes twice the time for files of the same
 // size (normal map: 112 against 64 ms, 1560 against 1573 KB).
 constexpr int kPngFilterUp = 32;
-
-Result<void> check_shape(const Image& image, const std::string& path) {
-  const int64_t values = int64_t{image.width} * image.height * image.channels;
-  const bool fits = image.width >= 1 && image.width <= kMaxSide && image.height >= 1 && image.height <= kMaxSide &&
-                    image.channels >= 1 && image.channels <= kMaxChannels && values <= kMaxValues;
-  if (!fits)
-    return failure(ErrorKind::kOutput,
-                   fill(tr("an image of {width} x {height} x {channels} channels cannot be written"),
-                        arg("width", image.width), arg("height", image.height), arg("channels", image.channels)),
-                   path);
-  if (static_cast<int64_t>(image.texels.size()) != values)
-    return failure(ErrorKind::kOutput, tr("the texels of the image do not match its size"), path);
-  return {};
-}
 
 /// Rounds 0..1 to the whole range of T; NaN becomes 0.
 template <class T>
@@ -312,7 +298,7 @@ Result<void> ImageRows::close() {
 }
 
 Result<void> write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
-  if (Result<void> shape = check_shape(image, path); !shape) return shape;
+  if (Result<void> shape = check_shape(image, kMaxChannels, kMaxValues, path); !shape) return shape;
   if (!channels.empty() && channels.size() != static_cast<size_t>(image.channels))
     return failure(ErrorKind::kOutput, tr("some channels have no name"), path);
   if (is_png(path)) {
@@ -327,7 +313,7 @@ Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Imag
                                  const Names& channels) {
   if (levels.empty()) return failure(ErrorKind::kOutput, tr("there is no mip level to write"), path);
   for (size_t i = 0; i < levels.size(); ++i) {
-    if (Result<void> shape = check_shape(levels[i], path); !shape) return shape;
+    if (Result<void> shape = check_shape(levels[i], kMaxChannels, kMaxValues, path); !shape) return shape;
     const Image& above = levels[i > 0 ? i - 1 : 0];
     const bool halves =
         i == 0 || (levels[i].width == std::max(above.width / 2, 1) &&
@@ -362,7 +348,7 @@ Result<Image> read_image(const std::string& path, int level) {
 }
 
 std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
-  if (!check_shape(image, {})) return {};
+  if (!check_shape(image, kMaxChannels, kMaxValues, {})) return {};
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("memory.png", &memory);

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "files/files.h"
 #include "files/image_rows.h"
+#include "files/image_shape.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
@@ -26,7 +27,7 @@ using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, bas
 
 namespace {
 
-constexpr int kMaxSide = 65536;
+constexpr int kMaxChannels = 4;
 constexpr int64_t kMaxValues = int64_t{1} << 28;  // 1 GiB of floats
 constexpr int kPngLevel = 1;
 
@@ -114,20 +115,6 @@ class PngRows {
   z_stream packer_{};
 };
 
-Result<void> check_shape(const Image& image, const std::string& path) {
-  const int64_t values = int64_t{image.width} * image.height * image.channels;
-  const bool fits = image.width >= 1 && image.width <= kMaxSide && image.height >= 1 && image.height <= kMaxSide &&
-                    image.channels >= 1 && image.channels <= 4 && values <= kMaxValues;
-  if (!fits)
-    return failure(ErrorKind::kOutput,
-                   fill(tr("an image of {width} x {height} x {channels} channels cannot be written"),
-                        arg("width", image.width), arg("height", image.height), arg("channels", image.channels)),
-                   path);
-  if (static_cast<int64_t>(image.texels.size()) != values)
-    return failure(ErrorKind::kOutput, tr("the texels of the image do not match its size"), path);
-  return {};
-}
-
 struct FreeTexels {
   void operator()(void* texels) const { stbi_image_free(texels); }
 };
@@ -181,7 +168,7 @@ Result<void> ImageRows::close() {
 Result<void> write_image(const std::string& path, const Image& image, PixelType type,
                          const std::vector<std::string>& /*channels*/) {
   if (!ends_with(path, ".png")) return other_format(ErrorKind::kOutput, path);
-  if (Result<void> shape = check_shape(image, path); !shape) return shape;
+  if (Result<void> shape = check_shape(image, kMaxChannels, kMaxValues, path); !shape) return shape;
   const std::vector<unsigned char> bytes = encode_png(image, type);
   return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
@@ -232,7 +219,7 @@ Result<Image> read_image(const std::string& path, int level) {
 }
 
 std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
-  if (!check_shape(image, {})) return {};
+  if (!check_shape(image, kMaxChannels, kMaxValues, {})) return {};
   PngRows rows(image.width, image.height, image.channels, type);
   rows.add(image.texels);
   return rows.finish();

@@ -1,42 +1,19 @@
 #include "platform/file_lock.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <utility>
 
+#include "platform/posix/open_file_lock.h"
+
 namespace weftlight::platform {
-namespace {
-
-/// 0, or errno. A lock of the open file, as flock's: locks of the process would go when any part of the program closed
-/// the same file. Of one byte that no file reaches: some servers keep others from reading and writing what is locked.
-int lock_of(int file, bool wait) {
-  int result = 0;
-#ifdef F_OFD_SETLK
-  struct flock byte {};
-  byte.l_type = F_WRLCK;
-  byte.l_whence = SEEK_SET;
-  byte.l_start = static_cast<off_t>(INT64_MAX / 2);
-  byte.l_len = 1;
-  while ((result = ::fcntl(file, wait ? F_OFD_SETLKW : F_OFD_SETLK, &byte)) != 0 && errno == EINTR) {
-  }
-  if (result == 0) return 0;
-  if (errno != EINVAL) return errno;
-#endif
-  // Systems without the former.
-  while ((result = ::flock(file, wait ? LOCK_EX : LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
-  }
-  return result == 0 ? 0 : errno;
-}
-
-}  // namespace
-
 FileLock::~FileLock() {
-  if (handle_ >= 0) ::close(static_cast<int>(handle_));
+  if (handle_ < 0) return;
+  unlock_open_file(static_cast<int>(handle_));
+  ::close(static_cast<int>(handle_));
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
@@ -55,7 +32,7 @@ FileLock FileLock::open(const std::string& path, int flags, unsigned mode, bool 
   FileLock lock;
   const int file = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC | O_NONBLOCK, mode);
   lock.handle_ = file;
-  const int error = file < 0 ? errno : lock_of(file, wait);
+  const int error = file < 0 ? errno : lock_open_file(file, wait);
   lock.cause_ = {error, std::generic_category()};
   if (file < 0) return lock;
   const bool taken = error == EAGAIN || error == EACCES || error == EWOULDBLOCK;

@@ -74,16 +74,6 @@ Process::~Process() {
   ::waitpid(program, nullptr, 0);
 }
 
-Process::Process(Process&& other) noexcept { *this = std::move(other); }
-
-Process& Process::operator=(Process&& other) noexcept {
-  std::swap(id_, other.id_);
-  std::swap(reading_, other.reading_);
-  std::swap(output_, other.output_);
-  std::swap(succeeded_, other.succeeded_);
-  return *this;
-}
-
 void Process::look() {
   if (!running()) return;
   if (reading_ >= 0 && read_all(static_cast<int>(reading_), output_))

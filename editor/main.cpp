@@ -1,4 +1,6 @@
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "app/app.h"
 #include "base/caught.h"
@@ -6,6 +8,7 @@
 #include "commands/commands.h"
 #include "platform/crash_report.h"
 #include "platform/language.h"
+#include "platform/start.h"
 
 namespace weftlight {
 namespace {
@@ -27,4 +30,10 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace weftlight
 
-int main(int argc, char** argv) { return weftlight::run(argc, argv); }
+int main(int argc, char** argv) {
+  std::vector<std::string> words = weftlight::platform::start(argc, argv);
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return weftlight::run(static_cast<int>(words.size()), pointers.data());
+}

@@ -124,11 +124,8 @@ Design with_doubled_threads(Design design, const ThreadRange& range, bool mirror
   if (r.count() <= 0) return design;
   Order order = same_order(design.draft.threads(r.system).size());
   Order copy(order.begin() + r.first, order.begin() + r.end);
-  if (mirrored) {
-    std::ranges::reverse(copy);
-    copy.erase(copy.begin());
-  }
-  order.insert(order.begin() + r.end, copy.begin(), copy.end());
+  if (mirrored) std::ranges::reverse(copy);
+  order.insert(order.begin() + r.end, copy.begin() + (mirrored ? 1 : 0), copy.end());
   return with_thread_order(std::move(design), r.system, order, with_properties);
 }
 

@@ -22,6 +22,7 @@
 #include "base/text.h"
 #include "files/files.h"
 #include "files/mesh_uv.h"
+#include "platform/file.h"
 
 namespace weftlight::files {
 
@@ -354,7 +355,7 @@ Result<void> write_glb(const std::string& path, Document& doc) {
   append_u32(start, static_cast<uint32_t>(buffer));
   append_u32(start, kBinChunk);
   return write_through(path, [&](const std::string& beside) {
-    std::FILE* file = std::fopen(beside.c_str(), "wb");
+    std::FILE* file = platform::open_stream(beside, "wb");
     bool whole = file && put(file, start.data(), start.size()) && put(file, doc.binary.data(), doc.binary.size());
     for (const EmbeddedImage& image : doc.embedded) whole = whole && put_image(file, image, doc.folder);
     const int error = errno;

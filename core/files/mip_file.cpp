@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "platform/file.h"
 
 namespace weftlight::files {
 
@@ -150,7 +151,7 @@ Result<std::unique_ptr<MipFile>> MipFile::open(const std::string& path, MipConta
   } else {
     header = ktx_header(file->levels, file->stored, srgb);
   }
-  file->out = std::fopen(path.c_str(), "wb");
+  file->out = platform::open_stream(path, "wb");
   if (!file->out || std::fwrite(header.all().data(), 1, header.size(), file->out) != header.size())
     return not_written(path);
   return std::unique_ptr<MipFile>(new MipFile(std::move(file)));

@@ -14,6 +14,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "platform/file.h"
 
 namespace weftlight::files {
 
@@ -66,7 +67,7 @@ size_t padding_for(size_t data_at) {
 
 /// Computes checksum and size of a file. False: it cannot be read.
 bool measure(const std::string& path, Stored& out) {
-  std::FILE* file = std::fopen(path.c_str(), "rb");
+  std::FILE* file = platform::open_stream(path, "rb");
   if (!file) return false;
   std::vector<unsigned char> block(size_t{1} << 20);
   uLong crc = crc32(0, nullptr, 0);
@@ -83,7 +84,7 @@ bool append(std::FILE* to, const Bytes& bytes) {
 }
 
 bool append_file(std::FILE* to, const std::string& path, size_t size) {
-  std::FILE* from = std::fopen(path.c_str(), "rb");
+  std::FILE* from = platform::open_stream(path, "rb");
   if (!from) return false;
   std::vector<unsigned char> block(size_t{1} << 20);
   size_t done = 0;
@@ -147,7 +148,7 @@ uint64_t plain_zip_size(const std::vector<ZipEntry>& entries) {
 Result<void> write_zip(const std::string& path, const std::vector<ZipEntry>& entries, ZipKind kind) {
   if (entries.size() > 0xFFFF) return failure(ErrorKind::kOutput, tr("an archive holds at most 65535 files"), path);
   return write_through(path, [&](const std::string& beside) {
-    std::FILE* file = std::fopen(beside.c_str(), "wb");
+    std::FILE* file = platform::open_stream(beside, "wb");
     if (!file) return base::written_unless(cause_of(errno));
     Result<void> done = write_entries(file, entries, kind);
     if (std::fclose(file) != 0 && done) done = base::written_unless(cause_of(errno));

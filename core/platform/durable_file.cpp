@@ -41,8 +41,7 @@ std::error_code make_beside(const std::string& target, std::string& path, FileLo
 }
 
 std::error_code rename_for_good(const std::string& made, const std::string& target) {
-  std::error_code error;
-  fs::rename(made, target, error);
+  const std::error_code error = rename(made, target);
   // A rename survives a power failure only if the folder is synced too. Where it cannot be, the file is whole anyway.
   if (!error) sync(folder_of(target));
   return error;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -61,6 +62,8 @@ class File {
   std::error_code error_;
 };
 
+/// As std::fopen, which reads names in another encoding than UTF-8 on some systems.
+std::FILE* open_stream(const std::string& path, const char* mode);
 /// True for names of the open streams of this process, such as /dev/stdout, which File continues at their position.
 bool is_open_stream(const std::string& path);
 /// Why this program may not write the existing file, or make files in the existing folder. Nothing is written.
@@ -68,6 +71,9 @@ std::error_code why_not_writable(const std::string& path);
 /// The names of what a folder holds, in any order, without "." and "..". Without memory it throws std::bad_alloc;
 /// libstdc++'s directory_iterator would end the program.
 std::vector<std::string> names_in(const std::string& folder, std::error_code& error);
+/// Gives a file or a folder another name on the same volume, in one step: a file replaces a file, a folder an empty
+/// folder or none.
+std::error_code rename(const std::string& from, const std::string& to);
 /// Removes a file, or a folder with all that it holds; a link goes, and what it leads to stays. No error if there is
 /// none.
 std::error_code remove_with_contents(const std::string& path);

@@ -191,7 +191,9 @@ tl::expected<std::unique_ptr<PageServer>, std::error_code> PageServer::open(cons
   const tcp::endpoint endpoint(at, port);
   body.acceptor.open(endpoint.protocol(), error);
   if (!error) keep_from_children(body.acceptor.native_handle());
+#ifndef _WIN32  // where it would let two programs listen at one port, and is not needed after an end
   if (!error) body.acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+#endif
   if (!error) body.acceptor.bind(endpoint, error);
   if (!error) body.acceptor.listen(limits.connections, error);
   if (error) return tl::unexpected(std::error_code(error.value(), std::system_category()));

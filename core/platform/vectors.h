@@ -3,7 +3,8 @@
 // chooses while it runs. Functions, not files, are compiled for them, since an inline function of a file might be the
 // one that the linker keeps for the whole program.
 
-#if defined(__x86_64__) && defined(__GNUC__)  // GCC, Clang
+// GCC, Clang. Not for Windows, where GCC keeps such vectors on a stack that is not aligned for them (its bug 54412).
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 #define WEFTLIGHT_INLINE_ALL [[gnu::flatten]]
 #define WEFTLIGHT_AVX2 [[gnu::flatten, gnu::target("avx2")]]
 #define WEFTLIGHT_AVX2_FMA [[gnu::flatten, gnu::target("avx2,fma")]]

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "paths.h"
+#include "platform/environment.h"
 
 namespace {
 
@@ -38,7 +39,7 @@ class DrawingRecord : public testing::EmptyTestEventListener {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ::setenv("LANGUAGE", "en", 1);  // tests read English, whatever the system speaks
+  weftlight::platform::set_variable("LANGUAGE", "en");  // tests read English, whatever the system speaks
   testing::InitGoogleTest(&argc, argv);
   const char* const folder = std::getenv("WEFTLIGHT_NOT_DRAWN");
   testing::UnitTest::GetInstance()->listeners().Append(  // gtest owns it

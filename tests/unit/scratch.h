@@ -1,10 +1,8 @@
 #pragma once
 // A folder of a test's own, removed at its end.
 
-#include <unistd.h>
-
-#include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <string>
 
 namespace weftlight {
@@ -12,8 +10,10 @@ namespace weftlight {
 class Scratch {
  public:
   explicit Scratch(const std::string& name = "test") {
-    std::string made = (std::filesystem::temp_directory_path() / ("weftlight-" + name + "-XXXXXX")).string();
-    folder = mkdtemp(made.data());
+    std::random_device random;
+    do {
+      folder = std::filesystem::temp_directory_path() / ("weftlight-" + name + "-" + std::to_string(random()));
+    } while (!std::filesystem::create_directory(folder));
   }
   ~Scratch() {
     std::error_code ignored;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -119,6 +120,8 @@ std::error_code File::close() {
   return handle < 0 || ::close(static_cast<int>(handle)) == 0 ? std::error_code() : last_error();
 }
 
+std::FILE* open_stream(const std::string& path, const char* mode) { return std::fopen(path.c_str(), mode); }
+
 bool is_open_stream(const std::string& path) { return stream_named(path).has_value(); }
 
 std::error_code why_not_writable(const std::string& path) {
@@ -145,6 +148,10 @@ std::vector<std::string> names_in(const std::string& folder, std::error_code& er
   }
   if (errno != 0) error = last_error();
   return names;
+}
+
+std::error_code rename(const std::string& from, const std::string& to) {
+  return std::rename(from.c_str(), to.c_str()) == 0 ? std::error_code() : last_error();
 }
 
 std::error_code remove_with_contents(const std::string& path) {

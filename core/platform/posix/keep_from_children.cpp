@@ -4,6 +4,6 @@
 
 namespace weftlight::platform {
 
-void keep_from_children(int handle) { ::fcntl(handle, F_SETFD, FD_CLOEXEC); }
+void keep_from_children(std::intptr_t handle) { ::fcntl(static_cast<int>(handle), F_SETFD, FD_CLOEXEC); }
 
 }  // namespace weftlight::platform

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include "platform/environment.h"
+#include "platform/folders.h"
 
 namespace weftlight::base {
 namespace {
@@ -19,18 +21,17 @@ TEST(Resources, are_found_from_the_build_folder) {
 }
 
 TEST(Resources, a_variable_overrides_the_search) {
-  ASSERT_EQ(::setenv("WEFTLIGHT_SHADERS", "/elsewhere", 1), 0);
+  platform::set_variable("WEFTLIGHT_SHADERS", "/elsewhere");
   EXPECT_EQ(shaders_dir(), "/elsewhere");
-  ASSERT_EQ(::setenv("WEFTLIGHT_SHADERS", "", 1), 0);
+  platform::set_variable("WEFTLIGHT_SHADERS", "");
   EXPECT_NE(shaders_dir(), "");
-  ::unsetenv("WEFTLIGHT_SHADERS");
-  ASSERT_EQ(::setenv("WEFTLIGHT_LANGUAGES", "/elsewhere", 1), 0);
+  platform::set_variable("WEFTLIGHT_LANGUAGES", "/elsewhere");
   EXPECT_EQ(languages_dir(), "/elsewhere");
-  ::unsetenv("WEFTLIGHT_LANGUAGES");
+  platform::set_variable("WEFTLIGHT_LANGUAGES", "");
 }
 
 TEST(Resources, languages_are_found_beside_the_program) {
-  const fs::path languages = fs::read_symlink("/proc/self/exe").parent_path() / "languages";
+  const fs::path languages = fs::path(platform::program_folder()) / "languages";
   const bool there = fs::exists(languages);
   fs::create_directory(languages);
   EXPECT_EQ(fs::path(languages_dir()), languages);
@@ -40,11 +41,11 @@ TEST(Resources, languages_are_found_beside_the_program) {
 TEST(Resources, the_handbook_is_a_page_or_nothing) {
   const fs::path folder = fs::path(testing::TempDir()) / "handbook";
   fs::create_directories(folder);
-  ASSERT_EQ(::setenv("WEFTLIGHT_HANDBOOK", folder.c_str(), 1), 0);
+  platform::set_variable("WEFTLIGHT_HANDBOOK", folder.string());
   EXPECT_EQ(handbook_page(), "");
   std::ofstream(folder / "index.html") << "page";
-  EXPECT_EQ(handbook_page(), folder / "index.html");
-  ::unsetenv("WEFTLIGHT_HANDBOOK");
+  EXPECT_EQ(fs::path(handbook_page()), folder / "index.html");
+  platform::set_variable("WEFTLIGHT_HANDBOOK", "");
   fs::remove_all(folder);
 }
 

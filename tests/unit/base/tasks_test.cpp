@@ -8,11 +8,11 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <semaphore>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "../semaphore.h"
 #include "base/caught.h"
 
 namespace weftlight::base {
@@ -30,7 +30,7 @@ void until_stopped(const RunningTask& running) {
 }
 
 TEST(Tasks, those_in_between_are_skipped) {
-  std::binary_semaphore started{0}, proceed{0};
+  BinarySemaphore started{0}, proceed{0};
   std::vector<int> done;
   TaskRunner runner;
   runner.start(task([&](const RunningTask&) {
@@ -48,7 +48,7 @@ TEST(Tasks, those_in_between_are_skipped) {
 }
 
 TEST(Tasks, a_newer_one_stops_only_its_own_kind) {
-  std::binary_semaphore started{0}, looked{0};
+  BinarySemaphore started{0}, looked{0};
   std::atomic<bool> stopped{false};
   TaskRunner runner;
   const auto work = [&](const RunningTask& running) {
@@ -71,7 +71,7 @@ TEST(Tasks, a_newer_one_stops_only_its_own_kind) {
 }
 
 TEST(Tasks, kinds_keep_their_order) {
-  std::binary_semaphore started{0}, proceed{0};
+  BinarySemaphore started{0}, proceed{0};
   std::string done;
   TaskRunner runner;
   runner.start(task([&](const RunningTask&) { started.release(), proceed.acquire(); }, "first"));
@@ -84,7 +84,7 @@ TEST(Tasks, kinds_keep_their_order) {
 }
 
 TEST(Tasks, stopped_ones_do_not_begin) {
-  std::binary_semaphore started{0};
+  BinarySemaphore started{0};
   bool second = false, third = false;
   TaskRunner runner;
   runner.start(task([&](const RunningTask& running) { started.release(), until_stopped(running); }, "first"));
@@ -107,7 +107,7 @@ TEST(Tasks, stopped_ones_do_not_begin) {
 
 TEST(Tasks, at_the_end_only_those_that_finish_are_done) {
   for (const bool finishes : {true, false}) {
-    std::binary_semaphore started{0};
+    BinarySemaphore started{0};
     std::atomic<int> done{0};
     {
       TaskRunner runner;
@@ -161,7 +161,7 @@ TEST(Tasks, who_is_told_may_throw_too) {
 }
 
 TEST(Tasks, one_that_nobody_wants_fails_in_silence) {
-  std::binary_semaphore started{0};
+  BinarySemaphore started{0};
   bool told = false;
   TaskRunner runner;
   Task throws = task([&](const RunningTask& running) {
@@ -214,7 +214,7 @@ TEST(Tasks, results_of_a_stopped_one_are_not_taken) {
   runner.wait();
   runner.take();
   EXPECT_EQ(taken, 1) << "it had ended before the newer one";
-  std::binary_semaphore delivered{0};
+  BinarySemaphore delivered{0};
   runner.start(task(
       [&](const RunningTask& running) {
         running.deliver([&] { ++taken; });
@@ -236,7 +236,7 @@ TEST(Tasks, results_of_a_stopped_one_are_not_taken) {
 
 /// Work that hangs until it is let go. What it uses is its own, as that of each task that may be left.
 struct Hanging {
-  std::binary_semaphore started{0}, let_go{0}, ended{0};
+  BinarySemaphore started{0}, let_go{0}, ended{0};
   std::atomic<bool> taken{false};
   std::atomic<int> woken{0};
 };
@@ -292,7 +292,7 @@ TEST(Tasks, at_the_end_one_that_hangs_is_left_and_those_that_finish_are_done) {
 }
 
 TEST(Tasks, progress_is_shown_and_wakes_without_a_lock) {
-  std::binary_semaphore told{0}, proceed{0};
+  BinarySemaphore told{0}, proceed{0};
   std::atomic<int> wakes{0};
   TaskRunner* asked = nullptr;
   TaskRunner runner([&] {

@@ -1,0 +1,12 @@
+# mingw-w64 as Debian packages it, with threads of the C++ library. Programs for Windows run under Wine on this machine.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(machine x86_64-w64-mingw32)
+set(CMAKE_C_COMPILER ${machine}-gcc-posix)
+set(CMAKE_CXX_COMPILER ${machine}-g++-posix)
+set(CMAKE_RC_COMPILER ${machine}-windres)
+set(CMAKE_FIND_ROOT_PATH /usr/${machine})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)

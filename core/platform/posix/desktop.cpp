@@ -13,7 +13,11 @@ DialogProgram installed_program() { return find_dialog_program(variable("PATH"),
 
 /// In the program that the user chose for such things.
 tl::expected<void, MissingProgram> show(const std::string& path) {
+#ifdef __APPLE__
+  constexpr const char* kProgram = "open";
+#else
   constexpr const char* kProgram = "xdg-open";
+#endif
   if (start_program({kProgram, path})) return {};
   return tl::unexpected(MissingProgram{kProgram});
 }

@@ -1,0 +1,56 @@
+#include "analysis/weave_family.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace weftlight::analysis {
+namespace {
+
+/// Picks of ends, "#" where the warp is on top.
+std::string family(const std::vector<std::string>& picks) {
+  BitMatrix cells(static_cast<int>(picks.size()), static_cast<int>(picks[0].size()));
+  for (int p = 0; p < cells.rows(); ++p)
+    for (int e = 0; e < cells.cols(); ++e)
+      if (picks[static_cast<size_t>(p)][static_cast<size_t>(e)] == '#') cells.set(p, e, true);
+  return kWeaveFamilyNames[static_cast<size_t>(weave_family(cells))].id;
+}
+
+TEST(WeaveFamily, PlainAndItsRelations) {
+  EXPECT_EQ(family({"#.", ".#"}), "plain");
+  EXPECT_EQ(family({"#.#.", ".#.#", "#.#.", ".#.#"}), "plain");
+  EXPECT_EQ(family({"##..", "##..", "..##", "..##"}), "basket");
+  EXPECT_EQ(family({"##..", "..##"}), "basket") << "a weft rib";
+}
+
+TEST(WeaveFamily, Twills) {
+  EXPECT_EQ(family({"#..", ".#.", "..#"}), "twill");
+  EXPECT_EQ(family({"##..", ".##.", "..##", "#..#"}), "twill");
+  EXPECT_EQ(family({"#...", "..#.", ".#..", "...#"}), "twill") << "broken";
+  EXPECT_EQ(family({"##..##", ".##..#", "..##..", "#..##."}), "twill") << "the drawdown ends within a repeat";
+}
+
+TEST(WeaveFamily, Satins) {
+  EXPECT_EQ(family({"#....", "..#..", "....#", ".#...", "...#."}), "satin");
+  EXPECT_EQ(family({".####", "##.##", "####.", "#.###", "###.#"}), "satin") << "warp-faced";
+  EXPECT_EQ(family({"#....", ".#...", "..#..", "...#.", "....#"}), "twill") << "a twill of five, one up";
+}
+
+TEST(WeaveFamily, ClothsInLayers) { EXPECT_EQ(family({"#...", "###.", "..#.", "#.##"}), "double"); }
+
+TEST(WeaveFamily, WhatIsNoClothIsOther) {
+  EXPECT_EQ(family({"##", "##"}), "other");
+  EXPECT_EQ(family({"..", ".."}), "other");
+  EXPECT_EQ(family({"#"}), "other");
+  EXPECT_EQ(weave_family(BitMatrix()), WeaveFamily::kOther);
+  EXPECT_EQ(family({"#...", ".#..", "##..", "...."}), "other") << "threads that nothing holds";
+}
+
+TEST(WeaveFamily, HasAnIdForEach) {
+  for (size_t i = 0; i < kWeaveFamilies; ++i)
+    EXPECT_EQ(family_of_id(kWeaveFamilyNames[i].id), static_cast<WeaveFamily>(i));
+  EXPECT_FALSE(family_of_id("brocade"));
+}
+
+}  // namespace
+}  // namespace weftlight::analysis

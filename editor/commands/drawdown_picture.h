@@ -10,6 +10,8 @@ namespace weftlight::commands {
 
 using draft::BitMatrix, draft::Draft;
 
+/// The colour of the thread on top at a place of the picture, from its left and from its top.
+const draft::Rgb& color_on_top(const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, int x, int y);
 /// Writes a .png, .jpg or .tif, its longer side about 1,024 pixels.
 base::Result<void> write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
                                         DrawdownOrigin origin);

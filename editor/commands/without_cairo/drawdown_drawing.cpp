@@ -1,0 +1,13 @@
+// There is no Cairo (WEFTLIGHT_CAIRO is off): a drawdown is written as a picture or as text.
+
+#include "base/text.h"
+#include "commands/drawdown_picture.h"
+
+namespace weftlight::commands {
+
+base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatrix& /*cells*/, const Draft& /*draft*/,
+                                          DrawdownOrigin /*origin*/) {
+  return base::failure(base::ErrorKind::kOutput, base::tr("this build draws no .svg and .pdf; write a .png"), path);
+}
+
+}  // namespace weftlight::commands

@@ -1,0 +1,16 @@
+// There is no Cairo (WEFTLIGHT_CAIRO is off): the chart's table is written, and its figures are not.
+
+#include "chart/plot.h"
+
+#include "base/text.h"
+
+namespace weftlight::chart::plot {
+
+base::Result<void> write_figure(const Figure& /*figure*/, const std::string& base) {
+  return base::failure(base::ErrorKind::kOutput, base::tr("this build draws no .svg and .pdf; write a .png"),
+                       base + ".svg");
+}
+
+void fit_log(Axis& /*axis*/, const std::vector<double>& /*values*/) {}
+
+}  // namespace weftlight::chart::plot

@@ -19,6 +19,11 @@ depends=$(dpkg-deb -f "$deb" Depends)
 for package in libc6 libegl1 fonts-inter libopenimageio; do
   [[ $depends == *$package* ]] || fail "it does not depend on $package: $depends"
 done
+# What a package manager shows of each: a line, and then more, in lines that fit a terminal.
+for package in "$root"/packages/*.deb; do
+  (($(dpkg-deb -f "$package" Description | wc -l) > 2)) || fail "$(basename "$package") has no description"
+  dpkg-deb -f "$package" Description | grep -E '^.{81}' && fail "a line of its description is too long"
+done
 [[ $(dpkg-deb -f "$deb" Version) == "$("$build/weftlight" --version | cut -d' ' -f2)" ]] || fail "the version"
 
 # Installed into an empty system, and removed without a trace.

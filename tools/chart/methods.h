@@ -33,7 +33,7 @@ inline constexpr std::array kChartMethods{
                 {0.72, 0.43, 0.16},
                 plot::Marker::kDiamond,
                 reads(PackedKind::kColor) | reads(PackedKind::kShadow) | kReadsCubes},
-    ChartMethod{Method::kIrawan, {0.78, 0.42, 0.62}, plot::Marker::kCircle, kReadsThreads},
+    ChartMethod{Method::kIrawan, {0.78, 0.42, 0.62}, plot::Marker::kPlus, kReadsThreads},
     ChartMethod{Method::kCloth, {0.16, 0.44, 0.70}, plot::Marker::kUp, kReadsLobes},
     ChartMethod{Method::kRepeat,
                 {0.10, 0.60, 0.50},
@@ -48,6 +48,15 @@ inline constexpr std::array kChartMethods{
     ChartMethod{Method::kEngine, {0.55, 0.38, 0.68}, plot::Marker::kRing, kReadsMaps | kReadsLobes},
     ChartMethod{Method::kAuto, {0.10, 0.11, 0.13}, plot::Marker::kStar, kReadsMaps | kReadsLobes | kReadsThreads},
 };
+
+/// Whether each method has a marker of its own: where the ink tells the footprint, nothing else tells them apart.
+constexpr bool have_own_markers() {
+  for (size_t i = 0; i < kChartMethods.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (kChartMethods[i].marker == kChartMethods[j].marker) return false;
+  return true;
+}
+static_assert(have_own_markers());
 
 /// The last entry for a method that is not in the chart.
 constexpr const ChartMethod& chart_method(Method method) {

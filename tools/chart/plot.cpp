@@ -86,11 +86,13 @@ void shape(cairo_t* c, Marker marker, double x, double y, double r) {
 void draw_marker(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
   if (p.marker == Marker::kNone) return;
   constexpr double kSize = 3.1;
-  if (p.marker == Marker::kCross) {
+  if (p.marker == Marker::kCross || p.marker == Marker::kPlus) {
     set_ink(c, ink);
     cairo_set_line_width(c, 1.8);
-    for (const double s : {-1.0, 1.0})
-      cairo_move_to(c, x - kSize, y - s * kSize), cairo_line_to(c, x + kSize, y + s * kSize);
+    const double along = p.marker == Marker::kCross ? kSize : 1.3 * kSize,
+                 aside = p.marker == Marker::kCross ? kSize : 0;
+    cairo_move_to(c, x - along, y - aside), cairo_line_to(c, x + along, y + aside);
+    cairo_move_to(c, x - aside, y + along), cairo_line_to(c, x + aside, y - along);
     cairo_stroke(c);
     return;
   }

@@ -12,7 +12,7 @@ struct Ink {
   double r = 0, g = 0, b = 0;
 };
 
-enum class Marker { kNone, kCircle, kSquare, kDiamond, kUp, kDown, kCross, kRing, kStar };
+enum class Marker { kNone, kCircle, kSquare, kDiamond, kUp, kDown, kCross, kPlus, kRing, kStar };
 
 struct PlotPoint {
   double x = 0, y = 0;

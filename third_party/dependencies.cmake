@@ -72,11 +72,11 @@ if(NOT TARGET TinyGLTF::TinyGLTF)
   if(NOT TINYGLTF_INCLUDE_DIR)
     weftlight_missing("tinygltf" libtinygltf-dev)
   endif()
-  file(WRITE ${CMAKE_BINARY_DIR}/tinygltf.cpp "#define TINYGLTF_IMPLEMENTATION\n#define TINYGLTF_NO_STB_IMAGE\n"
-    "#define TINYGLTF_NO_STB_IMAGE_WRITE\n#define TINYGLTF_NO_INCLUDE_STB_IMAGE\n"
-    "#define TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE\n#include <tiny_gltf.h>\n")
+  file(WRITE ${CMAKE_BINARY_DIR}/tinygltf.cpp "#define TINYGLTF_IMPLEMENTATION\n"
+    "#define TINYGLTF_NO_INCLUDE_STB_IMAGE\n#define TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE\n#include <tiny_gltf.h>\n")
   add_library(tinygltf STATIC ${CMAKE_BINARY_DIR}/tinygltf.cpp)
   target_include_directories(tinygltf SYSTEM PUBLIC ${TINYGLTF_INCLUDE_DIR})
+  target_compile_definitions(tinygltf PUBLIC TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
   target_link_libraries(tinygltf PUBLIC nlohmann_json::nlohmann_json)
   add_library(TinyGLTF::TinyGLTF ALIAS tinygltf)
 endif()

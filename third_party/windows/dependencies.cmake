@@ -27,7 +27,8 @@ weftlight_windows_library(CLI11::CLI11)
 weftlight_windows_library(stb)
 weftlight_windows_library(asio DEFINE ASIO_STANDALONE LINK ws2_32 mswsock)
 weftlight_windows_library(beast LINK ws2_32 mswsock)
-weftlight_windows_library(TinyGLTF::TinyGLTF LINK ${windows_libraries}/lib/libtinygltf.a)
+weftlight_windows_library(TinyGLTF::TinyGLTF LINK ${windows_libraries}/lib/libtinygltf.a
+                          DEFINE TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
 weftlight_windows_library(meshoptimizer::meshoptimizer LINK ${windows_libraries}/lib/libmeshoptimizer.a)
 weftlight_windows_library(GTest::gtest LINK ${windows_libraries}/lib/libgtest.a
                           INCLUDE /usr/src/googletest/googletest/include)

@@ -45,6 +45,15 @@ std::string presets_dir() { return folder_of(kPresets); }
 std::string shaders_dir() { return folder_of(kShaders); }
 std::string languages_dir() { return folder_of(kLanguages); }
 
+std::string library_file(const std::string& name) {
+  const fs::path program = platform::program_folder(), below = fs::path("lib/weftlight") / name;
+  std::error_code error;
+  fs::path folder = program;
+  for (int up = 0; up < kFoldersUp && folder.has_relative_path(); ++up, folder = folder.parent_path())
+    if (fs::exists(folder / below, error)) return (folder / below).string();
+  return (program / ".." / below).lexically_normal().string();
+}
+
 std::string handbook_page() {
   const fs::path page = fs::path(folder_of(kHandbook)) / kHandbook.known_by;
   std::error_code error;

@@ -129,6 +129,8 @@ std::string said(const wif::WifRead& read) {
 
 class Bombs : public ScratchTest {
  protected:
+  /// Before the first fork: the memory of the library of pictures is not that of a file.
+  static void SetUpTestSuite() { encode_png({1, 1, 1, {0}}); }
   std::string file(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
     return path(name);

@@ -75,8 +75,7 @@ DurableFile::DurableFile(const std::string& path) : target_(link_target(path).st
 }
 
 DurableFile::~DurableFile() {
-  std::error_code ignored;
-  if (!beside_.empty()) fs::remove(beside_, ignored);
+  if (!beside_.empty()) remove_with_contents(beside_);
 }
 
 std::error_code DurableFile::put_in_place() {

@@ -75,7 +75,7 @@ std::vector<std::string> names_in(const std::string& folder, std::error_code& er
 /// folder or none.
 std::error_code rename(const std::string& from, const std::string& to);
 /// Removes a file, or a folder with all that it holds; a link goes, and what it leads to stays. No error if there is
-/// none.
+/// none. Under POSIX it needs no memory.
 std::error_code remove_with_contents(const std::string& path);
 /// Waits until the content of the file is on the disk, or which files the folder holds.
 std::error_code sync(const std::string& path);

@@ -12,12 +12,13 @@
 #include "base/text.h"
 #include "platform/durable_file.h"
 #include "platform/file.h"
+#include "platform/removed_at_end.h"
 #include "platform/unique_name.h"
 
 namespace weftlight::texture_set {
 
 using base::arg, base::fill, base::tr, base::write_file_atomically;
-using platform::FileLock, platform::LockAnswer;
+using platform::FileLock, platform::LockAnswer, platform::RemovedAtEnd;
 
 namespace {
 
@@ -194,19 +195,22 @@ base::Result<Staging> make_staging(const fs::path& folder) {
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), ec);
   remove_stale_files(folder);
   for (int i = 0; i < kMaxTries; ++i) {
-    Staging made{platform::temporary_beside(folder.string()), {}};
+    std::string name = platform::temporary_beside(folder.string());
+    Staging made{name, {}};
     if (!fs::create_directory(made.folder, ec))
       return not_written(folder, fill(tr("the folder cannot be made: {cause}"), arg("cause", ec.message())));
+    RemovedAtEnd removed(std::move(name));
     const std::string mark = (made.folder / kStaged).string();
     made.lock = FileLock::take(mark);
-    if (made.lock.held() && made.lock.stands_at(mark)) return made;
+    const bool locks = made.lock.answer() != LockAnswer::kNoLocks;
     // Without its mark nobody takes it for a dead one's.
-    if (made.lock.answer() == LockAnswer::kNoLocks) fs::remove(mark, ec);
-    if (made.lock.answer() == LockAnswer::kNoLocks) return made;
-    if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec)) {
-      fs::remove(made.folder, ec);
-      return not_written(mark, fill(tr("cannot be made: {cause}"), arg("cause", made.lock.cause().message())));
+    if (!locks) fs::remove(mark, ec);
+    if (!locks || (made.lock.held() && made.lock.stands_at(mark))) {
+      removed.keep();
+      return made;
     }
+    if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec))
+      return not_written(mark, fill(tr("cannot be made: {cause}"), arg("cause", made.lock.cause().message())));
     // A process that removes stale folders came between the mark and its lock.
   }
   return not_written(folder, tr("the folder cannot be made: another process removes its contents"));
@@ -240,10 +244,9 @@ base::Result<void> put(const fs::path& made, const fs::path& folder, const SetId
 base::Result<void> put_in_place(Staging made, const fs::path& folder, const SetIdentity& identity, bool force) {
   const std::string path = folder.string() + kPlaceLock;
   const FileLock one_by_one = lock_place(path);
-  base::Result<void> done = put(made.folder, folder, identity, force);
-  std::error_code ec;
-  if (one_by_one.held()) fs::remove(path, ec);
-  return done;
+  // While the lock is held.
+  const RemovedAtEnd removed(one_by_one.held() ? path : std::string());
+  return put(made.folder, folder, identity, force);
 }
 
 std::vector<std::string> listed_files(const fs::path& folder) {

@@ -11,6 +11,7 @@
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "platform/file.h"
+#include "platform/removed_at_end.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 #include "texture_set/recolour.h"
@@ -360,6 +361,7 @@ base::Result<void> write_texture_set(const std::string& folder, const Design& de
   base::Result<Staging> staging = make_staging(folder);
   if (!staging) return failed(staging);
   const fs::path made = staging->folder;
+  const platform::RemovedAtEnd removed(made.string());
   try {
     done = write_into(made.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
@@ -368,7 +370,6 @@ base::Result<void> write_texture_set(const std::string& folder, const Design& de
     done = base::thrown(base::ErrorKind::kOutput);
   }
   if (done) done = put_in_place(std::move(*staging), folder, identity, options.force);
-  platform::remove_with_contents(made.string());
   return done;
 }
 

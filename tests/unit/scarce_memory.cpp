@@ -45,6 +45,7 @@ Scarce::~Scarce() { g_most = SIZE_MAX; }
 NthFails::NthFails(int n) { t_left = n; }
 NthFails::~NthFails() { t_left = 0; }
 bool NthFails::failed() { return t_left == 0; }
+int NthFails::left() { return t_left; }
 
 NthFailsElsewhere::NthFailsElsewhere(int n) {
   g_spared = std::this_thread::get_id();

@@ -23,6 +23,8 @@ class NthFails {
   NthFails& operator=(const NthFails&) = delete;
   /// Whether so many pieces were asked for.
   static bool failed();
+  /// Calls that are still to come until one fails.
+  static int left();
 };
 
 /// While it stands, the nth call of operator new by any other thread from here on fails; n counts from 1.

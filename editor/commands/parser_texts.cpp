@@ -133,6 +133,18 @@ std::string count_text(const CLI::App& parser, std::string_view said) {
               arg("form", value_form(*option)));
 }
 
+/// A value that an option's variable cannot hold, "--json=maybe"; its checks find all others.
+std::string conversion_text(const CLI::App& parser, const std::string& said) {
+  for (const CLI::Option* option : parser.get_options()) {
+    if (option->count() == 0 || said.find(": " + option->get_name() + " = ") == std::string::npos) continue;
+    if (option->get_type_size() == 0) return fill(tr("{option} takes no value"), arg("option", short_name(*option)));
+    return option->get_name() + ": " +
+           fill(tr("{text} is not of the form {form}"), arg("text", quoted(option->results().back())),
+                arg("form", value_form(*option)));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string HelpFormat::make_option(const CLI::Option* option, bool is_positional) const {
@@ -158,7 +170,9 @@ std::string parse_problem(const CLI::App& parser, const CLI::Error& error) {
   else if (required) text = missing_text(parser);
   else if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) text = excluded_text(parser);
   else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) text = count_text(parser, said);
-  return text.empty() ? said : text;
+  else if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) text = conversion_text(parser, said);
+  else if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return said;  // the words of option_checks.h
+  return text.empty() ? tr("these arguments cannot be used") : text;
 }
 
 }  // namespace weftlight::commands

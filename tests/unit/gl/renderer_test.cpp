@@ -1,3 +1,5 @@
+#include <epoxy/gl.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -337,6 +339,45 @@ TEST_F(PictureTest, AShaderThatFailsLateIsTold) {
   look.method = Method::kCell;
   EXPECT_EQ(problem_of(fresh->draw(scene, look, frame).cloth), "");
   EXPECT_GT(middle(fresh->read_back(true)).r, 0.01);
+}
+
+/// All that the context holds: textures, buffers, programs and the like. Names are given out from the lowest on.
+size_t objects_of_the_context() {
+  constexpr GLuint kNames = 4096;
+  size_t count = 0;
+  for (GLuint name = 1; name < kNames; ++name)
+    for (const GLboolean there : {glIsTexture(name), glIsBuffer(name), glIsFramebuffer(name), glIsRenderbuffer(name),
+                                  glIsVertexArray(name), glIsQuery(name), glIsProgram(name), glIsShader(name)})
+      count += there == GL_TRUE;
+  return count;
+}
+
+TEST_F(PictureTest, DaysOfDraftsDrapesAndLightsLeaveNothingOnTheCard) {
+  constexpr int kDays = 4;
+  size_t after_first = 0;
+  for (int day = 0; day < kDays; ++day) {
+    for (const int shafts : {4, 8}) {
+      const Design before = twill(shafts, 2, kRed, kBlue);
+      Design after = before;
+      after.draft.liftplan.set(1, 1, !after.draft.liftplan.get(1, 1));
+      Stages stages;
+      stages.update(std::make_shared<const Design>(before), Effort::kQuick);
+      renderer->upload(stages.packed());
+      renderer->set_mesh(square(40 + static_cast<float>(10 * day)));
+      renderer->set_lights(load_light_rig(day % 2 == 0 ? "studio" : "window").value());
+      for (const Method method : {Method::kAuto, Method::kYarn, Method::kCloth, Method::kFlat}) {
+        look.method = method;
+        frame.width = 24 + 8 * (day % 3);
+        draw();
+      }
+      const StageResult painted = stages.update(std::make_shared<const Design>(after), Effort::kQuick);
+      painted.all_maps ? renderer->upload(stages.packed()) : renderer->upload(painted.patches);
+      draw(false);
+    }
+    if (day == 0) after_first = objects_of_the_context();
+  }
+  EXPECT_GT(after_first, 20u);
+  EXPECT_LE(objects_of_the_context(), after_first);
 }
 
 TEST_F(PictureTest, TheLastSubmittedDesignIsDrawn) {

@@ -64,10 +64,24 @@ base::Result<void> check_options(const EditorOptions& o) {
   std::_Exit(code);
 }
 
-/// All is on the disk by now. GLFW asks the desktop's clipboard manager to keep what was copied, and waits for its
-/// answer without an end.
+/// As long as it lives, the work of the editor is kept if the window system goes away.
+class KeepsWork {
+ public:
+  explicit KeepsWork(Editor& editor) {
+    Window::when_lost([&editor] { end_without_window(&editor); });
+  }
+  ~KeepsWork() {
+    Window::when_lost([] { end_without_window(nullptr); });
+  }
+  KeepsWork(const KeepsWork&) = delete;
+  KeepsWork& operator=(const KeepsWork&) = delete;
+};
+
+/// All is on the disk by now, and a window system that goes away meanwhile is nobody's loss. GLFW asks the desktop's
+/// clipboard manager to keep what was copied, and waits for its answer without an end.
 void end_soon() {
   static constexpr std::chrono::seconds kPatience{3};
+  Window::when_lost([] { std::_Exit(commands::kDone); });
   try {
     std::thread([] {
       std::this_thread::sleep_for(kPatience);
@@ -92,9 +106,8 @@ int run_editor(const EditorOptions& options) {
   Window::when_lost([] { end_without_window(nullptr); });
   {
     Editor editor(**window, options);
-    Window::when_lost([&editor] { end_without_window(&editor); });
+    const KeepsWork keeps_work(editor);
     editor.run();
-    Window::when_lost([] { end_without_window(nullptr); });
   }
   end_soon();
   return kDone;

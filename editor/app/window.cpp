@@ -335,7 +335,6 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
 }
 
 Window::~Window() {
-  platform::when_display_lost({});
   if (window_ != nullptr) {
     redraw_.reset();
     if (ImGui::GetCurrentContext() != nullptr) {

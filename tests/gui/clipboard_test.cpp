@@ -45,6 +45,27 @@ TEST_F(ClipboardTest, WhatOthersCopiedIsPastedWhole) {
   }
 }
 
+// While the window ends, with all of the work on the disk: it ends as ever, and no error of Xlib scrolls by.
+TEST_F(ClipboardTest, AServerThatGoesWhileTheWindowEndsIsNoError) {
+  Display lost(1280, 800);
+  ASSERT_TRUE(lost.is_up());
+  const SelectionOwner manager(lost.name(), "CLIPBOARD_MANAGER", SelectionOwner::Answers::kNever);
+  const std::string errors = (folder_ / "errors").string();
+  Window w(lost, folder_, draft_, without_dialogs(), errors);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  lost.focus();
+  lost.key("ctrl+o");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  lost.type("scarf");
+  lost.key("ctrl+a ctrl+c Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog.path"); }));
+  lost.key("ctrl+q");
+  ASSERT_TRUE(comes_true([&] { return manager.was_asked(); })) << "the test needs a window that is still ending";
+  lost.kill_now();
+  EXPECT_EQ(w.process().wait(), 0);
+  EXPECT_EQ(bytes_of(errors), "");
+}
+
 TEST_F(ClipboardTest, ASilentManagerDoesNotKeepTheProgram) {
   const SelectionOwner manager(display_.name(), "CLIPBOARD_MANAGER", SelectionOwner::Answers::kNever);
   ASSERT_TRUE(manager.is_owner());

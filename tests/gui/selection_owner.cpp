@@ -4,6 +4,7 @@
 #include <xcb/xcb.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <memory>
 #include <stop_token>
@@ -32,20 +33,22 @@ struct SelectionOwner::Client {
   xcb_atom_t utf8 = 0, incremental = 0, property = 0;
   size_t sent = 0;
   bool sending = false;
+  std::atomic<bool> asked = false;
 
   void set(xcb_atom_t type, uint8_t format, size_t count, const void* data) const {
     xcb_change_property(x, XCB_PROP_MODE_REPLACE, asker, property, type, format, static_cast<uint32_t>(count), data);
   }
-  void answer(const xcb_selection_request_event_t& asked) {
+  void answer(const xcb_selection_request_event_t& request) {
+    asked = true;
     if (how == Answers::kNever) return;
-    asker = asked.requestor;
-    property = asked.property;
+    asker = request.requestor;
+    property = request.property;
     xcb_selection_notify_event_t done{};
     done.response_type = XCB_SELECTION_NOTIFY;
     done.requestor = asker;
-    done.selection = asked.selection;
-    done.target = asked.target;
-    if (asked.target == utf8) {
+    done.selection = request.selection;
+    done.target = request.target;
+    if (request.target == utf8) {
       done.property = property;
       if (how == Answers::kAtOnce) {
         set(utf8, 8, text.size(), text.data());
@@ -70,7 +73,7 @@ struct SelectionOwner::Client {
     sending = n > 0;
   }
   void serve(const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
+    while (!stop.stop_requested() && xcb_connection_has_error(x) == 0) {
       while (xcb_generic_event_t* event = xcb_poll_for_event(x)) {
         const int type = event->response_type & 0x7f;
         if (type == XCB_SELECTION_REQUEST) answer(*reinterpret_cast<xcb_selection_request_event_t*>(event));
@@ -85,7 +88,8 @@ struct SelectionOwner::Client {
 
 SelectionOwner::SelectionOwner(const std::string& display, const std::string& selection, Answers how,
                                std::string text) {
-  auto client = std::make_shared<Client>();
+  client_ = std::make_shared<Client>();
+  const std::shared_ptr<Client>& client = client_;
   client->x = xcb_connect(display.c_str(), nullptr);
   if (xcb_connection_has_error(client->x) != 0) return;
   client->how = how;
@@ -100,12 +104,14 @@ SelectionOwner::SelectionOwner(const std::string& display, const std::string& se
   auto* owner = xcb_get_selection_owner_reply(x, xcb_get_selection_owner(x, atom(x, selection)), nullptr);
   owner_ = owner != nullptr && owner->owner == client->window;
   std::free(owner);
-  thread_ = std::jthread([client](const std::stop_token& stop) {
+  thread_ = std::jthread([client = client_](const std::stop_token& stop) {
     client->serve(stop);
     xcb_disconnect(client->x);
   });
 }
 
 SelectionOwner::~SelectionOwner() = default;
+
+bool SelectionOwner::was_asked() const { return client_->asked; }
 
 }  // namespace weftlight::gui

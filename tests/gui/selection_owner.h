@@ -1,6 +1,7 @@
 #pragma once
 // Another program of the display that has copied something, or is the clipboard manager, and answers or does not.
 
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -15,9 +16,12 @@ class SelectionOwner {
   SelectionOwner(const SelectionOwner&) = delete;
   SelectionOwner& operator=(const SelectionOwner&) = delete;
   bool is_owner() const { return owner_; }
+  /// Whether another program has asked for what was copied.
+  bool was_asked() const;
 
  private:
   struct Client;
+  std::shared_ptr<Client> client_;
   bool owner_ = false;
   std::jthread thread_;
 };

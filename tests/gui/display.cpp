@@ -15,6 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "screen.h"
+
 extern char** environ;
 
 namespace weftlight::gui {
@@ -51,8 +53,8 @@ std::string pause() { return std::string(" sleep ").append(kPauseS).append(" ");
 }  // namespace
 
 std::string why_not() {
-  for (const char* program : {"Xvfb", "xdotool", "import"})
-    if (!is_installed(program)) return std::string(program) + " is not installed (packages xvfb, xdotool, imagemagick)";
+  for (const char* program : {"Xvfb", "xdotool"})
+    if (!is_installed(program)) return std::string(program) + " is not installed (packages xvfb, xdotool)";
   return {};
 }
 
@@ -171,9 +173,8 @@ void Display::resize(int width, int height) const {
 }
 
 std::string Display::picture(Point where, Point size) const {
-  const std::string crop = std::to_string(std::lround(size.x)) + "x" + std::to_string(std::lround(size.y)) + "+" +
-                           std::to_string(std::lround(where.x)) + "+" + std::to_string(std::lround(where.y));
-  return output_of("import -display " + name_ + " -window root -crop " + crop + " +repage ppm:- 2>/dev/null");
+  const auto whole = [](double v) { return static_cast<int>(std::lround(v)); };
+  return screen_part(name_, whole(where.x), whole(where.y), whole(size.x), whole(size.y));
 }
 
 Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,

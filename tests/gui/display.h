@@ -1,5 +1,5 @@
 #pragma once
-// A virtual display (Xvfb) with the real window on it, driven by xdotool and read by ImageMagick.
+// A virtual display (Xvfb) with the real window on it, driven by xdotool.
 
 #include <sys/types.h>
 

@@ -1,0 +1,11 @@
+#pragma once
+// What a display shows, read from its server.
+
+#include <string>
+
+namespace weftlight::gui {
+
+/// The pixels of a rectangle as a PPM file of 8 bits, as far as it is on the screen; empty if the display has gone.
+std::string screen_part(const std::string& display, int x, int y, int width, int height);
+
+}  // namespace weftlight::gui

@@ -1,5 +1,6 @@
 #include "app/dialogs.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -11,8 +12,13 @@ namespace weftlight::app {
 
 using base::arg, base::fill, base::mark, base::tr;
 using session::DocumentView, session::with_file_ending;
-using views::ClosestWeavePrompt, views::DialogOutcome, views::DialogResult, views::PathPrompt, views::Question,
-    views::draw_dialog;
+using views::ClosestWeavePrompt, views::DialogOutcome, views::DialogResult, views::PathPrompt, views::draw_dialog;
+
+namespace {
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+}  // namespace
 
 void Dialogs::ask(Dialog dialog, std::function<void(int)> then) {
   dialog_ = std::move(dialog);
@@ -56,15 +62,38 @@ void Dialogs::ask_path_in_window(FileAsk what, const std::string& title, const s
         const std::string path = what == FileAsk::kSave ? with_file_ending(typed, ending) : typed;
         close();
         if (path.empty()) return;
-        std::error_code ignored;
-        if (what != FileAsk::kSave || !std::filesystem::exists(path, ignored)) return chosen(path);
-        ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
-                     fill(tr("{path} already exists. Its contents would be lost."), arg("path", path)),
-                     {mark("Replace"), mark("Cancel")}},
-            [chosen, path](int button) {
-              if (button == 0) chosen(path);
-            });
+        if (what != FileAsk::kSave) return chosen(path);
+        before_replacing(
+            {path},
+            [](const std::string& there) {
+              return Question{fill(tr("Replace {file}?"), arg("file", file_name(there))),
+                              fill(tr("{path} already exists. Its contents would be lost."), arg("path", there)),
+                              {mark("Replace"), mark("Cancel")}};
+            },
+            [chosen, path] { chosen(path); });
       });
+}
+
+void Dialogs::before_replacing(std::vector<std::string> files,
+                               std::function<Question(const std::string& there)> question, std::function<void()> then) {
+  const std::string first = files.front();
+  base::Task task = base::task_with_result(
+      [files = std::move(files)](const base::RunningTask&) {
+        std::error_code ignored;
+        const auto there =
+            std::ranges::find_if(files, [&](const std::string& f) { return std::filesystem::exists(f, ignored); });
+        return there != files.end() ? *there : std::string();
+      },
+      [this, question = std::move(question), then = std::move(then)](const base::Result<std::string>& there) {
+        if (!there || there->empty()) return then();
+        ask(question(*there), [then](int button) {
+          if (button == 0) then();
+        });
+      });
+  task.kind = "replace:" + first;
+  task.name = fill(tr("Saving {file}"), arg("file", file_name(first)));
+  task.may_be_left = true;
+  tasks_.reading().start(std::move(task));
 }
 
 /// Appends the file ending, such as .wif or .pdf. If that makes another name, which exists, it asks again: the file
@@ -72,14 +101,15 @@ void Dialogs::ask_path_in_window(FileAsk what, const std::string& title, const s
 void Dialogs::with_ending(const std::string& typed, const std::string& ending,
                           const std::function<void(const std::string&)>& then) {
   const std::string path = with_file_ending(typed, ending);
-  std::error_code error;
-  if (path == typed || !std::filesystem::exists(path, error)) return then(path);
-  ask(Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(path).filename().string())),
-               tr("A file of that name already exists. Saving would replace it."),
-               {mark("Replace"), mark("Cancel")}},
-      [then, path](int button) {
-        if (button == 0) then(path);
-      });
+  if (path == typed) return then(path);
+  before_replacing(
+      {path},
+      [](const std::string& there) {
+        return Question{fill(tr("Replace {file}?"), arg("file", file_name(there))),
+                        tr("A file of that name already exists. Saving would replace it."),
+                        {mark("Replace"), mark("Cancel")}};
+      },
+      [then, path] { then(path); });
 }
 
 void Dialogs::draw(PanelContext& c) {

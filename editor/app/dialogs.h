@@ -5,7 +5,9 @@
 #include <functional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "app/background_tasks.h"
 #include "app/frame_schedule.h"
 #include "app/messages.h"
 #include "platform/desktop.h"
@@ -16,18 +18,23 @@ namespace weftlight::app {
 
 using platform::FileAsk;
 using session::Session;
-using views::Dialog, views::PanelContext, views::update_dialog;
+using views::Dialog, views::PanelContext, views::Question, views::update_dialog;
 
 class Dialogs {
  public:
-  Dialogs(Session& session, Messages& messages, FrameSchedule& schedule)
-      : session_(session), messages_(messages), schedule_(schedule) {}
+  Dialogs(Session& session, BackgroundTasks& tasks, Messages& messages, FrameSchedule& schedule)
+      : session_(session), tasks_(tasks), messages_(messages), schedule_(schedule) {}
 
   /// Opens a dialog; `then` gets the pressed button and reads the rest by prompt().
   void ask(Dialog dialog, std::function<void(int button)> then);
   /// Asks for a path. `ending` of the file, such as ".wif"; before an existing file is replaced, it asks again.
   void ask_path(FileAsk what, const std::string& title, const std::string& start,
                 std::function<void(const std::string&)> chosen, const std::string& ending = ".wif");
+
+  /// Runs `then`; if one of the files exists, only after its question is answered by the first button. The files may be
+  /// on a share that does not answer, which nobody waits for.
+  void before_replacing(std::vector<std::string> files, std::function<Question(const std::string& there)> question,
+                        std::function<void()> then);
 
   template <class Prompt>
   const Prompt& prompt() const {
@@ -61,6 +68,7 @@ class Dialogs {
                    const std::function<void(const std::string&)>& then);
 
   Session& session_;
+  BackgroundTasks& tasks_;
   Messages& messages_;
   FrameSchedule& schedule_;
   Dialog dialog_;

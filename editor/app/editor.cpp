@@ -42,7 +42,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       settings_(load_settings()),
       session_(session::recovery_folder(), Files::first_document()),
       editing_(session_, tasks_, messages_, [this] { edited(); }),
-      dialogs_(session_, messages_, schedule_),
+      dialogs_(session_, tasks_, messages_, schedule_),
       live_export_(options.live_export),
       files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
       prompts_(editing_, files_, dialogs_, messages_, [this] { cloth_.show_flat(); }),

@@ -123,17 +123,17 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
   };
   // The dialog confirmed the name itself, but not those of further sheets.
   const auto sheets = static_cast<size_t>(p.format == print::PrintFormat::kPdf ? 1 : p.preview->last().sheets);
-  std::error_code ignored;
-  for (size_t i = 0; sheets > 1 && i < sheets; ++i)
-    if (const std::string file = print::sheet_file(path, i, sheets); std::filesystem::exists(file, ignored))
-      return dialogs_.ask(
-          Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(file).filename().string())),
-                   tr("Sheets of that name already exist. Printing would replace them."),
-                   {mark("Replace"), mark("Cancel")}},
-          [write](int button) {
-            if (button == 0) write();
-          });
-  write();
+  if (sheets <= 1) return write();
+  std::vector<std::string> files;
+  for (size_t i = 0; i < sheets; ++i) files.push_back(print::sheet_file(path, i, sheets));
+  dialogs_.before_replacing(
+      std::move(files),
+      [](const std::string& there) {
+        return Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(there).filename().string())),
+                        tr("Sheets of that name already exist. Printing would replace them."),
+                        {mark("Replace"), mark("Cancel")}};
+      },
+      write);
 }
 
 }  // namespace weftlight::app

@@ -17,7 +17,7 @@ using session::Document, session::jobs_of;
 using views::ExportPrompt, views::ExportStage;
 
 TextureExports::TextureExports(Session& session, Dialogs& dialogs, Messages& messages)
-    : session_(session), dialogs_(dialogs), messages_(messages), exporter_(Window::wake) {}
+    : session_(session), dialogs_(dialogs), messages_(messages), exporter_(Window::wake), places_(Window::wake) {}
 
 void TextureExports::ask() {
   const Document& document = session_.active().document;
@@ -31,6 +31,7 @@ void TextureExports::ask() {
   prompt.design = document.snapshot();
   prompt.draft_path = document.path(), prompt.version = base::version();
   prompt.exporter = &exporter_;
+  prompt.places = &places_;
   prompt.stage = std::make_shared<ExportStage>(prompt.design, Window::wake);
   exported_ = session_.active().id;
   dialogs_.ask(std::move(prompt), [this](int) {

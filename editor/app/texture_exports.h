@@ -6,12 +6,13 @@
 
 #include "app/dialogs.h"
 #include "app/messages.h"
+#include "session/jobs/export_places.h"
 #include "session/jobs/exporter.h"
 #include "session/session.h"
 
 namespace weftlight::app {
 
-using session::ExportPlan, session::Exporter, session::Session;
+using session::ExportPlaces, session::ExportPlan, session::Exporter, session::Session;
 
 class TextureExports {
  public:
@@ -28,6 +29,7 @@ class TextureExports {
   Dialogs& dialogs_;
   Messages& messages_;
   Exporter exporter_;
+  ExportPlaces places_;
   std::shared_ptr<ExportPlan> plan_ = std::make_shared<ExportPlan>();
   uint64_t exported_ = 0;  // id of the document that was exported
 };

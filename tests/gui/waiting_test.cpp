@@ -208,6 +208,37 @@ TEST_F(WaitingTest, AShareThatAnswersNothingKeepsNeitherTheWindowNorOtherDrafts)
   disk_ends();
 }
 
+TEST_F(WaitingTest, WhatAShareHoldsAlreadyIsAskedBesideTheWindow) {
+  const fs::path mine = folder_ / "mine.wif";
+  put(mine, original_);
+  std::vector<std::string> dead = on_a_slow_disk();
+  dead.emplace_back("WEFTLIGHT_DEAD_DISK=1");
+  Window w(display_, folder_, mine, dead);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  disk_hangs();
+  // Whether a save would replace a file.
+  display_.key("ctrl+shift+s");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
+  display_.key("ctrl+a");
+  display_.type((folder_ / "slow/new.wif").string());
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return w.has("task.cancel"); })) << "nothing tells that the share is asked";
+  ASSERT_NO_FATAL_FAILURE(paint_on(w, 1));
+  ASSERT_NO_FATAL_FAILURE(cancel_opening(w));
+  // What is in the folder of an export.
+  display_.key("ctrl+e");
+  ASSERT_TRUE(comes_true([&] { return w.has("export.ready"); }));
+  display_.click(w.middle_of("export.folder"));
+  display_.key("ctrl+a");
+  display_.type((folder_ / "slow/sets").string());
+  display_.click(w.middle_of("dialog:Export"));
+  display_.click(w.middle_of("dialog:Close"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("export.folder"); })) << "the dialog waits for the share";
+  ASSERT_NO_FATAL_FAILURE(paint_on(w, 2));
+  EXPECT_FALSE(fs::exists(folder_ / "slow/sets"));
+  disk_ends();
+}
+
 TEST_F(WaitingTest, QuittingDoesNotWaitForADraftThatIsBeingOpened) {
   disk_hangs();
   Window w(display_, folder_, draft_, on_a_slow_disk());

@@ -241,8 +241,8 @@ bool update_dialog(Dialog& dialog, bool& busy) {
     return versions->pictures->poll();
   }
   if (const auto* exported = std::get_if<ExportPrompt>(&dialog)) {
-    busy = exported->stage->preview.busy();
-    return exported->stage->poll();
+    busy = exported->stage->preview.busy() || exported->places->busy();
+    return exported->stage->poll() | exported->places->poll();
   }
   const auto* print = std::get_if<PrintPrompt>(&dialog);
   busy = print != nullptr && print->preview->busy();

@@ -155,8 +155,9 @@ void update_figures(ExportPrompt& p) {
   if (key == p.key) return;
   p.key = std::move(key), p.jobs = std::move(jobs);
   p.figures = figures_of(*p.design, p.jobs);
-  p.replaced = replaced_files(p.jobs);
   p.conflicts.clear();
+  p.wants_export = false;
+  p.places->look(p.jobs);
 }
 
 void draw_facts(PanelContext& c, const ExportPrompt& p) {
@@ -224,10 +225,12 @@ void draw_progress(PanelContext& c, const ExportPrompt& p, const Exporter::State
   } else if (!state.written.empty()) {
     words(written_text(state.written), c.style.color.text);
     c.map.add_item("export.written");
-  } else if (p.replaced > 0) {
+  } else if (const ExportPlaces::Look* there = p.places->found(); there == nullptr) {
+    if (p.wants_export) words(tr("Looking into the folder\xE2\x80\xA6"), c.style.color.muted);
+  } else if (there->replaced > 0) {
     words(fill(tr_n("Replaces {count} file of the last export; other files are kept.",
-                    "Replaces {count} files of the last export; other files are kept.", p.replaced),
-               arg("count", p.replaced)),
+                    "Replaces {count} files of the last export; other files are kept.", there->replaced),
+               arg("count", there->replaced)),
           c.style.color.muted);
   }
 }
@@ -312,22 +315,35 @@ void draw_stage(PanelContext& c, ExportPrompt& p, const DialogSizes& room) {
   if (p.target < p.jobs.size()) p.stage->preview.ask(p.face, p.jobs[p.target].options, sizes);
 }
 
+void begin_export(ExportPrompt& p, bool over_others) {
+  p.conflicts.clear();
+  for (ExportJob& job : p.jobs) job.options.force = over_others;
+  p.exporter->start(p.jobs, p.design);
+  p.key.clear();  // the files on disk change
+}
+
 /// Handles the pressed button.
 DialogResult press(ExportPrompt& p, int button, bool busy) {
   if (button < 0) return {};
   if (button == 1) return {DialogOutcome::kCancelled, ExportPrompt::kClose, {}};
   if (busy) {
     p.exporter->stop();
-    return {};
+  } else if (!p.conflicts.empty()) {
+    begin_export(p, true);
+  } else {
+    p.places->look(p.jobs);
+    p.wants_export = true;
   }
-  const bool confirmed = !p.conflicts.empty();
-  if (!confirmed) p.conflicts = in_the_way(p.jobs);
-  if (!p.conflicts.empty() && !confirmed) return {};
-  p.conflicts.clear();
-  for (ExportJob& job : p.jobs) job.options.force = confirmed;
-  p.exporter->start(p.jobs, p.design);
-  p.key.clear();  // the files on disk change
   return {};
+}
+
+/// Exports what was asked for, once it is known what is in the folders; what is in the way is asked about first.
+void export_once_looked(ExportPrompt& p) {
+  const ExportPlaces::Look* there = p.places->found();
+  if (!p.wants_export || there == nullptr) return;
+  p.wants_export = false;
+  p.conflicts = there->in_the_way;
+  if (p.conflicts.empty()) begin_export(p, false);
 }
 
 }  // namespace
@@ -349,6 +365,7 @@ DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p) {
   c.map.add_item("export.watch");
   tooltip(c, tr("For engines that reload images: the sets follow the draft while this is on"));
   if (!state.busy) update_figures(p);
+  export_once_looked(p);
   ImGui::Dummy({0, c.style.px(2)});
   draw_facts(c, p);
   ImGui::EndChild();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "session/jobs/export_places.h"
 #include "session/jobs/export_plan.h"
 #include "session/jobs/export_preview.h"
 #include "session/jobs/exporter.h"
@@ -17,8 +18,8 @@ namespace weftlight::views {
 
 using design::Design;
 using draft::Face;
-using session::ExportFigures, session::ExportJob, session::ExportPlan, session::ExportPreview, session::ExportPreviewer,
-    session::Exporter;
+using session::ExportFigures, session::ExportJob, session::ExportPlaces, session::ExportPlan, session::ExportPreview,
+    session::ExportPreviewer, session::Exporter;
 using ui::PixelTexture;
 
 /// The preview images: their texture, and the thread that renders them.
@@ -38,6 +39,7 @@ struct ExportPrompt {
   std::shared_ptr<const Design> design;
   std::string draft_path, version;
   Exporter* exporter = nullptr;
+  ExportPlaces* places = nullptr;
   std::shared_ptr<ExportStage> stage;
   size_t target = 0;  // index in plan->targets of the previewed one
   Face face = Face::kFront;
@@ -46,7 +48,7 @@ struct ExportPrompt {
   std::string key{};
   std::vector<ExportJob> jobs{};
   ExportFigures figures{};
-  int replaced = 0;  // number of existing files of the same sets
+  bool wants_export = false;  // as soon as it is known what is in the folders
 
   enum Button { kExport = 0, kClose = 1, kFolder = 2 };
 };

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/library_file.h"
 #include "platform/environment.h"
 #include "platform/folders.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where the files that belong to the program are: presets, shaders, languages, the handbook and libraries.
+// Where the files that belong to the program are: presets, shaders, languages and the handbook.
 
 #include <string>
 
@@ -15,9 +15,5 @@ std::string languages_dir();
 /// The first page of the handbook, found in the same way: $WEFTLIGHT_HANDBOOK is the folder of its pages, and an
 /// installed program has them in share/doc/weftlight/handbook. "" where it was not built.
 std::string handbook_page();
-
-/// A library of the program that is loaded while it runs: lib/weftlight/NAME beside the folder of the program, or in a
-/// folder above it as for the others.
-std::string library_file(const std::string& name);
 
 }  // namespace weftlight::base

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <utility>
 
-#include "base/resources.h"
+#include "base/library_file.h"
 #include "base/text.h"
 #include "files/environment.h"
 #include "files/image_rows.h"

@@ -126,7 +126,8 @@ base::Result<Outcome> update_maps(StageWork& work, Change input, Face face) {
   // The back is as coarse as the front: they share textures.
   bool& coarse = work.data.coarse;
   if (face == Face::kFront) coarse = work.quick();
-  const MapsSize size = (coarse ? quick_maps_size : maps_size)(f.cloth, work.input.shadows);
+  MapsSize size = (coarse ? quick_maps_size : maps_size)(f.cloth, work.input.shadows);
+  for (int* side : {&size.width, &size.height}) *side = std::max(1, *side / work.input.fineness.map_divisor);
   f.maps = coarse ? bake_quick(f.cloth, size, {0, 0, size.width, size.height}) : bake(f.cloth, size);
   return Outcome{Change::kAll, coarse};
 }

@@ -16,7 +16,7 @@ using base::for_each_job;
 using cloth::Cloth, cloth::Period;
 using design::Design, design::Yarn, design::finished;
 using draft::BitMatrix, draft::Face, draft::drawdown;
-using light::ThreadErrors, light::kResponseSamples, light::thread_errors;
+using light::ThreadErrors, light::thread_errors;
 
 namespace {
 
@@ -49,8 +49,9 @@ base::Result<Outcome> update_cloth_block(StageWork& work, Change) {
 
 base::Result<Outcome> update_response(StageWork& work, Change) {
   ClothLobes& lobes = work.data.packed.lobes;
+  const int full = work.input.fineness.response_samples;
   lobes.response = response_tables(lobes.data, face_input(work, Face::kFront), face_input(work, Face::kBack),
-                                   work.quick() ? kQuickSamples : kResponseSamples);
+                                   work.quick() ? std::min(kQuickSamples, full) : full);
   return Outcome{Change::kAll, work.quick()};
 }
 

@@ -11,6 +11,7 @@
 #include "cloth/maps.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
+#include "light/measure_response.h"
 #include "render_data/ambient.h"
 #include "render_data/packed_maps.h"
 #include "render_data/stage_list.h"
@@ -35,8 +36,15 @@ struct StageResult {
   bool stopped = false;     // nothing is handed over yet: the next update does it
 };
 
+/// How finely a full update works. Coarser ones are for tests of what is computed when, not of what is seen.
+struct Fineness {
+  int map_divisor = 1;  // of the sides of all maps
+  int response_samples = light::kResponseSamples;
+};
+
 /// What stages read.
 struct StageInput {
+  Fineness fineness;
   std::shared_ptr<const Design> design;
   std::string drape;     // drape_key() of the design
   bool shadows = false;  // the maps of method vrst03 are wanted, from its first use on

@@ -126,6 +126,7 @@ static_assert(is_in_order(kClothStages) && is_in_order(kSceneStages));
 StageInput Stages::next_input(std::shared_ptr<const Design> design) const {
   StageInput next;
   const Method method = design->look.method;
+  next.fineness = fineness_;
   next.drape = drape_key(*design);
   next.shadows = input_.shadows || method == Method::kVrst03;
   // A comparison of methods asks for vrst03's maps, and gets those of engine, too.

@@ -16,6 +16,7 @@ using design::Design;
 
 class Stages {
  public:
+  explicit Stages(const Fineness& fineness = {}) : fineness_(fineness) {}
   /// The visible part, for quick updates.
   void set_visible_part(const VisiblePart& part) { visible_ = part; }
   /// Returns what changed for the renderer since the last update that was not stopped.
@@ -29,6 +30,7 @@ class Stages {
   bool preview(Effort effort);
   StageResult hand_over(bool preview_only, Effort effort);
 
+  Fineness fineness_;
   VisiblePart visible_;
   StageInput input_;                    // of the last update
   std::shared_ptr<const Design> done_;  // the last design that all stages showed; null after a problem

@@ -16,6 +16,9 @@ using draft::Draft, draft::blank_draft;
 
 namespace {
 
+// Which stages run, and that what they leave is what a fresh update makes: coarse maps show it as well as fine ones.
+constexpr Fineness kCoarse{4, 128};
+
 /// 80 x 80 threads of an 8-shaft satin: too many to bake the whole draft in fine maps.
 Design satin() {
   Design d;
@@ -36,31 +39,31 @@ bool same_textures(const PackedCloth& a, const PackedCloth& b) {
 }
 
 TEST(Stages, ARepeatIsPatchedWhileItLastsAndMadeAnewWhenItGrows) {
-  Stages stages;
+  Stages stages(kCoarse);
   Design d = satin();
   EXPECT_TRUE(stages.update(std::make_shared<const Design>(d)).all_maps);
   d = with_tieup(d, 3, 5, !d.draft.tieup.get(3, 5));
   const StageResult patched = stages.update(std::make_shared<const Design>(d));
   EXPECT_FALSE(patched.all_maps);
   EXPECT_FALSE(patched.patches.empty());
-  Stages fresh;
+  Stages fresh(kCoarse);
   fresh.update(std::make_shared<const Design>(d));
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 
   d = with_threading(d, 40, 3, true);
   EXPECT_TRUE(stages.update(std::make_shared<const Design>(d)).all_maps);
-  Stages anew;
+  Stages anew(kCoarse);
   anew.update(std::make_shared<const Design>(d));
   EXPECT_TRUE(same_textures(stages.packed(), anew.packed()));
 }
 
 TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
-  Stages stages;
+  Stages stages(kCoarse);
   Design d = satin();
   const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
   const auto expect_caught_up = [&] {
     stages.update(keep(d), Effort::kFull);
-    Stages fresh;
+    Stages fresh(kCoarse);
     fresh.update(keep(d));
     EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
   };
@@ -98,7 +101,7 @@ Design unordered() {
 }
 
 TEST(Stages, OfManyCellsWhatIsSeenComesFirst) {
-  Stages stages;
+  Stages stages(kCoarse);
   const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
   const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2));
   stages.update(keep(before));
@@ -119,17 +122,17 @@ TEST(Stages, OfManyCellsWhatIsSeenComesFirst) {
 
   const StageResult full = stages.update(keep(after));
   EXPECT_TRUE(full.all_maps) << "over what was sent in the meantime";
-  Stages fresh;
+  Stages fresh(kCoarse);
   fresh.update(keep(after));
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 }
 
 TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
-  Stages stages;
+  Stages stages(kCoarse);
   const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
   const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2));
   stages.update(keep(before));
-  Stages fresh;
+  Stages fresh(kCoarse);
   fresh.update(keep(before));
   // Close up: a corner of the cloth, two threads a pixel, drawn one by one.
   const float mm = stages.packed().width_mm / 199;
@@ -137,7 +140,7 @@ TEST(Stages, WhatWasSeenOfAnEditGoesWithItsUndo) {
   const StageResult near = stages.update(keep(after), Effort::kQuick);
   ASSERT_EQ(near.patches.crossings.size(), 1u);
   EXPECT_LT(near.patches.crossings[0].texels.size(), 2000u);
-  for (const PackedPatch& p : near.patches.maps) EXPECT_LT(p.width, 512);
+  for (const PackedPatch& p : near.patches.maps) EXPECT_LT(p.width, 128);
   EXPECT_FALSE(stages.update(keep(before), Effort::kQuick).patches.empty()) << "as it was before";
   EXPECT_TRUE(stages.update(keep(before)).all_maps);
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
@@ -155,7 +158,7 @@ std::set<std::string> stages_of(Stages& stages, const Design& design, Effort eff
 }
 
 TEST(Stages, WhatAnEditDoesNotTouchIsNotComputedAgain) {
-  Stages stages;
+  Stages stages(kCoarse);
   Design d = satin();
   stages.update(std::make_shared<const Design>(d));
   EXPECT_TRUE(stages_of(stages, d).empty());
@@ -182,11 +185,11 @@ TEST(Stages, WhatAnEditDoesNotTouchIsNotComputedAgain) {
 // The window stops a full update when a newer design comes.
 TEST(Stages, AStoppedUpdateIsFinishedByTheNext) {
   const Design before = satin(), after = with_tieup(before, 3, 5, !before.draft.tieup.get(3, 5));
-  Stages fresh;
+  Stages fresh(kCoarse);
   fresh.update(std::make_shared<const Design>(after));
   for (const std::string last : {"front: mips", "back: maps"}) {
     SCOPED_TRACE(last);
-    Stages stages;
+    Stages stages(kCoarse);
     EXPECT_TRUE(stages.update(std::make_shared<const Design>(before), Effort::kQuick).all_maps);
     std::stop_source stop;
     const auto starts = [&](const char* stage, size_t, size_t) {
@@ -207,7 +210,7 @@ TEST(Stages, AStoppedUpdateIsFinishedByTheNext) {
 }
 
 TEST(Stages, AfterAStopALargeEditIsStillPreviewed) {
-  Stages stages;
+  Stages stages(kCoarse);
   const Design before = unordered(), after = with_tieup(before, 2, 2, !before.draft.tieup.get(2, 2)),
                later = with_tieup(after, 1, 1, !before.draft.tieup.get(1, 1));
   const auto keep = [](const Design& design) { return std::make_shared<const Design>(design); };
@@ -221,13 +224,13 @@ TEST(Stages, AfterAStopALargeEditIsStillPreviewed) {
   EXPECT_TRUE(stages.update(keep(after), Effort::kFull, {stop.get_token(), starts}).stopped);
   EXPECT_TRUE(stages_of(stages, later, Effort::kQuick).empty()) << "no stage of the cloth runs";
   EXPECT_TRUE(stages.update(keep(later)).all_maps);
-  Stages fresh;
+  Stages fresh(kCoarse);
   fresh.update(keep(later));
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 }
 
 TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
-  Stages stages;
+  Stages stages(kCoarse);
   const Design good = satin();
   stages.update(std::make_shared<const Design>(good));
   Design bad = good;
@@ -240,7 +243,7 @@ TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
   EXPECT_EQ(problem_of(again.made), problem) << "told as long as it is so";
   EXPECT_TRUE(again.lights) << "the scene does not depend on it";
   EXPECT_EQ(problem_of(update(good).made), "");
-  Stages fresh;
+  Stages fresh(kCoarse);
   fresh.update(std::make_shared<const Design>(good));
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 }
@@ -249,7 +252,7 @@ TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
 TEST(Stages, ASinglePictureDoesNotWaitForClothThatCannotBeShown) {
   Design d = satin();
   d.scene.mesh = "no_such_drape";
-  Stages stages;
+  Stages stages(kCoarse);
   std::mutex mutex;
   std::set<std::string> ran;
   const StageResult none =
@@ -264,7 +267,7 @@ TEST(Stages, ASinglePictureDoesNotWaitForClothThatCannotBeShown) {
 
 TEST(Stages, APictureOfLightThatCannotBeReadIsToldAndTheOldLightStays) {
   const Scratch scratch;
-  Stages stages;
+  Stages stages(kCoarse);
   Design d = satin();
   const auto update = [&] { return stages.update(std::make_shared<const Design>(d)); };
   const StageResult first = update();

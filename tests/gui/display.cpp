@@ -23,7 +23,7 @@ namespace weftlight::gui {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kPatience = 30s;
+constexpr auto kPatience = 60s;  // on a machine that is busy with other things
 constexpr auto kPause = 20ms;
 constexpr const char* kPauseS = "0.07";  // between move, press and release; with less, clicks get lost
 

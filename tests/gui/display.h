@@ -14,7 +14,7 @@ namespace weftlight::gui {
 /// Empty, or the reason why these tests cannot run on this machine.
 std::string why_not();
 
-/// Polls until the condition holds. False if it does not within half a minute.
+/// Polls until the condition holds. False if it does not within a minute.
 bool comes_true(const std::function<bool()>& holds);
 
 std::string bytes_of(const std::filesystem::path& path);

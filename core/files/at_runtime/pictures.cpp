@@ -23,10 +23,8 @@ Result<const PictureCalls*> loaded_calls() {
   std::string problem;
   auto* const calls = reinterpret_cast<Calls*>(platform::function_of_library(path, "weftlight_picture_calls", problem));
   if (calls != nullptr) return calls();
-  return failure(
-      ErrorKind::kInput,
-      fill(tr("pictures cannot be read or written: {problem}; install Weftlight again"), arg("problem", problem)),
-      path);
+  return failure(ErrorKind::kInput, fill(tr("pictures cannot be read or written: {problem}; install Weftlight again"),
+                                         arg("problem", problem)));
 }
 
 /// Tried again where it failed.

@@ -14,7 +14,7 @@ namespace weftlight::gl {
 using design::Design, design::Method;
 using draft::Threads;
 using files::Image;
-using render_data::Effort, render_data::FlatPatch, render_data::Stages, render_data::twill;
+using render_data::Effort, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages, render_data::twill;
 
 inline glm::vec3 towards(float azimuth, float elevation) {
   return {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation), std::sin(elevation)};
@@ -46,11 +46,20 @@ class Gate : public PictureTest {
     if (IsSkipped() || HasFatalFailure()) return;
     design = twill(4, 2, {0.85f, 0.8f, 0.7f}, {0.1f, 0.15f, 0.4f});
   }
-  /// kQuick makes the maps of a moving picture, a quarter as wide.
+  static void TearDownTestSuite() {
+    full_updates.clear();
+    PictureTest::TearDownTestSuite();
+  }
+  /// kQuick makes the maps of a moving picture, a quarter as wide. Full updates take seconds, and most gates look at
+  /// the same cloth: they are kept.
   void upload_maps(const Design& of, Effort effort = Effort::kFull) {
+    const auto known =
+        std::find_if(full_updates.begin(), full_updates.end(), [&](const FullUpdate& f) { return f.design == of; });
+    if (effort == Effort::kFull && known != full_updates.end()) return renderer->upload(known->packed);
     stages = Stages();
     stages.update(std::make_shared<const Design>(of), effort);
     renderer->upload(stages.packed());
+    if (effort == Effort::kFull) full_updates.push_back({of, stages.packed()});
   }
   /// Lays out and uploads the design: threads with spacing kSpacing; `fill`: width of a thread over its spacing.
   void lay(float fill, Effort effort = Effort::kFull) {
@@ -97,8 +106,13 @@ class Gate : public PictureTest {
     return values;
   }
 
+  struct FullUpdate {
+    Design design;
+    PackedCloth packed;
+  };
+  static inline std::vector<FullUpdate> full_updates;
   Design design;
-  Stages stages;
+  Stages stages;  // of the last upload that was none of those
 };
 
 }  // namespace weftlight::gl

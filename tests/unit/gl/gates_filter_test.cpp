@@ -18,7 +18,7 @@ using draft::Face, draft::drawdown;
 using drape::Mesh;
 using files::Image;
 using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
-using render_data::PreparedMesh, render_data::twill;
+using render_data::Effort, render_data::PreparedMesh, render_data::twill;
 using scene::bounds_of;
 
 namespace {
@@ -70,7 +70,7 @@ TEST_F(Gate, FibresAndPliesKeepTheMean) {
     if (yarn.lobes.metallic) continue;  // a highlight that narrow is in few pixels
     design = twill_of_cotton;
     for (Yarn& own : design.yarns) own = yarn;
-    lay(1);
+    lay(1, Effort::kQuick);  // threads one by one need no fine maps
     const auto at = [&](float yarns) {
       return mean(patch(Method::kYarn, yarns, static_cast<int>(std::lround(kWidth / yarns))));
     };
@@ -95,7 +95,7 @@ TEST_F(Gate, FibresDoNotSparkle) {
     const auto flicker = [&](float groove_depth, float hairiness) {
       design = twill_of_cotton;
       for (Yarn& own : design.yarns) own = yarn, own.groove_depth = groove_depth, own.hairiness = hairiness;
-      lay(1);
+      lay(1, Effort::kQuick);
       std::vector<std::vector<double>> frames;
       constexpr float kYarns = 0.2f;
       for (int step = 0; step < kSteps; ++step) {

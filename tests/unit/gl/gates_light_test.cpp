@@ -10,7 +10,7 @@ namespace weftlight::gl {
 
 using design::Design, design::Method, design::method_name;
 using files::Image;
-using render_data::FlatPatch;
+using render_data::Effort, render_data::FlatPatch;
 
 namespace {
 
@@ -100,10 +100,10 @@ TEST_F(Gate, GrazingLightAndViewConserveEnergyAndChangePlaces) {
 }
 
 TEST_F(Gate, AnyRoughnessStaysANumberAndIsNotBlack) {
-  lay(1);
+  lay(1, Effort::kQuick);
   for (const float width : {0.0f, 1e-3f, 30.0f, 1e6f}) {
     design.yarns[0].lobes.along_width = design.yarns[0].lobes.across_width = width;
-    renderer->upload_lobes(*stages.update(std::make_shared<const Design>(design)).lobes);
+    renderer->upload_lobes(*stages.update(std::make_shared<const Design>(design), Effort::kQuick).lobes);
     for (const Method method : kShadedMethods) {
       const Image image = patch(method, 0.7f, 8);
       for (const float v : image.texels) ASSERT_TRUE(std::isfinite(v) && v >= 0) << method_name(method) << " " << width;

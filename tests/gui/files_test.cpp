@@ -13,15 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FilesTest : public OnDisplay {
- protected:
-  /// The recovery folder after a killed window.
-  void kill(Window& w) const {
-    usleep(600'000);
-    w.process().kill_now();
-    w.process().wait();
-  }
-};
+using FilesTest = OnDisplay;
 
 TEST_F(FilesTest, ChangesByAnotherProgramAreNotOverwritten) {
   Window w(display_, folder_, draft_, without_dialogs());
@@ -181,7 +173,7 @@ TEST_F(FilesTest, RecoveredUnsavedWorkDoesNotOverwriteAFile) {
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
     ASSERT_NO_FATAL_FAILURE(paint(w));
     lost = w.live();
-    kill(w);
+    kill_once_kept(w);
   }
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -199,7 +191,7 @@ TEST_F(FilesTest, RecoveredWorkWhoseFileChangedAsksForAPath) {
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
     ASSERT_NO_FATAL_FAILURE(paint(w));
     lost = w.live();
-    kill(w);
+    kill_once_kept(w);
   }
   const std::string theirs = straight_draft(30, 4);
   put(draft_, theirs);
@@ -277,7 +269,7 @@ TEST_F(FilesTest, SavingToAReadOnlyFolderFailsWithAMessage) {
     ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
     EXPECT_EQ(bytes_of(file), original);
     EXPECT_EQ(w.live(), lost) << "the work is kept";
-    kill(w);
+    kill_once_kept(w);
   }
   locked.release();
   Window w(display_, folder_, {}, without_dialogs());
@@ -302,22 +294,13 @@ TEST_F(FilesTest, AWriteErrorIsShownUntilItIsSolved) {
   EXPECT_TRUE(fs::exists(folder_ / "state/weftlight/recovery"));
 }
 
-/// Bytes of the journals of unsaved work.
-uintmax_t journal_bytes(const fs::path& state) {
-  uintmax_t bytes = 0;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(state, ignored))
-    if (entry.path().extension() == ".journal") bytes += entry.file_size(ignored);
-  return bytes;
-}
-
 TEST_F(FilesTest, AFailedSaveIsReportedAndKeepsTheOldFile) {
   const std::string original = bytes_of(draft_);
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   ASSERT_NO_FATAL_FAILURE(paint(w));
   const std::string kept = w.live();
-  ASSERT_TRUE(comes_true([&] { return journal_bytes(folder_ / "state") > 0; }));
+  ASSERT_TRUE(comes_true([&] { return journal_bytes() > 0; }));
   // No file may grow past some bytes: writing fails as on a full disk. The map of the controls cannot be written
   // either, so the question is first seen in a screenshot, and read when the limit is gone.
   const rlimit full{100, RLIM_INFINITY}, none{RLIM_INFINITY, RLIM_INFINITY};

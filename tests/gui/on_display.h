@@ -2,6 +2,7 @@
 // Fixture of the window tests: a display, and a folder with a draft.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -110,6 +111,25 @@ class OnDisplay : public testing::Test {
       sum += d * d;
     }
     return std::sqrt(sum / static_cast<double>(a.size()));
+  }
+  /// Bytes of the journals of unsaved work.
+  uintmax_t journal_bytes() const {
+    uintmax_t bytes = 0;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "state", ignored))
+      if (entry.path().extension() == ".journal") bytes += entry.file_size(ignored);
+    return bytes;
+  }
+  /// Kills the window once its unsaved work is on the disk: that is promised after half a second, of a machine that has
+  /// no other work.
+  void kill_once_kept(Window& w) const {
+    EXPECT_TRUE(comes_true([&] {
+      const uintmax_t before = journal_bytes();
+      usleep(600'000);
+      return before > 0 && journal_bytes() == before;
+    })) << "the work is not kept";
+    w.process().kill_now();
+    w.process().wait();
   }
   static void put(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;

@@ -125,9 +125,7 @@ TEST_F(TabsTest, AKilledWindowOffersAllOfThem) {
     ASSERT_TRUE(comes_true([&] { return w.live() == bytes_of(draft_) && w.has("tab.shown:1"); }));
     ASSERT_NO_FATAL_FAILURE(paint(w, 2));
     one = w.live();
-    usleep(600'000);
-    w.process().kill_now();
-    w.process().wait();
+    kill_once_kept(w);
   }
   Window w(display_, folder_, {}, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

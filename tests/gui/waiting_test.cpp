@@ -139,9 +139,7 @@ TEST_F(WaitingTest, AKillDuringASaveLosesNothing) {
     ASSERT_NO_FATAL_FAILURE(save(w));
     ASSERT_NO_FATAL_FAILURE(paint_on(w, 2));
     lost = w.live();
-    usleep(600'000);  // the journal's promise is half a second
-    w.process().kill_now();
-    w.process().wait();
+    kill_once_kept(w);
   }
   disk_ends();
   EXPECT_EQ(bytes_of(draft_), original_);

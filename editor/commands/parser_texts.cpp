@@ -137,7 +137,8 @@ std::string count_text(const CLI::App& parser, std::string_view said) {
 std::string conversion_text(const CLI::App& parser, const std::string& said) {
   for (const CLI::Option* option : parser.get_options()) {
     if (option->count() == 0 || said.find(": " + option->get_name() + " = ") == std::string::npos) continue;
-    if (option->get_type_size() == 0) return fill(tr("{option} takes no value"), arg("option", short_name(*option)));
+    if (option->get_items_expected_max() == 0)
+      return fill(tr("{option} takes no value"), arg("option", short_name(*option)));
     return option->get_name() + ": " +
            fill(tr("{text} is not of the form {form}"), arg("text", quoted(option->results().back())),
                 arg("form", value_form(*option)));

@@ -43,12 +43,10 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
        "weftlight print: --paper: 'b5' is none of a4, a3, a5, letter, legal\n"},
       {{"chart", "-o", "a", "--view", "7"}, "weftlight chart: --view: '7' is none of 0, 80\n"},
       {{"info", draft(), "--json=maybe"}, "weftlight info: --json takes no value\n"},
-      {{"info", "--help=much"}, "weftlight info: -h takes no value\n"},
-      {{"--version=9"}, "weftlight: --version takes no value\n"},
       {{"convert", draft(), "a.wif", "--liftplan=perhaps"}, "weftlight convert: --liftplan takes no value\n"},
       {{"info", draft(), "info", draft()}, "weftlight info: 'info' is one argument too many\n"},
-      {{"weave", "twill", "--set"}, "weftlight weave: --set needs a value: NAME=VALUE\n"},
-      {{"join", draft(), draft(), "-o", "a.wif", "--ends=", "--picks"}, "weftlight join: --picks needs a value: A:B\n"},
+      {{"weave", "twill", "--set"}, "weftlight weave: --set needs a value: ID=VALUE\n"},
+      {{"export", draft(), "-o", "a", "--versions=all"}, "weftlight export: --versions takes no value\n"},
   };
   for (const auto& [args, said] : cases) {
     const Ran ran = run(args);

@@ -8,8 +8,8 @@ namespace weftlight::platform {
 /// Whether the system finds a library of this file name ("libEGL.so.1"). Once found it stays loaded.
 bool has_library(const char* name);
 
-/// A function of the library in a file, which is loaded if it is not yet, and stays. Null if there is none; `problem` is
-/// the system's word for it.
+/// A function of the library in a file, which is loaded if it is not yet, and stays. Null if there is none; `problem`
+/// is the system's word for it.
 void* function_of_library(const std::string& path, const char* function, std::string& problem);
 
 }  // namespace weftlight::platform

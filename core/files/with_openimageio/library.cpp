@@ -18,14 +18,12 @@ base::Result<void> close_rows(void* rows) { return static_cast<ImageRows*>(rows)
 void end_rows(void* rows) { delete static_cast<ImageRows*>(rows); }
 
 }  // namespace
-}  // namespace weftlight::files
 
-extern "C" const weftlight::files::PictureCalls* weftlight_picture_calls() {
-  using namespace weftlight;
-  static constexpr files::PictureCalls kCalls{
-      files::write_image,       files::write_mipmapped_exr, files::read_image_size, files::read_image,
-      files::encode_png,        files::draw_text,           files::scaled,          files::read_environment,
-      files::check_environment, files::open_rows,           files::add_rows,        files::close_rows,
-      files::end_rows};
+extern "C" const PictureCalls* weftlight_picture_calls() {
+  static constexpr PictureCalls kCalls{
+      write_image,      write_mipmapped_exr, read_image_size, read_image, encode_png, draw_text, scaled,
+      read_environment, check_environment,   open_rows,       add_rows,   close_rows, end_rows};
   return &kCalls;
 }
+
+}  // namespace weftlight::files

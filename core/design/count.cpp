@@ -1,17 +1,21 @@
 #include "design/count.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace weftlight::design {
 namespace {
 
 constexpr double kPound_g = 453.59237, kYard_m = 0.9144;
 constexpr double kMin_tex = 0.1, kMax_tex = 100'000;
+constexpr double kMost_plies_first = 4;  // "2/28" is of two plies, "12/15" a seine twine of fifteen
 
 /// Grams per kilometre at count 1, for units that count lengths per weight.
 double grams_at_one(CountUnit unit) {
@@ -37,6 +41,29 @@ constexpr std::array<UnitName, 8> kNames{{{"tex", CountUnit::kTex},
                                           {"nec", CountUnit::kNe},
                                           {"lea", CountUnit::kLea},
                                           {"nel", CountUnit::kLea}}};
+
+/// Counts lengths per weight, of the singles.
+bool is_indirect(CountUnit unit) { return unit == CountUnit::kNe || unit == CountUnit::kNm || unit == CountUnit::kLea; }
+
+/// The number with the fewest digits, up to five, that is as good as the value.
+struct Rounded {
+  std::string text;
+  int digits = 0;
+};
+Rounded rounded(double value) {
+  constexpr int kMostDigits = 5;
+  constexpr double kLabel = 5e-4;
+  if (!(value > 0 && std::isfinite(value))) return {"0", kMostDigits};
+  for (int digits = 1; digits <= kMostDigits; ++digits) {
+    const double step = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
+    const double near = std::round(value / step) * step;
+    if (digits < kMostDigits && std::abs(near / value - 1) > kLabel) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", step < 1 ? static_cast<int>(std::lround(-std::log10(step))) : 0, near);
+    return {text, digits};
+  }
+  return {};
+}
 
 bool is_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
@@ -75,20 +102,56 @@ double count_of(double tex, CountUnit unit) {
   return grams_at_one(unit) / tex;
 }
 
-std::optional<double> tex_from_text(std::string_view text) {
+std::optional<WrittenCount> read_count(std::string_view text) {
   if (text.size() > 64) return std::nullopt;
   const CountText p = split(text);
   const size_t stroke = p.number.find('/');
-  const std::optional<double> count = number_in(std::string_view(p.number).substr(0, stroke));
-  const std::optional<double> plies =
-      stroke == std::string::npos ? 1.0 : number_in(std::string_view(p.number).substr(stroke + 1));
-  if (!count || !plies || *count <= 0 || *plies < 1 || *plies > 64) return std::nullopt;
+  const bool plied = stroke != std::string::npos;
+  std::optional<double> count = number_in(std::string_view(p.number).substr(0, stroke));
+  std::optional<double> plies = plied ? number_in(std::string_view(p.number).substr(stroke + 1)) : 1.0;
+  if (!count || !plies) return std::nullopt;
+  if (plied && *count <= kMost_plies_first && *plies > kMost_plies_first) std::swap(count, plies);
+  if (*count <= 0 || *plies < 1 || *plies > 64 || *plies != std::floor(*plies)) return std::nullopt;
   for (const UnitName& known : kNames) {
     if (known.name != p.word) continue;
     const double tex = tex_of(*count, known.unit) * *plies;
-    return tex >= kMin_tex && tex <= kMax_tex ? std::optional(tex) : std::nullopt;
+    if (tex < kMin_tex || tex > kMax_tex) return std::nullopt;
+    return WrittenCount{tex, plied ? static_cast<int>(*plies) : is_indirect(known.unit) ? 1 : 0};
   }
   return std::nullopt;
+}
+
+std::optional<double> tex_from_text(std::string_view text) {
+  const std::optional<WrittenCount> count = read_count(text);
+  return count ? std::optional(count->tex) : std::nullopt;
+}
+
+std::string count_text(double tex, int plies, CountUnit usual) {
+  constexpr CountUnit kUnits[] = {CountUnit::kTex, CountUnit::kNe, CountUnit::kNm, CountUnit::kLea, CountUnit::kDenier};
+  const auto number = [&](CountUnit unit) {
+    return rounded(count_of(is_indirect(unit) ? tex / std::max(plies, 1) : tex, unit));
+  };
+  constexpr int kPlain = 2;  // digits: nobody would write it otherwise
+  CountUnit best = usual;
+  Rounded fewest = number(usual);
+  for (const CountUnit unit : kUnits) {
+    if (fewest.digits <= kPlain && best == usual) break;
+    if (const Rounded other = number(unit); other.digits < fewest.digits) best = unit, fewest = other;
+  }
+  std::string text = fewest.text;
+  if (is_indirect(best) && plies > 1) text.append("/").append(std::to_string(plies));
+  switch (best) {
+    case CountUnit::kNe:
+      return "Ne " + text;
+    case CountUnit::kNm:
+      return "Nm " + text;
+    case CountUnit::kLea:
+      return text + " lea";
+    case CountUnit::kDenier:
+      return text + " den";
+    default:
+      return text + " tex";
+  }
 }
 
 double diameter_from_tex_mm(double tex, double density_g_cm3, double packing) {

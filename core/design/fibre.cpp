@@ -181,12 +181,14 @@ std::optional<Yarn> with_count(Yarn yarn, std::string_view count) {
     yarn.tex = 0;
     return yarn;
   }
-  const std::optional<double> tex = tex_from_text(count);
-  if (!tex) return std::nullopt;
+  const std::optional<WrittenCount> written = read_count(count);
+  if (!written) return std::nullopt;
+  const double tex = written->tex;
   const Substance& fibre = substance_of(yarn);
   const double packing = yarn.diameter_mm > 0 ? packing_fraction(yarn) : fibre.packing;
-  yarn.diameter_mm = static_cast<float>(std::round(diameter_from_tex_mm(*tex, fibre.density, packing) * 1000) / 1000);
-  yarn.tex = static_cast<float>(std::round(*tex * 1000) / 1000);
+  yarn.diameter_mm = static_cast<float>(std::round(diameter_from_tex_mm(tex, fibre.density, packing) * 1000) / 1000);
+  yarn.tex = static_cast<float>(std::round(tex * 1000) / 1000);
+  if (written->plies > 0) yarn.plies = written->plies;
   return clamped(std::move(yarn));
 }
 

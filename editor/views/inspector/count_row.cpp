@@ -11,13 +11,15 @@
 #include "base/text.h"
 #include "design/count.h"
 #include "design/fibre.h"
+#include "design/written_count.h"
 #include "ui/widgets.h"
 #include "views/inspector/words_row.h"
 
 namespace weftlight::views {
 
 using base::arg, base::fill, base::tr, base::with_decimal_point;
-using design::CountUnit, design::count_of, design::packing_fraction, design::tex_of, design::with_count;
+using design::CountUnit, design::count_of, design::packing_fraction, design::tex_of, design::with_count,
+    design::written_count;
 using ui::row_label;
 
 namespace {
@@ -38,11 +40,12 @@ std::string three_figures(double value) {
 std::string count_in_words(const Yarn& yarn) {
   const double tex = static_cast<double>(tex_of(yarn));
   if (!(tex > 0)) return tr("thickness set by the draft");
-  const std::string counts = fill(tr("Ne {ne}, Nm {nm}, {denier} den"),
-                                  arg("ne", with_decimal_point(three_figures(count_of(tex, CountUnit::kNe)))),
-                                  arg("nm", with_decimal_point(three_figures(count_of(tex, CountUnit::kNm)))),
-                                  arg("denier", with_decimal_point(three_figures(count_of(tex, CountUnit::kDenier))))) +
-                             "\n";
+  const auto figure = [tex](CountUnit unit) { return with_decimal_point(three_figures(count_of(tex, unit))); };
+  std::string counts = fill(tr("Ne {ne}, Nm {nm}, {denier} den"), arg("ne", figure(CountUnit::kNe)),
+                            arg("nm", figure(CountUnit::kNm)), arg("denier", figure(CountUnit::kDenier)));
+  if (yarn.tex > 0 && !written_count(yarn).ends_with("tex"))  // the field shows it as its label does
+    counts = fill(tr("{tex} tex; {counts}"), arg("tex", figure(CountUnit::kTex)), arg("counts", counts));
+  counts += "\n";
   if (!(yarn.tex > 0)) return counts + tr("computed from the thickness");
   const double fibre = packing_fraction(yarn);
   if (fibre > kMaxPacking) return counts + tr("more fibre than fits the thickness");
@@ -55,7 +58,7 @@ bool draw_count(const PanelContext& c, Yarn& yarn) {
             tr("Yarn count as it is sold: Ne 8/2, Nm 30/2, 16 lea, 150 den, 30 tex. It sets the thickness, which can "
                "be changed afterwards. If empty, the count is computed from the thickness"));
   ImGui::SetNextItemWidth(-FLT_MIN);
-  std::string typed = three_figures(static_cast<double>(tex_of(yarn))) + " tex";
+  std::string typed = yarn.tex > 0 ? written_count(yarn) : three_figures(static_cast<double>(tex_of(yarn))) + " tex";
   const ImGuiID unread = ImGui::GetID("##count not understood");
   ImGuiStorage& kept = *ImGui::GetStateStorage();
   const bool entered = ImGui::InputText("##count", &typed, ImGuiInputTextFlags_EnterReturnsTrue);

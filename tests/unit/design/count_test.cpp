@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 namespace weftlight::design {
 namespace {
 
@@ -25,9 +28,32 @@ TEST(Count, IsReadFromItsUsualNotation) {
   EXPECT_NEAR(tex_from_text("75 den").value_or(0), 8.333, 0.001);
   EXPECT_NEAR(tex_from_text("33.3 tex").value_or(0), 33.3, 1e-9);
   EXPECT_NEAR(tex_from_text(" 16 lea ").value_or(0), 103.3, 0.1);
-  for (const char* text : {"", "tex", "8", "0 tex", "-3 tex", "8//2 Ne", "8/0 Ne", "1e9 tex", "8/2/2 Ne", "nan tex",
-                           "3 furlongs", "1e-9 tex", "8/999 Ne"})
+  EXPECT_EQ(read_count("Ne 16/2").value().plies, 2);
+  EXPECT_EQ(read_count("30 tex").value().plies, 0) << "not said";
+  EXPECT_NEAR(tex_from_text("Nm 2/28").value_or(0), 71.43, 0.01) << "plies first, as worsted is sold";
+  EXPECT_EQ(read_count("2/28 Nm").value().plies, 2);
+  EXPECT_EQ(read_count("Ne 3/2").value().plies, 2);
+  EXPECT_EQ(read_count("Ne 12/15").value().plies, 15) << "seine twine";
+  EXPECT_EQ(read_count("Ne 8").value().plies, 1);
+  for (const char* text : {"8/2.5 Ne", "", "tex", "8", "0 tex", "-3 tex", "8//2 Ne", "8/0 Ne", "1e9 tex", "8/2/2 Ne",
+                           "nan tex", "3 furlongs", "1e-9 tex", "8/999 Ne"})
     EXPECT_FALSE(tex_from_text(text)) << text;
+}
+
+TEST(Count, ComesBackAsItWasTyped) {
+  const std::pair<const char*, CountUnit> typed[] = {
+      {"Ne 16/2", CountUnit::kNe},  {"Ne 16/2", CountUnit::kNm},   {"Nm 28/2", CountUnit::kNm},
+      {"Nm 5.6", CountUnit::kNm},   {"16/2 lea", CountUnit::kLea}, {"150 den", CountUnit::kDenier},
+      {"30 tex", CountUnit::kNe},   {"Ne 3/2", CountUnit::kNe},    {"Ne 5/6", CountUnit::kNe},
+      {"Nm 7.5/2", CountUnit::kNm}, {"Nm 20/2", CountUnit::kNm},   {"Ne 12/15", CountUnit::kNe},
+      {"1200 tex", CountUnit::kNe}, {"0.5 tex", CountUnit::kTex}};
+  for (const auto& [text, usual] : typed) {
+    const WrittenCount count = read_count(text).value_or(WrittenCount{});
+    const double kept = std::round(count.tex * 1000) / 1000;  // as a yarn keeps it
+    EXPECT_EQ(count_text(kept, count.plies, usual), text);
+  }
+  EXPECT_EQ(count_text(147.6, 2, CountUnit::kNe), "Ne 8/2") << "rounded in the file";
+  EXPECT_EQ(count_text(73.2913, 1, CountUnit::kTex), "73.3 tex") << "no label";
 }
 
 TEST(Count, DiameterOfARoundThread) {

@@ -10,6 +10,7 @@
 #include "design/count.h"
 #include "design/edits.h"
 #include "design/history.h"
+#include "design/written_count.h"
 
 namespace weftlight::design {
 namespace {
@@ -154,6 +155,17 @@ TEST(Fibre, UndoRevertsCountAndThickness) {
   EXPECT_EQ(history.now(), design);
   history.redo();
   EXPECT_NEAR(tex_of(history.now().yarns[0]), 178.6f, 0.1f);
+}
+
+TEST(Fibre, ACountStaysAsItWasWritten) {
+  const Yarn yarn = *with_count(yarn_preset("Silk"), "Ne 16/4");
+  EXPECT_EQ(written_count(yarn), "Ne 16/4");
+  EXPECT_EQ(yarn.plies, 4) << "as it says";
+  EXPECT_EQ(with_count(yarn, "30 tex")->plies, 4) << "it does not say";
+  EXPECT_EQ(with_count(yarn, "Nm 30")->plies, 1);
+  EXPECT_EQ(written_count(with_hairiness(with_lustre(with_fibre(yarn, 0), 0.8f), 0.5f)), "Ne 16/4");
+  EXPECT_EQ(written_count(yarn_preset("Cotton")), "Ne 8/2") << "as the ready yarns are sold";
+  EXPECT_EQ(written_count(yarn_preset("Wool")), "Nm 28/2");
 }
 
 TEST(Fibre, CountsOfThePresets) {

@@ -142,6 +142,15 @@ TEST_F(DeskTest, AltAndF10OpenTheMenus) {
     display_.key("Escape");
     ASSERT_TRUE(comes_true([&] { return !w.has("menu.undo"); }));
   }
+  // Left goes back, and round from the first to the last.
+  display_.key("F10 Right Right");
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.notes"); }));
+  display_.key("Left");
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.undo") && !w.has("menu.notes"); })) << "Left opens the one before";
+  display_.key("Left Left");
+  ASSERT_TRUE(comes_true([&] { return w.has("menu.tour"); })) << "and goes round";
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("menu.tour"); }));
   // Return runs the first item and closes the menu.
   display_.key("F10 Right Right Right");
   ASSERT_TRUE(comes_true([&] { return w.has("menu.zoom_in"); }));

@@ -53,6 +53,32 @@ TEST_F(WeaverVerbs, analyse_as_json) {
   EXPECT_NE(said(analyse_command, options).find("layers          one connected cloth"), std::string::npos);
 }
 
+TEST_F(WeaverVerbs, the_plan_in_the_file_is_used_everywhere) {
+  Design d = wif::read_wif(read_file(fixture_path("twill.wif")).value_or("")).file->design;
+  const auto sums = [&](const std::string& name) {
+    AnalyseOptions options;
+    options.file = path(name), options.json = true;
+    const auto json = nlohmann::json::parse(said(analyse_command, options));
+    int heddles = 0;
+    for (const int shaft : json["heddles"]) heddles += shaft;
+    return std::pair(heddles, json["yarn"]["ends"].get<int>());
+  };
+  ASSERT_TRUE(write_file_atomically(path("drafted.wif"), write_new_wif(d)));
+  d.plan.width_mm = 2000, d.plan.length_mm = 3000, d.plan.warp_shrinkage = 0.1f;
+  ASSERT_TRUE(write_file_atomically(path("planned.wif"), write_new_wif(d)));
+  const auto [drafted, drafted_yarn] = sums("drafted.wif");
+  const auto [planned, planned_yarn] = sums("planned.wif");
+  EXPECT_EQ(drafted, d.draft.ends());
+  EXPECT_GT(planned, drafted) << "the width is that of the file";
+  EXPECT_EQ(planned, planned_yarn) << "as many heddles as ends that are bought";
+  EXPECT_EQ(drafted, drafted_yarn);
+  ASSERT_EQ(run({"print", path("planned.wif"), "-o", path("lists.svg"), "--parts", "heddles"}).code, kDone);
+  std::string sheets;
+  for (const std::string& name : files())
+    if (name.ends_with(".svg")) sheets += read_file(path(name)).value_or("");
+  EXPECT_FALSE(sheets.empty());
+}
+
 TEST_F(WeaverVerbs, analyse_counts_the_cost) {
   const std::string two = path("two.wif");
   Design d;

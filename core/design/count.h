@@ -26,8 +26,9 @@ struct WrittenCount {
 std::optional<WrittenCount> read_count(std::string_view text);
 /// Its tex alone.
 std::optional<double> tex_from_text(std::string_view text);
-/// The count as a label says it: "Ne 16/2", "Nm 28/2", "16/2 lea", "150 den", "30 tex". In the `usual` unit if the number
-/// has two digits at most, to within 0.05 %; else in the unit in which it has the fewest. What was typed so comes back so.
+/// The count as a label says it: "Ne 16/2", "Nm 28/2", "16/2 lea", "150 den", "30 tex". In the `usual` unit if the
+/// number has two digits at most, to within 0.05 %; else in the unit in which it has the fewest. What was typed so
+/// comes back so.
 std::string count_text(double tex, int plies, CountUnit usual);
 
 /// Diameter of a round thread, mm: d = 2 sqrt(tex / (1000 pi rho phi)); rho: density of the fibre in g/cm3; phi

@@ -58,6 +58,8 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
 /// Actions on the chosen ends or picks of the Threads panel; under Draft.
 void add_thread_actions(Actions& all, const ActiveDraft& draft, const Clipboard& clipboard,
                         const WindowActions& window);
+/// The lists of colours and yarns; under Draft.
+void add_palette_actions(Actions& all, const ActiveDraft& draft, const DraftDialogs& dialogs, const YarnActions& yarns);
 /// Weaving at the loom, pick by pick; under Draft.
 void add_loom_actions(Actions& all, const ActiveDraft& draft, const LoomActions& loom);
 /// Zoom, navigation and drawdown styles; under View.

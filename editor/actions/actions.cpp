@@ -33,6 +33,7 @@ std::vector<Action> make_actions(const Subjects& s, const std::vector<std::strin
   add_command_palette_action(all, s.window);
   add_draft_actions(all, s.draft, s.dialogs);
   add_thread_actions(all, s.draft, s.clipboard, s.window);
+  add_palette_actions(all, s.draft, s.dialogs, s.yarns);
   add_loom_actions(all, s.draft, s.loom);
   add_draft_view_actions(all, s.draft, s.settings, s.dialogs, s.window);
   const size_t first_view = all.size();

@@ -17,6 +17,10 @@ struct DraftDialogs {
   std::function<void()> picture;
   /// Versions and colourways of the draft.
   std::function<void()> versions;
+  /// Colours from one to another across threads.
+  std::function<void()> gradient;
+  /// Deletes the active colour or yarn. If threads have it, asks first, and says what takes its place.
+  std::function<void()> delete_color, delete_yarn;
   /// Asks for another draft and joins this one with it.
   std::function<void()> join;
   /// Offers the closest weave to an edit that the loom cannot weave.

@@ -12,6 +12,7 @@
 #include "actions/loom_actions.h"
 #include "actions/tab_actions.h"
 #include "actions/window_actions.h"
+#include "actions/yarn_actions.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::actions {
@@ -28,6 +29,7 @@ struct Subjects {
   ExportActions exports;
   TabActions tabs;
   DraftDialogs dialogs;
+  YarnActions yarns;
   ClothActions cloth;
   LoomActions loom;
   ComparisonActions comparison;

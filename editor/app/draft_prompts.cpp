@@ -22,10 +22,11 @@ using base::mark, base::tr;
 using design::Design, design::Loom, design::Repeat, design::structure_repeat, design::ThreadRange, design::WeaveUse,
     design::free_version_name, design::threads_of, design::with_size;
 using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Selection, draft::System;
-using session::Edit, session::OpenResult, session::scroll_to;
-using views::ClosestWeavePrompt, views::JoinPrompt, views::NotesPrompt, views::PicturePrompt, views::PictureStage,
-    views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt, views::VersionPictures, views::VersionsPrompt,
-    views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
+using session::OpenResult, session::color_deletion, session::color_deletion_words, session::delete_color_edit,
+    session::delete_yarn_edit, session::scroll_to, session::yarn_deletion, session::yarn_deletion_words;
+using views::ClosestWeavePrompt, views::GradientPrompt, views::JoinPrompt, views::NotesPrompt, views::PicturePrompt,
+    views::PictureStage, views::Question, views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt,
+    views::VersionPictures, views::VersionsPrompt, views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
 using weaves::WeaveKind, weaves::free_section_name, weaves::weave_kinds;
 
 namespace {
@@ -35,6 +36,7 @@ constexpr uint64_t kWeaveStrokes = uint64_t{1} << 62;
 constexpr uint64_t kSectionStrokes = uint64_t{3} << 61;
 constexpr uint64_t kClosestStrokes = uint64_t{5} << 60;
 constexpr uint64_t kJoinStrokes = uint64_t{7} << 60;
+constexpr uint64_t kGradientStrokes = uint64_t{9} << 59;
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
@@ -190,6 +192,45 @@ void DraftPrompts::ask_versions() {
   dialogs_.ask(std::move(p), [](int) {});
 }
 
+void DraftPrompts::ask_gradient() {
+  const Draft& d = document().now().draft;
+  const auto active = static_cast<size_t>(view().drawing.color);
+  GradientPrompt p;
+  p.system = view().chosen.system;
+  p.chosen_of = p.system;
+  p.chosen = view().chosen.threads;
+  p.gradient.from = d.palette[active];
+  p.gradient.to = d.palette[active + 1 < d.palette.size() ? active + 1 : 0];
+  p.base = document().snapshot();
+  p.stroke = kGradientStrokes | ++asked_;
+  dialogs_.ask(std::move(p), [](int) {});
+}
+
+void DraftPrompts::delete_or_ask(const Deletion& deletion, const Edit& edit, const std::string& words,
+                                 int DrawingState::*active) {
+  if (deletion.heir < 0) return;
+  const auto remove = [this, edit, active, heir = deletion.heir - (deletion.heir > deletion.entry ? 1 : 0)] {
+    editing_.commit(edit);
+    view().drawing.*active = heir;
+  };
+  if (!deletion.is_used()) return remove();
+  dialogs_.ask(Question{edit.label, words, {mark("Delete"), mark("Cancel")}}, [remove](int button) {
+    if (button == 0) remove();
+  });
+}
+
+void DraftPrompts::ask_delete_color() {
+  const Deletion d = color_deletion(document().now(), view().drawing.color);
+  delete_or_ask(d, delete_color_edit(d), color_deletion_words(d), &DrawingState::color);
+}
+
+void DraftPrompts::ask_delete_yarn() {
+  const Design& now = document().now();
+  const Deletion d = yarn_deletion(now, view().drawing.yarn);
+  if (d.heir < 0) return;
+  delete_or_ask(d, delete_yarn_edit(now, d), yarn_deletion_words(now, d), &DrawingState::yarn);
+}
+
 void DraftPrompts::ask_closest_weave() {
   if (!view().rejected_edit || !view().rejected_edit->closest) return;
   ClosestWeavePrompt p{view().rejected_edit->closest, document().snapshot(), kClosestStrokes | ++asked_};
@@ -209,6 +250,9 @@ DraftDialogs DraftPrompts::actions() {
           .sections = [this] { ask_sections(); },
           .picture = [this] { ask_picture(); },
           .versions = [this] { ask_versions(); },
+          .gradient = [this] { ask_gradient(); },
+          .delete_color = [this] { ask_delete_color(); },
+          .delete_yarn = [this] { ask_delete_yarn(); },
           .join = [this] { ask_join(); },
           .closest_weave = [this] { ask_closest_weave(); }};
 }

@@ -10,11 +10,12 @@
 #include "app/editing.h"
 #include "app/files.h"
 #include "app/messages.h"
+#include "session/editing/palette_edits.h"
 
 namespace weftlight::app {
 
 using actions::DraftDialogs;
-using session::Document, session::DocumentView;
+using session::Deletion, session::Document, session::DocumentView, session::DrawingState, session::Edit;
 
 class DraftPrompts {
  public:
@@ -32,6 +33,9 @@ class DraftPrompts {
   void ask_join();
   void ask_picture();
   void ask_versions();
+  void ask_gradient();
+  void ask_delete_color();
+  void ask_delete_yarn();
   void ask_closest_weave();
 
   DraftDialogs actions();
@@ -39,6 +43,8 @@ class DraftPrompts {
  private:
   const Document& document() const { return editing_.document(); }
   DocumentView& view() { return editing_.view(); }
+  /// Deletes what nothing uses at once; otherwise asks, with `words` about what takes its place.
+  void delete_or_ask(const Deletion& deletion, const Edit& edit, const std::string& words, int DrawingState::*active);
 
   Editing& editing_;
   Files& files_;

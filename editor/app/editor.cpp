@@ -46,6 +46,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       live_export_(options.live_export),
       files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
       prompts_(editing_, files_, dialogs_, messages_, [this] { cloth_.show_flat(); }),
+      own_yarns_(editing_, tasks_, dialogs_, messages_),
       start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
       tabs_(session_, files_, dialogs_, schedule_),
       exports_(session_, dialogs_, messages_),
@@ -107,6 +108,7 @@ Subjects Editor::subjects() {
           .exports = {.export_textures = [this] { exports_.ask(); }, .print = [this] { printing_.ask(); }},
           .tabs = tabs_.actions(),
           .dialogs = prompts_.actions(),
+          .yarns = own_yarns_.actions(),
           .cloth = cloth_.actions(),
           .loom = loom_.actions(),
           .comparison = reports_.actions()};

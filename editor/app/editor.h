@@ -17,6 +17,7 @@
 #include "app/live_export_writer.h"
 #include "app/loom_window.h"
 #include "app/messages.h"
+#include "app/own_yarns.h"
 #include "app/panels.h"
 #include "app/printing.h"
 #include "app/reports.h"
@@ -87,6 +88,7 @@ class Editor {
   LiveExportWriter live_export_;
   Files files_;
   DraftPrompts prompts_;
+  OwnYarns own_yarns_;
   StartDialogs start_;
   Tabs tabs_;
   TextureExports exports_;

@@ -13,8 +13,8 @@
 #include "app/reports.h"
 #include "session/action_item.h"
 #include "session/files/user_files.h"
+#include "views/common/yarn_strip.h"
 #include "views/draft/draft_panel.h"
-#include "views/inspector/yarn_strip.h"
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {

@@ -46,6 +46,7 @@ struct ConvertOptions {
   ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // the size that the result has to fit
   bool closest = false;    // a draft that does not fit is replaced by the closest weave
+  bool tidy = false;       // equal colours and yarns are merged, unused ones go
   std::string version{};   // the name of the version to take; empty: the draft as it is
   files::PictureDraft picture{};
 };
@@ -135,6 +136,10 @@ struct JoinOptions {
   std::string a, b, out;
   std::string ends, picks, layers;  // threads of each in turn, as 2:1; one of them is given
 };
+struct YarnsOptions {
+  std::vector<std::string> files;  // drafts, and lists (.txt)
+  std::string out;                 // a list; empty: printed
+};
 
 int info_command(const InfoOptions&);
 int drawdown_command(const DrawdownOptions&);
@@ -151,6 +156,7 @@ int diff_command(const DiffOptions&);
 int join_command(const JoinOptions&);
 int print_command(const PrintCommand&);
 int weave_command(const WeaveOptions&);
+int yarns_command(const YarnsOptions&);
 
 struct EditorOptions {
   std::string file, live_export, ui_map;

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/edits.h"
+#include "design/palette_edits.h"
 #include "design/versions.h"
 #include "draft/factor.h"
 
@@ -14,7 +15,8 @@ namespace weftlight::commands {
 
 using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
 using design::Design, design::Version, design::at_version, design::to_liftplan, design::to_treadling,
-    design::version_named;
+    design::version_named, design::with_merged_colors, design::with_merged_yarns, design::without_unused_colors,
+    design::without_unused_yarns;
 using draft::ClosestDraft, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
     draft::kMaxShafts, draft::within_loom, draft::Draft;
 using files::is_picture;
@@ -32,8 +34,14 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
                                    : treadling ? PlainShedControl::kTreadling
                                                : PlainShedControl::kAsIs);
   }
-  const bool changed = liftplan || treadling || asks_for_loom(options) || !options.version.empty();
+  const bool changed = liftplan || treadling || asks_for_loom(options) || options.tidy || !options.version.empty();
   return changed ? write_wif(file, design) : file.bytes;
+}
+
+Design tidied(Design design, const ConvertOptions& options) {
+  if (!options.tidy) return design;
+  design = without_unused_colors(with_merged_colors(std::move(design)));
+  return without_unused_yarns(with_merged_yarns(std::move(design)));
 }
 
 base::Result<Design> with_shed_control(Design design, const ConvertOptions& options) {
@@ -94,6 +102,7 @@ int convert_command(const ConvertOptions& options) {
   if (!opened.ok) return kBadInput;
   const base::Result<Design> design =
       at_named_version(opened.design, options)
+          .map([&](Design taken) { return tidied(std::move(taken), options); })
           .and_then([&](Design taken) { return with_shed_control(std::move(taken), options); })
           .and_then([&](Design changed) { return fitted_to_loom(std::move(changed), options); });
   if (!design) return fail(design.error());

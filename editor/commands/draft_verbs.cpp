@@ -141,6 +141,14 @@ RunVerb add_join(CLI::App& verb) {
   return [options] { return join_command(*options); };
 }
 
+RunVerb add_yarns(CLI::App& verb) {
+  const auto options = std::make_shared<YarnsOptions>();
+  verb.add_option("files", options->files, tr("Drafts, and lists of yarns (.txt)"))->required();
+  verb.add_option("-o,--output", options->out, tr("Output file: a list of all these yarns (.txt); default: printed"))
+      ->check(some_path());
+  return [options] { return yarns_command(*options); };
+}
+
 RunVerb add_drawdown(CLI::App& verb) {
   const auto options = std::make_shared<DrawdownOptions>();
   DrawdownOptions& o = *options;
@@ -249,6 +257,7 @@ RunVerb add_convert(CLI::App& verb) {
       verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has; default: any"))
           ->check(whole_number(1, kMaxShafts))
           ->excludes(liftplan);
+  verb.add_flag("--tidy", o.tidy, tr("Merge equal colours and yarns, and remove those that no thread has"));
   verb.add_option("--take-version", o.version,
                   tr("Version or colourway of the draft to copy; default: the draft as it is"))
       ->type_name(tr("NAME"));
@@ -268,6 +277,7 @@ constexpr Verb kDraftVerbs[] = {
     {"weave", mark("Generate a draft from the table of weaves"), add_weave},
     {"diff", mark("Compare two drafts"), add_diff},
     {"join", mark("Join two drafts in one cloth"), add_join},
+    {"yarns", mark("List the yarns of drafts, or write them as a list for the yarn library"), add_yarns},
     {"drawdown", mark("Write the drawdown as text or as a coloured picture"), add_drawdown},
     {"convert", mark("Copy a draft, to the byte unless an option changes it"), add_convert},
 };

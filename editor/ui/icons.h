@@ -12,6 +12,7 @@ inline constexpr const char* kSearch = "\xEF\x80\x82";    // f002 search
 inline constexpr const char* kWarning = "\xEF\x81\xB1";   // f071 exclamation-triangle
 inline constexpr const char* kInfo = "\xEF\x81\x9A";      // f05a info-circle
 inline constexpr const char* kPlus = "\xEF\x81\xA7";      // f067 plus
+inline constexpr const char* kMinus = "\xEF\x81\xA8";     // f068 minus
 inline constexpr const char* kDown = "\xEF\x84\x87";      // f107 angle-down
 inline constexpr const char* kRight = "\xEF\x84\x85";     // f105 angle-right
 inline constexpr const char* kLeft = "\xEF\x84\x84";      // f104 angle-left

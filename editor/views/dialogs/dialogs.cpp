@@ -130,6 +130,10 @@ DialogResult draw(PanelContext& c, ClosestWeavePrompt& p) { return draw_closest_
 
 DialogResult draw(PanelContext& c, JoinPrompt& p) { return draw_join(c, p); }
 
+DialogResult draw(PanelContext& c, GradientPrompt& p) { return draw_gradient(c, p); }
+
+DialogResult draw(PanelContext& c, YarnsPrompt& p) { return draw_yarns(c, p); }
+
 DialogResult draw(PanelContext& c, WeavePrompt& p) { return draw_weave_prompt(c, p); }
 
 DialogResult draw(PanelContext& c, ExportPrompt& p) { return draw_export_prompt(c, p); }
@@ -222,6 +226,7 @@ MaybeEdit restored(const Dialog& dialog) {
   if (const auto* sections = std::get_if<SectionsPrompt>(&dialog)) return restored(*sections);
   if (const auto* join = std::get_if<JoinPrompt>(&dialog)) return restored(*join);
   if (const auto* closest = std::get_if<ClosestWeavePrompt>(&dialog)) return restored(*closest);
+  if (const auto* gradient = std::get_if<GradientPrompt>(&dialog)) return restored(*gradient);
   return {};
 }
 
@@ -264,9 +269,11 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   // A dialog with a preview in the draft stands beside the draft.
   const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
-                    std::holds_alternative<ClosestWeavePrompt>(dialog);
+                    std::holds_alternative<ClosestWeavePrompt>(dialog) ||
+                    std::holds_alternative<GradientPrompt>(dialog);
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog) ||
-                    std::holds_alternative<VersionsPrompt>(dialog) || std::holds_alternative<PicturePrompt>(dialog);
+                    std::holds_alternative<VersionsPrompt>(dialog) || std::holds_alternative<PicturePrompt>(dialog) ||
+                    std::holds_alternative<YarnsPrompt>(dialog);
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
                            view->WorkPos.y + view->WorkSize.y * (tall ? 0.5f : 0.4f)},
                           ImGuiCond_Always, {live ? 1.0f : 0.5f, 0.5f});

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "design/palette_edits.h"
 #include "views/common/panel.h"
 #include "views/dialogs/export_dialog.h"
 #include "views/dialogs/gallery.h"
@@ -13,12 +14,13 @@
 #include "views/dialogs/print_dialog.h"
 #include "views/dialogs/versions_dialog.h"
 #include "views/dialogs/weave_preview.h"
+#include "views/dialogs/yarns_dialog.h"
 #include "weaves/joined_drafts.h"
 #include "weaves/table.h"
 
 namespace weftlight::views {
 
-using design::Assembly, design::Design, design::WeaveUse;
+using design::Assembly, design::Design, design::Gradient, design::WeaveUse;
 using draft::System;
 using session::ClosestWeave, session::MaybeEdit;
 using weaves::ClothSize, weaves::Joining, weaves::WeaveValues;
@@ -84,6 +86,16 @@ struct JoinPrompt {
   bool shown = false;  // the draft shows it
   std::string why{};   // why they cannot be joined so
 };
+/// Colours from one to another across threads. The draft shows it while the dialog is open.
+struct GradientPrompt {
+  System system = System::kWarp;
+  std::vector<int> chosen;  // threads of the system in which it opened; empty: all
+  System chosen_of = system;
+  Gradient gradient;
+  std::shared_ptr<const Design> base;  // before the dialog
+  uint64_t stroke = 0;
+  bool shown = false;  // the draft shows it
+};
 /// The closest weave that the loom can make to an edit beyond its limits. The draft shows it while the dialog is open.
 struct ClosestWeavePrompt {
   std::shared_ptr<const ClosestWeave> closest;
@@ -116,10 +128,10 @@ struct RecoveryPrompt {
   /// Meaning of the pressed button. With several rows there is also one for all, without any only kLater.
   Button button(int pressed) const;
 };
-using Dialog =
-    std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
-                 ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt, RecoveryPrompt,
-                 GalleryPrompt, ClosestWeavePrompt, JoinPrompt, VersionsPrompt, PicturePrompt>;
+using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
+                            ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
+                            RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt, JoinPrompt, VersionsPrompt,
+                            PicturePrompt, GradientPrompt, YarnsPrompt>;
 
 /// kOpen while the dialog is open, kDone with `button`, kCancelled by Cancel or Escape.
 enum class DialogOutcome { kOpen, kDone, kCancelled };

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "session/editing/paint.h"
+#include "session/editing/palette_edits.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -13,13 +14,33 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr;
 using design::Design, design::with_new_palette_color, design::with_palette_color;
 using draft::Draft, draft::Rgb;
-using session::BarPaint, session::DocumentView, session::Edit, session::GridId, session::bar_edit;
+using session::BarPaint, session::DocumentView, session::Edit, session::GridId, session::bar_edit,
+    session::delete_color_edit;
 using ui::buttons_row, ui::draw_swatch, ui::hit_area, ui::icon_button, ui::push_font, ui::row_label, ui::section,
     ui::segmented, ui::text_button, ui::tooltip;
 
 namespace {
 
 using Panel = ViewContext<DrawingState>;
+
+/// The menu of a swatch by the right button.
+void draw_swatch_menu(Panel& c, int color) {
+  if (!ImGui::BeginPopupContextItem("swatch menu")) return;
+  const int active = c.view.color;
+  const bool several = c.design.draft.palette.size() > 1;
+  if (ImGui::MenuItem(tr("Delete"), nullptr, false, several)) {
+    c.wanted.change_view([color](DocumentView& v) { v.drawing.color = color; });
+    c.wanted.add_action("colors.delete");
+  }
+  c.map.add_item("palette.delete");
+  if (ImGui::MenuItem(tr("Replace by the active colour"), nullptr, false, color != active))
+    c.wanted.gesture([color, active](DocumentView& v, const Design&) -> MaybeEdit {
+      v.drawing.color = active - (active > color ? 1 : 0);
+      return delete_color_edit({color, active});
+    });
+  c.map.add_item("palette.replace");
+  ImGui::EndPopup();
+}
 
 /// All swatches in rows. A click makes a colour active. Large palettes scroll.
 void draw_swatches(Panel& c) {
@@ -40,6 +61,7 @@ void draw_swatches(Panel& c) {
         v.drawing.color = i;
         v.drawing.bar_paint = BarPaint::kColor;
       });
+    draw_swatch_menu(c, i);
     ImGui::PopID();
     if (!ImGui::IsItemVisible()) continue;
     const std::string name = "palette:" + std::to_string(i + 1);

@@ -73,6 +73,13 @@ MaybeEdit draw_yarn_presets(Panel& c) {
   MaybeEdit edit;
   if (ImGui::MenuItem(tr("Copy of this one"))) edit = add_yarn(c, c.design.yarns[static_cast<size_t>(c.view.yarn)]);
   c.map.add_item("yarn.add:like");
+  if (ImGui::MenuItem(tr("From the library\xE2\x80\xA6"))) c.wanted.add_action("yarns.library");
+  c.map.add_item("yarn.add:library");
+  if (ImGui::MenuItem(tr("Keep this one in the library"))) c.wanted.add_action("yarns.keep");
+  c.map.add_item("yarn.keep");
+  if (ImGui::MenuItem(tr("Delete this one"), nullptr, false, c.design.yarns.size() > 1))
+    c.wanted.add_action("yarns.delete");
+  c.map.add_item("yarn.delete");
   ImGui::Separator();
   for (const Yarn& yarn : yarn_presets()) {
     if (ImGui::MenuItem(yarn.name.c_str())) edit = add_yarn(c, yarn);
@@ -102,7 +109,8 @@ MaybeEdit draw_choice(Panel& c) {
     end_combo();
   }
   ImGui::SameLine();
-  if (icon_button(c, "yarn.add", icon::kPlus, "+", tr("Add a yarn: a copy of this one, or a preset")))
+  if (icon_button(c, "yarn.add", icon::kPlus, "+",
+                  tr("Add a yarn: a copy of this one, a preset, or one of the library; keep or delete this one")))
     ImGui::OpenPopup("yarn presets");
   return draw_yarn_presets(c);
 }

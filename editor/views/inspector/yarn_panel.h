@@ -3,7 +3,7 @@
 
 #include "session/editing/drawing_state.h"
 #include "views/common/panel.h"
-#include "views/inspector/yarn_strip.h"
+#include "views/common/yarn_strip.h"
 
 namespace weftlight::views {
 

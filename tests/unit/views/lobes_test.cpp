@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "views/common/yarn_strip.h"
 #include "views/inspector/lobes_plot.h"
-#include "views/inspector/yarn_strip.h"
 
 namespace weftlight::views {
 

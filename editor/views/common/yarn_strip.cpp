@@ -1,4 +1,4 @@
-#include "views/inspector/yarn_strip.h"
+#include "views/common/yarn_strip.h"
 
 #include <algorithm>
 #include <cmath>

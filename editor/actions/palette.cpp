@@ -1,0 +1,83 @@
+// The lists of colours and yarns of the draft: swap, sort, merge, remove. Under Draft.
+
+#include <algorithm>
+#include <utility>
+
+#include "actions/action_parts.h"
+#include "session/editing/palette_edits.h"
+
+namespace weftlight::actions {
+
+using base::mark, base::tr;
+using design::ColorOrder, design::Design, design::Yarn, design::with_merged_colors, design::with_merged_yarns,
+    design::with_sorted_colors, design::with_sorted_yarns, design::with_swapped_lightness, design::with_swapped_systems,
+    design::without_unused_colors, design::without_unused_yarns;
+using draft::Rgb;
+using session::Edit, session::keeping_active;
+
+namespace {
+
+/// An action whose label is that of its edit. `unchanged`: said if there was nothing to do; null: never.
+struct PaletteAction {
+  const char *submenu, *id, *label;  // `submenu`: marked
+  Design (*edit)(Design);
+  const char* unchanged = nullptr;
+};
+
+Action& add_edit(Actions& all, const ActiveDraft& draft, const PaletteAction& a) {
+  Action& added = add(all, "Draft", a.id, a.label, "", [&draft, a] {
+    Edit edit{a.label, a.edit};
+    if (a.unchanged) edit.why = [text = a.unchanged](const Design&) { return std::string(text); };
+    keeping_active(draft.view().drawing, draft.document(), [&] { draft.commit(edit); });
+  });
+  added.item.submenu = a.submenu;
+  return added;
+}
+
+Action& add_dialog(Actions& all, const char* submenu, const char* id, const char* label,
+                   const std::function<void()>& run) {
+  Action& added = add(all, "Draft", id, label, "", run);
+  added.item.submenu = submenu;
+  return added;
+}
+
+Design by_hue(Design d) { return with_sorted_colors(std::move(d), ColorOrder::kHue); }
+Design by_lightness(Design d) { return with_sorted_colors(std::move(d), ColorOrder::kLightness); }
+
+}  // namespace
+
+void add_palette_actions(Actions& all, const ActiveDraft& draft, const DraftDialogs& dialogs,
+                         const YarnActions& yarns) {
+  constexpr const char *kColors = mark("Colours"), *kYarns = mark("Yarns");
+  const char* const sorted = tr("They are in that order already.");
+  add_dialog(all, kColors, "colors.gradient", tr("Gradient\xE2\x80\xA6"), dialogs.gradient);
+  add_edit(all, draft,
+           {kColors, "colors.swap_systems", tr("Swap warp and weft colours"), with_swapped_systems,
+            tr("Warp and weft have the same colours.")});
+  add_edit(all, draft,
+           {kColors, "colors.swap_lightness", tr("Swap light and dark colours"), with_swapped_lightness,
+            tr("All threads have one colour.")});
+  new_group(add_edit(all, draft, {kColors, "colors.sort_hue", tr("Sort colours by hue"), by_hue, sorted}));
+  add_edit(all, draft, {kColors, "colors.sort_lightness", tr("Sort colours from light to dark"), by_lightness, sorted});
+  add_edit(all, draft,
+           {kColors, "colors.merge", tr("Merge equal colours"), with_merged_colors, tr("No two colours are equal.")});
+  add_edit(all, draft,
+           {kColors, "colors.remove_unused", tr("Remove unused colours"), without_unused_colors,
+            tr("Threads have all colours of the palette.")});
+  add_dialog(all, kColors, "colors.delete", tr("Delete the active colour"), dialogs.delete_color).enabled = [&draft] {
+    return draft.document().now().draft.palette.size() > 1;
+  };
+  add_dialog(all, kYarns, "yarns.library", tr("Yarn library\xE2\x80\xA6"), yarns.show_library);
+  add_dialog(all, kYarns, "yarns.keep", tr("Keep the active yarn in the library"), yarns.keep);
+  new_group(add_edit(all, draft, {kYarns, "yarns.sort", tr("Sort yarns by name"), with_sorted_yarns, sorted}));
+  add_edit(all, draft,
+           {kYarns, "yarns.merge", tr("Merge equal yarns"), with_merged_yarns, tr("No two yarns are equal.")});
+  add_edit(all, draft,
+           {kYarns, "yarns.remove_unused", tr("Remove unused yarns"), without_unused_yarns,
+            tr("Threads are of all yarns of the draft.")});
+  add_dialog(all, kYarns, "yarns.delete", tr("Delete the active yarn"), dialogs.delete_yarn).enabled = [&draft] {
+    return draft.document().now().yarns.size() > 1;
+  };
+}
+
+}  // namespace weftlight::actions

@@ -35,7 +35,34 @@ LoomReply raised(const WeavingSetup& w, WeavingState state) {
             fill(tr("the loom's protocol has room for {most} shafts, and the draft has {count}"),
                  arg("most", kMaxLoomShafts), arg("count", w.draft.shafts))};
   state.waiting = true;
+  state.shed = WeavingState::Shed::kSent;
   return {state, raise_command(w.protocol, *shafts), {}};
+}
+
+/// Sends the shafts of the pick after the next, whose own shed is open.
+LoomReply raised_ahead(const WeavingSetup& w, WeavingState state) {
+  LoomReply after = raised(w, advanced(state, w.range, w.lifts.rows(), w.tabby_between));
+  if (after.send.empty()) return {state, {}, after.remark};
+  state.waiting = true;
+  state.shed = WeavingState::Shed::kAhead;
+  return {state, std::move(after.send), {}};
+}
+
+/// What a loom that takes picks ahead is sent when it can take shafts.
+LoomReply shafts_to_take(const WeavingSetup& w, const WeavingState& state, bool shed_open) {
+  using Shed = WeavingState::Shed;
+  if (state.shed == Shed::kUnknown || state.shed == Shed::kSent) return raised(w, state);
+  if (state.shed == Shed::kAhead || shed_open) return raised_ahead(w, state);
+  return {state, {}, {}};
+}
+
+LoomReply shed_closed(const WeavingSetup& w, const WeavingState& state) {
+  using Shed = WeavingState::Shed;
+  WeavingState next_state =
+      state.shed == Shed::kAhead ? advanced(state, w.range, w.lifts.rows(), w.tabby_between) : state;
+  if (state.shed != Shed::kUnknown) next_state.shed = Shed::kFixed;
+  next_state.waiting = false;
+  return {next_state, {}, {}};
 }
 
 }  // namespace
@@ -70,6 +97,7 @@ WeavingState moved_to_pick(WeavingState state, const PickRange& range, int picks
   state.next_pick = s.first < s.end ? std::clamp(pick, s.first, s.end - 1) : 0;
   state.waiting = false;
   state.at_tabby = false;
+  state.shed = WeavingState::Shed::kUnknown;
   return state;
 }
 
@@ -90,6 +118,16 @@ LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomR
     }
     case LoomReport::kMotion:
       return {state, {}, {}};
+    case LoomReport::kReady:
+      return shafts_to_take(w, state, false);
+    case LoomReport::kShedOpen:
+      return shafts_to_take(w, state, true);
+    case LoomReport::kShedClosed:
+      return shed_closed(w, state);
+    case LoomReport::kPasswordWanted:
+      return {state, password_command(), {}};
+    case LoomReport::kNegativeDobby:
+      return {state, {}, tr("this loom has a negative dobby: it leaves down what is sent; weave the sinking shed")};
     case LoomReport::kUnknown:
       break;
   }
@@ -97,15 +135,21 @@ LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomR
 }
 
 LoomReply on_connected(const WeavingSetup& w, const WeavingState& state) {
+  if (takes_picks_ahead(w.protocol)) return {state, greeting(w.protocol), {}};
   LoomReply first = state.waiting ? raised(w, state) : LoomReply{state, {}, {}};
   first.send.insert(0, direction_command(w.protocol, state.weaving));
   return first;
 }
 
+LoomReply sent_again(const WeavingSetup& w, const WeavingState& state) {
+  return takes_picks_ahead(w.protocol) ? raised(w, state) : LoomReply{state, {}, {}};
+}
+
 LoomReply step_by_hand(const WeavingSetup& w, const WeavingState& state, bool forwards) {
   WeavingState next_state = state;
   next_state.weaving = forwards;
-  if (state.waiting || !forwards) next_state = advanced(next_state, w.range, w.lifts.rows(), w.tabby_between);
+  const bool sent = takes_picks_ahead(w.protocol) ? state.shed != WeavingState::Shed::kUnknown : state.waiting;
+  if (sent || !forwards) next_state = advanced(next_state, w.range, w.lifts.rows(), w.tabby_between);
   LoomReply next = raised(w, next_state);
   if (forwards != state.weaving) next.send.insert(0, direction_command(w.protocol, forwards));
   return next;

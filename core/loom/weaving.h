@@ -24,6 +24,13 @@ struct WeavingState {
   bool waiting = false;  // its shafts were sent
   // A tabby pick comes before next_pick; it is, or the next one will be, the second of the two tabby sheds.
   bool at_tabby = false, second_tabby = false;
+  // Of a loom that takes picks ahead: what it knows of next_pick.
+  enum class Shed {
+    kUnknown,  // nothing was sent
+    kSent,     // its shafts were sent
+    kFixed,    // they are fixed; its shed opens next, or is open
+    kAhead,    // its shed is open, and the shafts of the pick after it were sent
+  } shed = Shed::kUnknown;
   bool operator==(const WeavingState&) const = default;
 };
 
@@ -49,6 +56,8 @@ struct WeavingSetup {
 LoomReply reply_to(const WeavingSetup& weaving, const WeavingState& state, const LoomReport& report);
 /// What to send after each new connection: the direction, and the shafts of a pick that was sent but not confirmed.
 LoomReply on_connected(const WeavingSetup& weaving, const WeavingState& state);
+/// The shafts of next_pick, for a loom that takes picks ahead, when the weaver went there; otherwise nothing.
+LoomReply sent_again(const WeavingSetup& weaving, const WeavingState& state);
 /// A step by key or click, as if the loom had asked: for a Toika or a treadle loom, which report nothing.
 LoomReply step_by_hand(const WeavingSetup& weaving, const WeavingState& state, bool forwards);
 /// A tabby pick now, before next_pick, which stays where it is. At a tabby pick, the other shed instead. A remark if

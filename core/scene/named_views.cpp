@@ -31,15 +31,32 @@ bool same_name(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, {}, lower, lower);
 }
 
+const Bounds kSwatch{{-kFlatWidth_mm / 2, 0, 0}, {kFlatWidth_mm / 2, kFlatHeight_mm, 0}};
+
 }  // namespace
+
+float flat_pixel_mm(const Scene& scene, int width_px, int height_px) {
+  return place_camera(scene, {}, kSwatch, std::max(1, width_px), std::max(1, height_px), 0, 0).pixel_mm;
+}
+
+float flat_distance_of_pixel(float pixel_mm, int width_px, int height_px) {
+  Scene whole;  // what a pixel sees is in proportion to the distance
+  whole.view_azimuth = whole.view_elevation = 0;
+  whole.view_distance = 1;
+  return pixel_mm / flat_pixel_mm(whole, width_px, height_px);
+}
+
+SwatchPoint flat_centre(const Scene& scene, int width_px, int height_px) {
+  const float frame_mm = flat_pixel_mm(scene, width_px, height_px) * static_cast<float>(width_px);
+  return {kFlatWidth_mm / 2 - scene.pan_x * frame_mm, kFlatHeight_mm / 2 - scene.pan_y * frame_mm};
+}
 
 float flat_distance(const Design& design, float width_px, float height_px, float pixels_a_yarn) {
   constexpr float kFilled = 0.96f;  // of the swatch, so that no edge is visible
-  const Bounds plane{{-150, 0, 0}, {150, 200, 0}};
   const float aspect = std::max(width_px, 1.0f) / std::max(height_px, 1.0f);
   const float spacing = 0.5f * (mean_spacing(design, System::kWarp) + mean_spacing(design, System::kWeft));
-  const float most = kFilled * std::min(plane.high.y - plane.low.y, (plane.high.x - plane.low.x) / aspect);
-  return distance_of_height(plane, aspect, std::min(height_px / pixels_a_yarn * spacing, most));
+  const float most = kFilled * std::min(kFlatHeight_mm, kFlatWidth_mm / aspect);
+  return distance_of_height(kSwatch, aspect, std::min(height_px / pixels_a_yarn * spacing, most));
 }
 
 NamedView shipped_view(const Design& design, size_t which, float width_px, float height_px) {

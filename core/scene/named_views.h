@@ -28,6 +28,18 @@ inline constexpr std::array kShippedViews = {
 /// or is shown at its full height if that would be wider.
 float flat_distance(const Design& design, float width_px, float height_px, float pixels_a_yarn);
 
+/// Size of a pixel on the flat swatch, at the centre of a picture of this size.
+float flat_pixel_mm(const Scene& scene, int width_px, int height_px);
+/// The view distance at which that is `pixel_mm`.
+float flat_distance_of_pixel(float pixel_mm, int width_px, int height_px);
+/// The point of the swatch at the centre of the picture, from its lower left corner. Seen straight on.
+struct SwatchPoint {
+  float x_mm = 0, y_mm = 0;
+};
+SwatchPoint flat_centre(const Scene& scene, int width_px, int height_px);
+/// Sizes of the swatch.
+inline constexpr float kFlatWidth_mm = 300, kFlatHeight_mm = 200;
+
 /// One of kShippedViews, for a picture of this size; mesh and light strength stay the design's.
 NamedView shipped_view(const Design& design, size_t which, float width_px, float height_px);
 

@@ -68,6 +68,9 @@ void add_cloth_actions(Actions& all, const ActiveDraft& draft, const ClothAction
     draft.view().cloth.grazing = !on;
   });
   grazing.checked = [&draft] { return draft.view().cloth.flat && draft.view().cloth.grazing; };
+  Action& distance = add(all, "Cloth", "true_distance", tr("True distance"), "Shift+D", cloth.toggle_true_distance);
+  distance.checked = [&draft] { return draft.view().cloth.flat && draft.view().cloth.true_distance; };
+  add(all, "Cloth", "measure_screen", tr("Measure the screen with a card\xE2\x80\xA6"), "", cloth.measure_screen);
   Action& by_time = add(all, "Cloth", "by_time", tr("Limit time instead of error"), "",
                         [&settings] { settings.by_time = !settings.by_time; });
   by_time.checked = [&settings] { return settings.by_time; };

@@ -19,6 +19,10 @@ struct ClothActions {
   std::function<void(const std::string& name)> go_to_view;
   /// Switches between drape and flat swatch.
   std::function<void()> toggle_flat;
+  /// Shows the flat swatch as large as it looks from a distance, or no longer.
+  std::function<void()> toggle_true_distance;
+  /// Asks for a card to be held to the screen.
+  std::function<void()> measure_screen;
   /// Asks for an environment picture.
   std::function<void()> choose_environment;
   /// State of the simulated drape.

@@ -24,6 +24,7 @@ std::string key_at_loom(const std::string& key) {
   if (std::find(std::begin(kOn), std::end(kOn), key) != std::end(kOn)) return "loom_next";
   if (std::find(std::begin(kBack), std::end(kBack), key) != std::end(kBack)) return "loom_back";
   if (key == "T") return "loom_tabby";
+  if (key == "S") return "loom_say";
   return key == "Escape" ? "loom" : "";
 }
 

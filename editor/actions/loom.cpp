@@ -27,6 +27,7 @@ void add_loom_actions(Actions& all, const ActiveDraft& draft, const LoomActions&
   one("loom_next", tr("Next step"), "", [&loom] { loom.step(true); })->enabled = at_loom;
   all.back().item.group = true;
   one("loom_back", tr("Previous step"), "", [&loom] { loom.step(false); })->enabled = at_loom;
+  one("loom_say", tr("Say the step"), "", loom.say)->enabled = at_loom;
   one("loom_tabby", tr("Tabby pick"), "", loom.tabby)->enabled = at_loom;
   Action* between = one("loom_tabby_between", tr("Tabby between pattern picks"), "", loom.tabby_between);
   between->enabled = at_loom;

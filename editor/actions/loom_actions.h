@@ -13,6 +13,8 @@ struct LoomActions {
   std::function<void(bool forwards)> step;
   /// A tabby pick now; and a tabby pick between pattern picks, or no more.
   std::function<void()> tabby, tabby_between;
+  /// Says the step aloud.
+  std::function<void()> say;
   std::function<void(session::LoomWork)> work;
   std::function<void()> connect, disconnect;
   /// The page for a phone, at the address that is chosen in the loom view.

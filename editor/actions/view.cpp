@@ -41,6 +41,7 @@ void add_drawdown_styles(Actions& all, const ActiveDraft& draft, Settings& setti
   option("minimap", tr("Overview map"), "O", &Settings::minimap);
   option("tiled", tr("Tiled drawdown"), "Shift+T", &Settings::tiled);
   option("show_repeat", tr("Outline the repeat"), "F2", &Settings::show_repeat);
+  option("rulers", tr("Rulers"), "", &Settings::rulers);
   option("imperial", tr("Inches, yards, ounces and pounds"), "", &Settings::imperial);
   constexpr int kPlanTab = 4;  // of the inspector
   add(all, "View", "plan", tr("Plan of the cloth"), "",
@@ -87,6 +88,17 @@ void add_heavy_lines(Actions& all, Settings& settings) {
                     [&settings, every] { settings.heavy_lines = every; });
     a.item.submenu = mark("Heavy lines");
     a.checked = [&settings, every] { return settings.heavy_lines == every; };
+  }
+}
+
+/// In percent, beside the size that the screen asks for.
+void add_interface_sizes(Actions& all, Settings& settings) {
+  for (const int percent : session::kInterfaceSizes) {
+    Action& a = add(all, "View", ("interface." + std::to_string(percent)).c_str(),
+                    fill(tr("Interface size: {percent} %"), arg("percent", percent)).c_str(), "",
+                    [&settings, percent] { settings.interface_percent = percent; });
+    a.item.submenu = mark("Interface size");
+    a.checked = [&settings, percent] { return settings.interface_percent == percent; };
   }
 }
 
@@ -165,6 +177,7 @@ void add_window_actions(Actions& all, const WindowActions& window, const TabActi
   tab("previous_tab", tr("Previous draft"), "Ctrl+Shift+Tab", -1);
   add(all, "View", "show_remarks", tr("Messages about the file"), "", window.show_remarks);
   add(all, "View", "theme", tr("Switch light or dark theme"), "", window.toggle_theme);
+  add_interface_sizes(all, settings);
 }
 
 }  // namespace weftlight::actions

@@ -17,12 +17,13 @@ using base::arg, base::fill, base::mark, base::message, base::tr;
 using design::NamedView, design::is_environment, design::lit_by_environment;
 using files::check_environment;
 using scene::kFlatMesh, scene::view_named;
-using session::MaybeEdit, session::flat_orbit, session::free_view_name, session::keep_view_edit, session::orbit_of,
-    session::rename_views_edit, session::seen_scene, session::with_orbit;
-using views::NamePrompt, views::NamesPrompt, views::draw_preview;
+using session::MaybeEdit, session::flat_orbit, session::is_calibrated, session::px_a_mm, session::true_view_distance,
+    session::free_view_name, session::keep_view_edit, session::orbit_of, session::rename_views_edit,
+    session::seen_scene, session::with_orbit;
+using views::CardPrompt, views::NamePrompt, views::NamesPrompt, views::draw_preview;
 
-ClothPane::ClothPane(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs,
-                     Messages& messages, FrameSchedule& schedule)
+ClothPane::ClothPane(Editing& editing, Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages,
+                     FrameSchedule& schedule)
     : editing_(editing),
       settings_(settings),
       tasks_(tasks),
@@ -52,8 +53,11 @@ bool ClothPane::update() {
   return picture || drape.any;
 }
 
-void ClothPane::ask_picture(float pixel_ratio) {
+void ClothPane::ask_picture(float pixel_ratio, const Screen& screen) {
+  screen_ = screen;
   if (!settings_.cloth) return;
+  if (view().flat && view().true_distance && size_.x >= 1 && size_.y >= 1)
+    view().camera.distance = true_view_distance(settings_, screen_, size_.x, size_.y);
   preview_.ask({seen_scene(view(), document().now()), document().now().look, static_cast<int>(size_.x * pixel_ratio),
                 static_cast<int>(size_.y * pixel_ratio), settings_.show_methods, settings_.compare,
                 settings_.by_time ? settings_.picture_ms : 0},
@@ -87,8 +91,27 @@ void ClothPane::toggle_flat() {
   ClothView& v = view();
   v.flat = !v.flat;
   if (v.flat) v.draped = v.camera;
+  v.true_distance = false;
   v.camera = v.flat ? flat_orbit(document().now(), size_.x, size_.y) : v.draped;
   show();
+}
+
+void ClothPane::toggle_true_distance() {
+  ClothView& v = view();
+  const bool on = !(v.flat && v.true_distance);
+  if (on && !v.flat) toggle_flat();
+  v.true_distance = on;
+  if (!on) return reset_view();
+  v.camera = flat_orbit(document().now(), size_.x, size_.y);
+  if (!is_calibrated(settings_, screen_)) measure_screen();
+}
+
+void ClothPane::measure_screen() {
+  dialogs_.ask(CardPrompt{screen_.name, px_a_mm(settings_, screen_), settings_.eye_to_screen_cm}, [this](int) {
+    const auto& card = dialogs_.prompt<CardPrompt>();
+    settings_.screens[card.screen] = card.px_a_mm;
+    settings_.eye_to_screen_cm = card.eye_to_screen_cm;
+  });
 }
 
 void ClothPane::save_view() {
@@ -155,6 +178,8 @@ ClothActions ClothPane::actions() {
           .change_views = [this] { change_views(); },
           .go_to_view = [this](const std::string& name) { go_to_view(name); },
           .toggle_flat = [this] { toggle_flat(); },
+          .toggle_true_distance = [this] { toggle_true_distance(); },
+          .measure_screen = [this] { measure_screen(); },
           .choose_environment = [this] { choose_environment(); },
           .drape = [this] { return draper_.state(); },
           .stop_drape = [this] { draper_.stop(); },

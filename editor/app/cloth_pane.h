@@ -13,6 +13,7 @@
 #include "app/frame_schedule.h"
 #include "app/messages.h"
 #include "app/preview_pane.h"
+#include "session/editing/true_distance.h"
 #include "session/files/user_files.h"
 #include "session/jobs/draper.h"
 
@@ -20,12 +21,12 @@ namespace weftlight::app {
 
 using actions::ClothActions;
 using design::Design;
-using session::ClothView, session::Document, session::DrapeState, session::Draper, session::Settings;
+using session::ClothView, session::Document, session::DrapeState, session::Draper, session::Screen, session::Settings;
 using views::PanelContext;
 
 class ClothPane {
  public:
-  ClothPane(Editing& editing, const Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages,
+  ClothPane(Editing& editing, Settings& settings, BackgroundTasks& tasks, Dialogs& dialogs, Messages& messages,
             FrameSchedule& schedule);
 
   /// Called after every change of the shown design. Nothing is computed while the cloth is not shown.
@@ -33,7 +34,7 @@ class ClothPane {
   /// Handles updates of the simulated drape and of the picture; true if there are any.
   bool update();
   /// Requests the picture of this frame. `pixel_ratio`: framebuffer pixels per window unit.
-  void ask_picture(float pixel_ratio);
+  void ask_picture(float pixel_ratio, const Screen& screen);
   /// True while a finer picture of the same design is being drawn.
   bool refining() const { return preview_.picture().refining; }
   DrapeState drape() const { return draper_.state(); }
@@ -50,6 +51,10 @@ class ClothPane {
   void go_to_view(const std::string& name);
   void change_views();
   void choose_environment();
+  /// The flat swatch as large as it looks from a distance, or no longer; a screen that was never measured is, first.
+  void toggle_true_distance();
+  /// Asks for a card to be held to the screen.
+  void measure_screen();
 
   ClothActions actions();
 
@@ -63,13 +68,14 @@ class ClothPane {
   void show();
 
   Editing& editing_;
-  const Settings& settings_;
+  Settings& settings_;
   BackgroundTasks& tasks_;
   Dialogs& dialogs_;
   Messages& messages_;
   FrameSchedule& schedule_;
   Draper draper_;
   PreviewPane preview_;
+  Screen screen_;
   ImVec2 size_{0, 0};  // of the picture, in window pixels
   bool shown_ = true;  // whether the settings last said so
 };

@@ -55,7 +55,7 @@ void Dialogs::ask_path(FileAsk what, const std::string& title, const std::string
 
 void Dialogs::ask_path_in_window(FileAsk what, const std::string& title, const std::string& start,
                                  std::function<void(const std::string&)> chosen, const std::string& ending) {
-  constexpr const char* kButtons[] = {mark("Open"), mark("Save"), mark("Export")};
+  constexpr const char* kButtons[] = {mark("Open"), mark("Save"), mark("Choose")};
   ask(PathPrompt{title, start, kButtons[static_cast<int>(what)]},
       [this, what, ending, chosen = std::move(chosen)](int) {
         const std::string typed = prompt<PathPrompt>().path;

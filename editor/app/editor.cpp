@@ -193,10 +193,14 @@ void Editor::frame() {
   if (const double at = panels_.changes_at_s(); at >= 0 && now >= at) schedule_.draw(2);
   if (!schedule_.is_due() && !changed && !schedule_.is_tip_due(now) && !ImGui::GetIO().WantTextInput) return;
   schedule_.drawn(now);
-  if (restyle_ || now == 0) window_.use_style(style_);
+  if (restyle_ || styled_percent_ != settings_.interface_percent) {
+    window_.use_style(style_, settings_.interface_percent);
+    styled_percent_ = settings_.interface_percent;
+    schedule_.draw(3);
+  }
   restyle_ = false;
   apply_waiting_input();
-  cloth_.ask_picture(window_.pixel_ratio());
+  cloth_.ask_picture(window_.pixel_ratio(), window_.screen());
   begin_frame();
   apply_input();
   draw_window();

@@ -103,6 +103,7 @@ class Editor {
   uint64_t shown_ = 0;  // id of the document last followed
   std::string title_, trouble_;
   bool restyle_ = true;
+  int styled_percent_ = 100;  // of the interface, for which style_ is
   // Of the last frame.
   FrameNotes notes_;
   UiMap map_;

@@ -17,7 +17,7 @@ using base::arg, base::fill, base::tr;
 using draft::lifts;
 using loom::PhoneShown, loom::PhoneStep;
 using session::cloth_so_far_png, session::greet, session::hear, session::loom_groups, session::place_of,
-    session::shown_step, session::step_by_hand;
+    session::shown_step, session::step_by_hand, session::words_of;
 using views::draw_loom;
 
 namespace {
@@ -59,7 +59,7 @@ void LoomWindow::put_tabby_between() {
 
 void LoomWindow::connect() {
   weaves_ = session_.active().id;
-  link_.connect(settings_.loom_address);
+  link_.connect(settings_.loom_address, at_loom().protocol);
 }
 
 void LoomWindow::open_page() {
@@ -76,7 +76,22 @@ void LoomWindow::carry_out(const LoomStep& step) {
 
 bool LoomWindow::update() {
   const bool linked = update_link();
-  return update_page() || linked;
+  const bool paged = update_page();
+  say_new_step();
+  return paged || linked;
+}
+
+void LoomWindow::say_new_step() {
+  if (!at_loom().open || !settings_.say_steps) return said_.clear();
+  if (std::string words = words_of(shown()); words != said_) {
+    if (!said_.empty()) speaker_.say(words);
+    said_ = std::move(words);
+  }
+}
+
+void LoomWindow::say_step() {
+  if (speaker_.is_there()) return speaker_.say(words_of(shown()));
+  at_loom().remark = tr("No program that speaks was found; install espeak-ng or speech-dispatcher");
 }
 
 bool LoomWindow::update_link() {
@@ -85,6 +100,8 @@ bool LoomWindow::update_link() {
   const LoomLink::Received received = link_.take();
   if (received.connected) carry_out(greet(at_loom(), editing_.document().now()));
   for (const loom::LoomReport& report : received.reports) carry_out(hear(at_loom(), editing_.document().now(), report));
+  if (const std::string unsent = std::exchange(at_loom().to_send, {}); !unsent.empty() && connected())
+    link_.send(unsent);
   const LoomLink::State state = link_.state();
   std::string why = link_.why();
   const bool other = state != state_ || why != why_;
@@ -151,7 +168,8 @@ void LoomWindow::show_on_page() {
 
 void LoomWindow::draw(PanelContext& c, const WindowLayout& l) {
   begin_fixed("Loom", {l.draft.at, {l.status.size.x, l.draft.size.y}}, {0, 0}, kFixed);
-  draw_loom(c, {at_loom(), shown(), {state_, why_}, page_, page_error_, addresses_}, address_, page_address_);
+  draw_loom(c, {at_loom(), shown(), {state_, why_}, page_, page_error_, addresses_, speaker_.is_there()}, address_,
+            page_address_);
   ImGui::End();
 }
 
@@ -160,6 +178,7 @@ LoomActions LoomWindow::actions() {
           .step = [this](bool forwards) { step(forwards); },
           .tabby = [this] { give_tabby(); },
           .tabby_between = [this] { put_tabby_between(); },
+          .say = [this] { say_step(); },
           .work = [this](LoomWork work) { at_loom().work = work; },
           .connect = [this] { connect(); },
           .disconnect = [this] { disconnect(); },

@@ -13,6 +13,7 @@
 #include "session/loom/loom_link.h"
 #include "session/loom/phone_link.h"
 #include "session/loom/shown_step.h"
+#include "session/loom/speaker.h"
 #include "session/session.h"
 #include "views/shell/window_layout.h"
 
@@ -40,6 +41,9 @@ class LoomWindow {
  private:
   void carry_out(const LoomStep& step);
   void give_tabby();
+  /// Says the step that is shown, by a program of the system.
+  void say_step();
+  void say_new_step();
   void put_tabby_between();
   void open_page();
   bool update_link();
@@ -55,6 +59,8 @@ class LoomWindow {
   const Settings& settings_;
   LoomLink link_;
   PhoneLink phone_;
+  session::Speaker speaker_;
+  std::string said_;      // the words of the step that was shown last, while new steps are said
   uint64_t weaves_ = 0;   // id of the document that the loom weaves
   uint64_t page_of_ = 0;  // id of the document that the page shows
   std::string address_, why_;

@@ -51,7 +51,7 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
   if (std::exchange(cloth_shown_, settings_.cloth) != settings_.cloth)
     c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
   draw_draft_pane(c, l, items);
-  if (settings_.cloth) {
+  if (l.cloth.shown()) {
     draw_splitter(c, l);
     begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
     cloth_.draw(c);
@@ -111,7 +111,7 @@ float Panels::split_of(const Style& style, float room, float height) {
   if (settings_.split > 0) return settings_.split;
   // Computed with the first pitch, and kept while threads are added.
   if (editing_.view().draft.pitch <= 0)
-    fitted_split_ = fitting_width(editing_.document().now().draft, style, room * kMin, room * kMax,
+    fitted_split_ = fitting_width(editing_.document().now().draft, settings_, style, room * kMin, room * kMax,
                                   std::max(1.0f, height - style.px(kAround))) /
                     room;
   return fitted_split_;

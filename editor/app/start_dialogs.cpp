@@ -69,20 +69,37 @@ void StartDialogs::delete_reports() {
   tasks_.writing().start(std::move(task));
 }
 
-void StartDialogs::show_gallery(bool library) {
+void StartDialogs::show_gallery(bool library) { show_page(library ? 1 : 0); }
+
+void StartDialogs::show_page(int page) {
   GalleryPrompt prompt;
-  prompt.page = library ? 1 : 0;
+  prompt.page = page;
+  if (!browser_) browser_ = std::make_shared<FolderBrowser>(collection::index_folder(), Window::wake);
+  if (browser_->folder().empty() && !settings_.drafts_folder.empty()) browser_->open(settings_.drafts_folder);
+  prompt.browser = browser_;
+  prompt.filter = filter_;
   prompt.recent = recent_cards(settings_.recent, platform::home_folder());
   prompt.library = library_cards();
   prompt.pictures = std::make_shared<GalleryPictures>(cache_folder() + "/drafts", Window::wake, now_ns());
   dialogs_.ask(std::move(prompt), [this](int button) {
     const GalleryCard card = dialogs_.prompt<GalleryPrompt>().open;
+    filter_ = dialogs_.prompt<GalleryPrompt>().filter;
     dialogs_.close();
+    if (button == GalleryPrompt::kFolder) return choose_folder();
     if (button == GalleryPrompt::kBrowse) return files_.open();
     if (button == GalleryPrompt::kNew) return new_draft_();
     if (card.copy) files_.open_copy(card.path);
     else files_.open_path(card.path);
   });
+}
+
+void StartDialogs::choose_folder() {
+  dialogs_.ask_path(FileAsk::kFolder, tr("Folder of drafts"), settings_.drafts_folder,
+                    [this](const std::string& folder) {
+                      settings_.drafts_folder = folder;
+                      browser_->open(folder);
+                      show_page(views::kFolderPage);
+                    });
 }
 
 void StartDialogs::offer_recovery() {

@@ -17,7 +17,8 @@
 
 namespace weftlight::app {
 
-using session::CrashReport, session::LeftWork, session::OpenResult, session::Session, session::Settings;
+using session::CrashReport, session::FolderBrowser, session::LeftWork, session::OpenResult, session::Session,
+    session::Settings;
 
 class StartDialogs {
  public:
@@ -28,6 +29,8 @@ class StartDialogs {
   /// wanted.
   void begin(bool gallery);
   void show_gallery(bool library);
+  void show_page(int page);
+  void choose_folder();
   void offer_recovery();
   bool has_left_work() const { return !session_.left().empty() || !crashes_.empty(); }
 
@@ -50,6 +53,8 @@ class StartDialogs {
   Messages& messages_;
   std::function<void()> new_draft_;
   std::vector<CrashReport> crashes_;
+  std::shared_ptr<FolderBrowser> browser_;  // null until the gallery is shown
+  collection::DraftQuery filter_;           // of the folder, as it was left
 };
 
 }  // namespace weftlight::app

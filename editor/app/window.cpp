@@ -375,10 +375,35 @@ float Window::display_scale() const {
   return std::clamp(x, 0.75f, 4.0f);
 }
 
+session::Screen Window::screen() const {
+  int x = 0, y = 0, width = 0, height = 0, count = 0;
+  glfwGetWindowPos(window_, &x, &y);  // 0 under Wayland, which does not say
+  glfwGetWindowSize(window_, &width, &height);
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  session::Screen found;
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0, wide_mm = 0, unused = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    glfwGetMonitorPhysicalSize(monitors[i], &wide_mm, &unused);
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+    if (mode == nullptr) continue;
+    const int right = x + width / 2 - left, down = y + height / 2 - top;
+    const bool here = right >= 0 && right < mode->width && down >= 0 && down < mode->height;
+    if (!here && !found.name.empty()) continue;
+    const char* const name = glfwGetMonitorName(monitors[i]);
+    found.name = std::string(name != nullptr ? name : "") + " " + std::to_string(mode->width) + "x" +
+                 std::to_string(mode->height);
+    found.px_a_mm = wide_mm > 0 ? static_cast<float>(mode->width) / static_cast<float>(wide_mm) : 0.0f;
+    if (here) break;
+  }
+  return found;
+}
+
 void Window::size(int& width, int& height) const { glfwGetWindowSize(window_, &width, &height); }
 
-void Window::use_style(Style& style) {
-  const float scale = display_scale();
+void Window::use_style(Style& style, int percent) {
+  constexpr float kSmallest = 0.6f, kLargest = 4;  // of legible letters, and of what a texture of them can hold
+  const float scale = std::clamp(display_scale() * static_cast<float>(percent) / 100, kSmallest, kLargest);
   style.scale = scale / pixel_ratio();
   style.color = style.dark ? dark_colors() : light_colors();
   if (fonts_for_ != scale) {

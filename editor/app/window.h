@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "gl/reset_watch.h"
+#include "session/editing/true_distance.h"
 #include "ui/redraw.h"
 #include "ui/style.h"
 
@@ -42,8 +43,9 @@ class Window {
   void set_title(const std::string& title);
   void hide();
 
-  /// Updates fonts and the style of ImGui after the theme or the display scale changed.
-  void use_style(Style& style);
+  /// Updates fonts and the style of ImGui after the theme, the display scale or the user's own size changed; that is in
+  /// percent of what the screen asks for.
+  void use_style(Style& style, int percent);
   void begin_frame();
   void end_frame(ImU32 background);
   /// Ends a frame without drawing it.
@@ -62,6 +64,8 @@ class Window {
   bool take_silent_clipboard();
   /// Framebuffer pixels per window unit (2 on a Retina display, else 1).
   float pixel_ratio() const;
+  /// The screen that has the middle of the window.
+  session::Screen screen() const;
   /// Size in window units.
   void size(int& width, int& height) const;
   static double seconds();

@@ -8,6 +8,7 @@
 #include "analysis/floats.h"
 #include "base/result.h"
 #include "chart/rows.h"
+#include "collection/query.h"
 #include "commands/plan_options.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
@@ -28,6 +29,12 @@ enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWri
 struct InfoOptions {
   std::string file;
   bool json = false;
+};
+struct FindOptions {
+  std::string folder;
+  collection::DraftQuery query{};
+  bool json = false;
+  bool fresh = false;  // all files are read, and no index is kept
 };
 /// The corner of a drawn drawdown at which end 1 and pick 1 meet; by default the top right.
 struct DrawdownOrigin {
@@ -142,6 +149,7 @@ struct YarnsOptions {
 };
 
 int info_command(const InfoOptions&);
+int find_command(const FindOptions&);
 int drawdown_command(const DrawdownOptions&);
 int convert_command(const ConvertOptions&);
 int render_command(const PictureOptions&);

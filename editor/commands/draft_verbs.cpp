@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/text.h"
+#include "collection/colour_names.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
@@ -34,6 +35,59 @@ RunVerb add_analyse(CLI::App& verb) {
       ->check(whole_number(0, kMaxThreads));
   add_plan_options(verb, o.plan);
   return [options] { return analyse_command(*options); };
+}
+
+CLI::Validator span_into(collection::Span& span) {
+  return CLI::Validator(
+      [&span](const std::string& text) -> std::string {
+        const std::optional<collection::Span> read = collection::span_from(text);
+        if (!read) return fill(tr("'{text}' is no number and no range such as 4-8"), arg("text", text));
+        span = *read;
+        return {};
+      },
+      "N|N-N");
+}
+
+template <class Names>
+std::vector<std::string> ids_of(const Names& names) {
+  std::vector<std::string> ids;
+  for (const auto& name : names) ids.emplace_back(name.id);
+  return ids;
+}
+
+RunVerb add_find(CLI::App& verb) {
+  struct Options {
+    FindOptions find;
+    std::vector<std::string> words, colours;
+    std::string family;
+  };
+  const auto options = std::make_shared<Options>();
+  collection::DraftQuery& q = options->find.query;
+  verb.add_option("folder", options->find.folder, tr("Folder of drafts, with those in it"))->required();
+  verb.add_option("words", options->words, tr("Words of the title, the author or the path; all of them"));
+  const auto range = [&verb](const char* name, collection::Span& span, const char* description) {
+    verb.add_option_function<std::string>(
+            name, [](const std::string&) {}, description)
+        ->check(span_into(span));
+  };
+  range("--shafts", q.shafts, tr("Number of shafts, or a range: 8, 4-8, -16; default: any"));
+  range("--treadles", q.treadles, tr("Number of treadles, or a range; default: any"));
+  range("--ends", q.ends, tr("Number of ends, or a range; default: any"));
+  verb.add_option("--family", options->family, tr("Weave family, found by analysis; default: any"))
+      ->check(one_of(ids_of(analysis::kWeaveFamilyNames)));
+  verb.add_option("--color", options->colours,
+                  tr("Colour that a twentieth of the threads has; may be given several times; default: any"))
+      ->allow_extra_args(false)
+      ->check(one_of(ids_of(collection::kColourNames)));
+  verb.add_flag("--json", options->find.json, tr("Output as JSON"));
+  verb.add_flag("--fresh", options->find.fresh, tr("Read every file, and keep no index in the cache"));
+  return [options] {
+    FindOptions& find = options->find;
+    for (const std::string& word : options->words) find.query.words += word + " ";
+    if (!options->family.empty()) find.query.family = analysis::family_of_id(options->family);
+    for (const std::string& id : options->colours) find.query.colours |= uint32_t{1} << *collection::colour_of_id(id);
+    return find_command(find);
+  };
 }
 
 std::string lower(std::string text) {
@@ -272,6 +326,7 @@ RunVerb add_convert(CLI::App& verb) {
 
 constexpr Verb kDraftVerbs[] = {
     {"info", mark("Print the counts, floats, repeat and warnings of a draft"), add_info},
+    {"find", mark("Find the drafts of a folder by shafts, weave, colours and words"), add_find},
     {"analyse", mark("Analyse the floats, layers, repeat, heddles, sett and yarn of a draft"), add_analyse},
     {"print", mark("Print a draft on paper: grids, lists for the loom, swatch"), add_print},
     {"weave", mark("Generate a draft from the table of weaves"), add_weave},

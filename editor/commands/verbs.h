@@ -18,7 +18,7 @@ struct Verb {
   RunVerb (*add_options)(CLI::App& verb);
 };
 
-/// Verbs for drafts: info, analyse, print, weave, diff, join, yarns, drawdown, convert.
+/// Verbs for drafts: info, find, analyse, print, weave, diff, join, yarns, drawdown, convert.
 std::span<const Verb> draft_verbs();
 /// Verbs for the cloth: render, reference, export, chart, response, drape, curves.
 std::span<const Verb> cloth_verbs();

@@ -12,7 +12,8 @@ using namespace weftlight::loom;
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 1) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-  LoomReader at_once, in_pieces;
+  const auto protocol = static_cast<Protocol>(data[0] / 16 % 5);
+  LoomReader at_once(protocol), in_pieces(protocol);
   const std::vector<LoomReport> whole = at_once.parse(bytes);
   std::vector<LoomReport> pieces;
   const size_t piece = 1 + data[0] % 16;

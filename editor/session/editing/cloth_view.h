@@ -7,9 +7,10 @@ namespace weftlight::session {
 
 struct ClothView {
   Orbit camera;
-  bool flat = false;     // a flat swatch seen straight on instead of the drape
-  bool grazing = false;  // grazing light on that swatch
-  Orbit draped;          // the camera restored after the swatch
+  bool flat = false;           // a flat swatch seen straight on instead of the drape
+  bool grazing = false;        // grazing light on that swatch
+  Orbit draped;                // the camera restored after the swatch
+  bool true_distance = false;  // that swatch is as large on the screen as it looks from Settings::seen_from_m
 };
 
 }  // namespace weftlight::session

@@ -57,6 +57,7 @@ MaybeEdit go_to_view(ClothView& view, const Design& design, const NamedView& to)
   if (to.flat && !view.flat) view.draped = view.camera;
   view.flat = to.flat;
   view.grazing = false;  // the saved scene includes its light
+  view.true_distance = false;
   view.camera = orbit_of(to.scene);
   // The camera that a draft opens with does not change.
   const Scene scene = with_orbit(to.scene, orbit_of(design.scene));

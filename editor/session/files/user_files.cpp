@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr size_t kMaxRecent = 40;
-constexpr size_t kMaxPrices = 2000;
+constexpr size_t kMaxPrices = 2000, kMaxScreens = 100;
 constexpr size_t kMaxKeys = 1000, kLongestKey = 64;
 constexpr uint64_t kMaxBytes = uint64_t{1} << 20;
 
@@ -63,6 +64,21 @@ void take_prices(const nlohmann::json& json, std::map<std::string, float>& price
       prices[yarn] = price.get<float>();
 }
 
+void take_true_distance(const nlohmann::json& json, Settings& s) {
+  take(json, "seen_from_m", s.seen_from_m);
+  take(json, "eye_to_screen_cm", s.eye_to_screen_cm);
+  const Settings usual;
+  if (!(s.seen_from_m >= kNearestSeen_m && s.seen_from_m <= kFurthestSeen_m)) s.seen_from_m = usual.seen_from_m;
+  if (!(s.eye_to_screen_cm >= kNearestEye_cm && s.eye_to_screen_cm <= kFurthestEye_cm))
+    s.eye_to_screen_cm = usual.eye_to_screen_cm;
+  const auto found = json.find("screens");
+  if (found == json.end() || !found->is_object()) return;
+  for (const auto& [screen, px_a_mm] : found->items())
+    if (px_a_mm.is_number() && px_a_mm.get<float>() >= kLeastPx_a_mm && px_a_mm.get<float>() <= kMostPx_a_mm &&
+        s.screens.size() < kMaxScreens)
+      s.screens[screen] = px_a_mm.get<float>();
+}
+
 /// Actions whose id was another word in earlier files.
 constexpr std::pair<std::string_view, const char*> kRenamedActions[] = {{"nearest", "closest_weave"}};
 
@@ -78,10 +94,10 @@ void take_keys(const nlohmann::json& json, std::map<std::string, std::string>& k
 }
 
 /// Only names in UTF-8: JSON cannot hold others.
-std::map<std::string, float> writable(const std::map<std::string, float>& prices) {
+std::map<std::string, float> writable(const std::map<std::string, float>& by_name) {
   std::map<std::string, float> out;
-  for (const auto& [yarn, price] : prices)
-    if (is_utf8(yarn)) out[yarn] = price;
+  for (const auto& [name, number] : by_name)
+    if (is_utf8(name)) out[name] = number;
   return out;
 }
 
@@ -100,6 +116,8 @@ Settings settings_from(std::string_view text) {
   take(json, "minimap", s.minimap);
   take(json, "tiled", s.tiled);
   take(json, "show_repeat", s.show_repeat);
+  take(json, "rulers", s.rulers);
+  take_true_distance(json, s);
   int style = 0;
   take(json, "drawdown_style", style);
   s.drawdown_style = static_cast<DrawdownStyle>(std::clamp(style, 0, 2));
@@ -111,6 +129,7 @@ Settings settings_from(std::string_view text) {
   take(json, "inspector", s.inspector);
   take(json, "toured", s.toured);
   take(json, "start_page", s.start_page);
+  take(json, "say_steps", s.say_steps);
   take(json, "by_time", s.by_time);
   take(json, "picture_ms", s.picture_ms);
   if (!(s.picture_ms >= kMinPictureMs && s.picture_ms <= kMaxPictureMs)) s.picture_ms = Settings{}.picture_ms;
@@ -127,11 +146,14 @@ Settings settings_from(std::string_view text) {
     for (const auto& path : *recent)
       if (std::string one = path_from(path); !one.empty() && s.recent.size() < kMaxRecent)
         s.recent.push_back(std::move(one));
+  if (const auto folder = json.find("drafts_folder"); folder != json.end()) s.drafts_folder = path_from(*folder);
   if (const auto loom = json.find("loom"); loom != json.end() && loom->is_string()) s.loom_address = *loom;
   if (const auto own = json.find("language"); own != json.end() && own->is_string())
     if (const std::string name = *own; is_language_name(name)) s.language = name;
   take_keys(json, s.keys);
   if (!(s.split >= 0.2f && s.split <= 0.8f)) s.split = 0;
+  take(json, "interface_percent", s.interface_percent);
+  s.interface_percent = std::clamp(s.interface_percent, kInterfaceSizes[0], *std::rbegin(kInterfaceSizes));
   s.width = std::clamp(s.width, 320, 16384);
   s.height = std::clamp(s.height, 240, 16384);
   return s;
@@ -147,12 +169,17 @@ std::string settings_text(const Settings& s) {
                                {"minimap", s.minimap},
                                {"tiled", s.tiled},
                                {"show_repeat", s.show_repeat},
+                               {"rulers", s.rulers},
+                               {"seen_from_m", s.seen_from_m},
+                               {"eye_to_screen_cm", s.eye_to_screen_cm},
+                               {"screens", writable(s.screens)},
                                {"drawdown_style", static_cast<int>(s.drawdown_style)},
                                {"imperial", s.imperial},
                                {"cloth", s.cloth},
                                {"inspector", s.inspector},
                                {"toured", s.toured},
                                {"start_page", s.start_page},
+                               {"say_steps", s.say_steps},
                                {"by_time", s.by_time},
                                {"picture_ms", s.picture_ms},
                                {"loom_waste_cm", s.loom_waste_cm},
@@ -161,8 +188,10 @@ std::string settings_text(const Settings& s) {
                                {"split", s.split},
                                {"width", s.width},
                                {"height", s.height},
+                               {"interface_percent", s.interface_percent},
                                {"language", s.language},
                                {"recent", recent},
+                               {"drafts_folder", path_json(s.drafts_folder)},
                                {"keys", s.keys},
                                {"heavy_lines", s.heavy_lines},
                                {"loom", is_utf8(s.loom_address) ? s.loom_address : std::string()}};

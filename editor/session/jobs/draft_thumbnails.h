@@ -33,6 +33,8 @@ class DraftThumbnails {
   DraftThumbnails(std::string cache_folder, std::function<void()> wake);
   /// Queues a file.
   void ask(const std::string& path);
+  /// Leaves a file out that is still waited for.
+  void forget(const std::string& path) { runner_.stop(path); }
   /// The results since the last call.
   std::vector<std::pair<std::string, DraftThumbnail>> take();
   bool busy() const { return runner_.busy(); }

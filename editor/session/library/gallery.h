@@ -12,6 +12,7 @@ struct GalleryCard {
   std::string path, name;
   std::string where;  // its folder, with ~ for the home folder; in the library "Cloths" or "Drafts", translated
   bool copy = false;  // opened as a new, unnamed draft
+  bool kept = true;   // in a list from which it can be removed
 };
 
 /// Most recent first. `home` is the home folder of the user, or empty.

@@ -126,6 +126,12 @@ LoomStep greet(AtLoom& at, const Design& design) {
 }
 
 LoomStep go_to_pick(AtLoom& at, const Design& design, int pick) {
+  if (loom::takes_picks_ahead(at.protocol))
+    return with_weaving(at, design, [&](const loom::WeavingSetup& w, const loom::WeavingState& place) {
+      loom::LoomReply there = loom::sent_again(w, loom::moved_to_pick(place, w.range, w.lifts.rows(), pick));
+      at.to_send = there.send;
+      return there;
+    });
   return taken(at, design, {loom::moved_to_pick(at.place, at.section, design.draft.picks(), pick), {}, {}});
 }
 

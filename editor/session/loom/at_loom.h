@@ -24,6 +24,7 @@ struct AtLoom {
   loom::PickRange section;   // woven repeatedly; the whole draft if empty
   loom::WeavingState place;  // place_of() takes its next pick from the design
   std::string remark;        // what the loom reported that the weaver should check
+  std::string to_send;       // to a loom that takes picks ahead, because the weaver went to another pick
   uint64_t session = 0;      // the steps of one session are one step of undo
 };
 

@@ -32,12 +32,13 @@ LoomLink::~LoomLink() {
   thread_.join();
 }
 
-void LoomLink::connect(const std::string& address) {
+void LoomLink::connect(const std::string& address, loom::Protocol protocol) {
   {
     const std::lock_guard lock(mutex_);
     wanted_.request_stop();
     wanted_ = {};
     address_ = address;
+    protocol_ = protocol;
     to_send_.clear();
     why_.clear();
     received_ = {};
@@ -106,16 +107,18 @@ base::Failure LoomLink::connect_once(const std::string& address, const std::stop
 }
 
 void LoomLink::talk(platform::Line& line, const std::stop_token& stop) {
+  loom::Protocol protocol{};
   {
     const std::lock_guard lock(mutex_);
     if (stop.stop_requested()) return;
     state_ = State::kConnected;
+    protocol = protocol_;
     why_.clear();
     to_send_.clear();
     received_.connected = true;
   }
   wake_();
-  loom::LoomReader reader;
+  loom::LoomReader reader(protocol);
   while (!line.broken() && !stop.stop_requested() && exchange_once(line, reader, stop)) {
   }
 }

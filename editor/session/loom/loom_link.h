@@ -28,8 +28,8 @@ class LoomLink {
   LoomLink(const LoomLink&) = delete;
   LoomLink& operator=(const LoomLink&) = delete;
 
-  /// "tcp:HOST:PORT" or "serial:PORT[:BAUD]".
-  void connect(const std::string& address);
+  /// "tcp:HOST:PORT" or "serial:PORT[:BAUD]"; `protocol`: how the loom speaks.
+  void connect(const std::string& address, loom::Protocol protocol = loom::Protocol::kPlain);
   void disconnect();
   /// Does nothing without a connection.
   void send(const std::string& bytes);
@@ -59,7 +59,8 @@ class LoomLink {
   mutable std::mutex mutex_;           // guards all below
   std::condition_variable_any changed_;
   std::string address_, to_send_, why_;  // an empty address means disconnected
-  std::stop_source wanted_;              // stopped when the address changes
+  loom::Protocol protocol_ = loom::Protocol::kPlain;
+  std::stop_source wanted_;  // stopped when the address changes
   State state_ = State::kOff;
   Received received_;
   bool leaving_ = false;

@@ -149,6 +149,13 @@ ShownStep shown_step(const AtLoom& at, const Design& design, const BitMatrix& li
   return shown_pick(at, design, lifts, groups);
 }
 
+std::string words_of(const ShownStep& step) {
+  std::string what = step.what;
+  // "3 + 5" is read out as a list, and not as a sum.
+  for (size_t at = 0; (at = what.find(" + ", at)) != std::string::npos;) what.replace(at, 3, ", ");
+  return step.done() ? step.heading : step.heading + " " + std::to_string(step.number) + ". " + what;
+}
+
 std::string press_text(const Draft& draft, int pick) {
   const std::vector<int> marks = to_press(draft, pick);
   const bool liftplan = draft.shed_control == ShedControl::kLiftplan;

@@ -29,6 +29,9 @@ struct ShownStep {
   bool done() const { return number > of; }
 };
 
+/// The step as it is said aloud: "Pick 12. Treadle 3 + 5".
+std::string words_of(const ShownStep& step);
+
 /// What a design is counted by; as long as it is the same design.
 struct LoomGroups {
   std::vector<ThreadGroup> ends, picks;

@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/units.h"
 #include "base/text.h"
 #include "cloth/cloth.h"
 #include "design/methods.h"
 #include "light/formulas.h"
 #include "scene/named_views.h"
+#include "session/editing/true_distance.h"
 #include "session/jobs/reference_tracer.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "views/cloth/cloth_rulers.h"
 
 namespace weftlight::views {
 
+using analysis::Units;
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using cloth::srgb_from_linear;
 using design::Design, design::Method, design::NamedView, design::kShadedMethods, design::method_facts;
@@ -206,6 +210,7 @@ void draw_views_menu(PanelContext& c) {
   if (!c.design.views.empty()) ImGui::Separator();
   for (const NamedView& view : c.design.views) item(view.name, "view.kept:" + view.name);
   ImGui::Separator();
+  item(tr("True distance"), "true_distance");
   item(tr("Save view as\xE2\x80\xA6"), "view_keep_as");
   if (!c.design.views.empty()) item(tr("Rename or delete views\xE2\x80\xA6"), "views_change");
 }
@@ -268,6 +273,62 @@ void draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
   ImGui::SetCursorScreenPos(a);
 }
 
+// The bar of the true distance, pixels at 96 dpi.
+constexpr float kBarMargin = 14, kBarSlider = 200;
+
+std::string true_distance_text(const Panel& c) {
+  return fill(tr("From {distance} the cloth looks as large as this, at {percent:.0f} % of its size, if your eyes are "
+                 "{eyes} from the screen"),
+              arg("distance", session::distance_text(c.settings.seen_from_m, c.settings.imperial)),
+              arg("percent", 100 * session::true_scale(c.settings)),
+              arg("eyes", analysis::width_text(static_cast<double>(c.settings.eye_to_screen_cm) * 10,
+                                               c.settings.imperial ? Units::kImperial : Units::kMetric)));
+}
+
+/// How far the weaver stands from the cloth, at the lower edge. Called before the view below it, as are the buttons.
+void draw_true_distance(Panel& c, ImVec2 a, ImVec2 pane) {
+  if (!c.view.flat || !c.view.true_distance) return;
+  const Style& s = c.style;
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  dl->ChannelsSetCurrent(1);
+  const float margin = s.px(kBarMargin), pad = s.px(8), width = std::max(s.px(60), pane.x - 2 * margin - 2 * pad);
+  const std::string text = true_distance_text(c);
+  push_font(s.font.small);
+  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  ImGui::PopFont();
+  const float row = ImGui::GetFrameHeight(), high = words.y + row + s.px(6) + 2 * pad;
+  const ImVec2 from{a.x + margin, a.y + pane.y - s.px(40) - high};
+  dl->AddRectFilled(from, {from.x + width + 2 * pad, from.y + high}, with_alpha(s.color.panel, 0.9f), s.px(6));
+  dl->AddText(s.font.small, font_size(s.font.small), {from.x + pad, from.y + pad}, s.color.text, text.c_str(), nullptr,
+              width);
+  ImGui::SetCursorScreenPos({from.x + pad, from.y + pad + words.y + s.px(6)});
+  const char* card = tr("Measure the screen\xE2\x80\xA6");
+  const float button = ImGui::CalcTextSize(card).x + 2 * ImGui::GetStyle().FramePadding.x;
+  float metres = c.settings.seen_from_m;
+  ImGui::SetNextItemWidth(std::max(s.px(40), std::min(s.px(kBarSlider), width - button - s.px(8))));
+  const std::string shown = session::distance_text(metres, c.settings.imperial);
+  if (ImGui::SliderFloat("##seen_from", &metres, session::kNearestSeen_m, session::kFurthestSeen_m, shown.c_str(),
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput))
+    c.wanted.change_settings([metres](Settings& to) {
+      to.seen_from_m = std::clamp(metres, session::kNearestSeen_m, session::kFurthestSeen_m);
+    });
+  c.map.add_item("view.seen_from");
+  tooltip(c, tr("How far you stand from the cloth, 0.3 to 5 m"));
+  ImGui::SameLine(0, s.px(8));
+  if (ImGui::Button(card)) c.wanted.add_action("measure_screen");
+  c.map.add_item("view.measure_screen");
+  dl->ChannelsSetCurrent(0);
+  ImGui::SetCursorScreenPos(a);
+}
+
+/// The wheel over the cloth: nearer or further; `x`, `y` from the middle of the pane.
+void turn_wheel(Panel& c, float steps, float x, float y) {
+  if (c.view.flat && c.view.true_distance)
+    return c.wanted.change_settings(
+        [steps](Settings& s) { s.seen_from_m = session::stepped_distance_m(s.seen_from_m, steps); });
+  c.wanted.change_view([=](DocumentView& v) { v.cloth.camera = zoomed(v.cloth.camera, steps, x, y); });
+}
+
 void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
   const ImVec2 a = ImGui::GetCursorScreenPos();
   pane = ImGui::GetContentRegionAvail();
@@ -276,6 +337,7 @@ void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
   const bool comparing = c.settings.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
   draw_view_buttons(c, a, pane);
+  draw_true_distance(c, a, pane);
   hit_area("view", pane,
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   c.map.add_item("view");
@@ -283,10 +345,8 @@ void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) c.frame.hint = tr(kHint);
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
-    c.wanted.change_view([steps = io.MouseWheel, x = (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
-                          y = ((a.y + b.y) / 2 - io.MousePos.y) / pane.x](DocumentView& v) {
-      v.cloth.camera = zoomed(v.cloth.camera, steps, x, y);
-    });
+    turn_wheel(c, io.MouseWheel, (io.MousePos.x - (a.x + b.x) / 2) / pane.x,
+               ((a.y + b.y) / 2 - io.MousePos.y) / pane.x);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) c.wanted.add_action("reset_view");
 
   ImDrawList* dl = ImGui::GetWindowDrawList();
@@ -294,8 +354,12 @@ void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
     dl->AddImage(texture_of(picture.texture), a, b, {0, 1}, {1, 0});
     if (comparing) draw_comparison(c, picture.reference, a, b);
     if (c.settings.show_methods)
-      draw_method_legend(c, {a.x + c.style.px(16), a.y + c.style.px(14)}, picture.stats.method);
-    draw_note(c, {a.x + c.style.px(16), b.y - c.style.px(24)}, note_that_fits(c, stats_line(picture), pane.x));
+      draw_method_legend(c, {a.x + rulers_of(c, c.view).wide + c.style.px(16), a.y + c.style.px(14)},
+                         picture.stats.method);
+    const ClothRulers rulers = rulers_of(c, c.view);
+    draw_cloth_rulers(dl, c, c.view, rulers, a, b);
+    draw_note(c, {a.x + rulers.wide + c.style.px(16), b.y - rulers.high - c.style.px(24)},
+              note_that_fits(c, stats_line(picture), pane.x - rulers.wide));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
     // Before the first picture: its background. A problem is shown on the colour of the panel.

@@ -41,6 +41,7 @@ MaybeEdit restored(const ClosestWeavePrompt& p);
 DialogResult draw_picture(PanelContext& c, PicturePrompt& p);
 DialogResult draw_versions(PanelContext& c, VersionsPrompt& p);
 DialogResult draw_yarns(PanelContext& c, YarnsPrompt& p);
+DialogResult draw_card(PanelContext& c, CardPrompt& p);
 DialogResult draw_gallery(PanelContext& c, GalleryPrompt& p);
 DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p);
 DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p);

@@ -146,6 +146,8 @@ DialogResult draw(PanelContext& c, GalleryPrompt& p) { return draw_gallery(c, p)
 
 DialogResult draw(PanelContext& c, PicturePrompt& p) { return draw_picture(c, p); }
 
+DialogResult draw(PanelContext& c, CardPrompt& p) { return draw_card(c, p); }
+
 DialogResult draw(PanelContext& c, VersionsPrompt& p) { return draw_versions(c, p); }
 
 constexpr float kRecoveryWidth = 480;
@@ -234,8 +236,8 @@ MaybeEdit restored(const Dialog& dialog) {
 
 bool update_dialog(Dialog& dialog, bool& busy) {
   if (const auto* gallery = std::get_if<GalleryPrompt>(&dialog)) {
-    busy = gallery->pictures->busy();
-    return gallery->pictures->poll();
+    busy = gallery->pictures->busy() || gallery->browser->busy();
+    return gallery->pictures->poll() | gallery->browser->poll();
   }
   if (const auto* picture = std::get_if<PicturePrompt>(&dialog)) {
     busy = picture->stage->weaver.busy();
@@ -287,8 +289,9 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   ImGui::PushStyleColor(ImGuiCol_Button, blend(color.raised, color.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(color.raised, color.text, 0.14f));
   DialogResult result;
-  if (ImGui::BeginPopupModal(
-          kName, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove)) {
+  if (ImGui::BeginPopupModal(kName, nullptr,
+                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                 ImGuiWindowFlags_HorizontalScrollbar)) {
     const int depth = dialog_depth();
     const bool list_open = open_popups() > depth;
     result = std::visit([&](auto& d) { return draw(c, d); }, dialog);

@@ -103,6 +103,13 @@ struct ClosestWeavePrompt {
   uint64_t stroke = 0;
   int place = -1;  // the chosen difference, an index; -1: none yet
 };
+/// How large the screen's pixels are, by a credit card that is held to it.
+struct CardPrompt {
+  std::string screen;          // its name
+  float px_a_mm = 0;           // window units in a millimetre
+  float eye_to_screen_cm = 0;  // how far the weaver sits from it
+  bool dragging = false;
+};
 /// Asks for a name.
 struct NamePrompt {
   std::string title, tip, name, button;
@@ -131,7 +138,7 @@ struct RecoveryPrompt {
 using Dialog = std::variant<std::monostate, Question, PathPrompt, NamePrompt, NamesPrompt, SectionsPrompt, SizePrompt,
                             ThreadPrompt, NotesPrompt, WeavePrompt, WeaveOverPrompt, ExportPrompt, PrintPrompt,
                             RecoveryPrompt, GalleryPrompt, ClosestWeavePrompt, JoinPrompt, VersionsPrompt,
-                            PicturePrompt, GradientPrompt, YarnsPrompt>;
+                            PicturePrompt, GradientPrompt, YarnsPrompt, CardPrompt>;
 
 /// kOpen while the dialog is open, kDone with `button`, kCancelled by Cancel or Escape.
 enum class DialogOutcome { kOpen, kDone, kCancelled };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "views/common/ruler_bands.h"
+
 namespace weftlight::views {
 
 using draft::ShedControl;
@@ -22,9 +24,18 @@ struct Room {
   float width, height;  // for the grids, without margins, bars and numbers
 };
 
-Room room_of(const Style& s, ImVec2 min, ImVec2 max) {
-  return {max.x - min.x - s.px(kMargin) * 2 - s.px(kShaftNumbers) - s.px(kGap) - s.px(kBar) - s.px(kPickRuler),
-          max.y - min.y - s.px(kMargin) - s.px(kEndRuler) - s.px(kBar) - s.px(kGap) * 2 - s.px(kScrollbar)};
+/// What rulers of the cloth take beside and below the drawdown.
+struct Rulers {
+  float wide = 0, high = 0;
+};
+
+Rulers rulers_of(const Style& s, bool on) { return on ? Rulers{s.px(kRulerWide), s.px(kRulerHigh)} : Rulers{}; }
+
+Room room_of(const Style& s, Rulers rulers, ImVec2 min, ImVec2 max) {
+  return {
+      max.x - min.x - rulers.wide - s.px(kMargin) * 2 - s.px(kShaftNumbers) - s.px(kGap) - s.px(kBar) -
+          s.px(kPickRuler),
+      max.y - min.y - rulers.high - s.px(kMargin) - s.px(kEndRuler) - s.px(kBar) - s.px(kGap) * 2 - s.px(kScrollbar)};
 }
 
 float loom_pitch(const Style& s, float pitch) {
@@ -69,8 +80,9 @@ std::vector<const GridPane*> DraftLayout::panes() const {
   return all;
 }
 
-float fitting_width(const Draft& d, const Style& s, float min_width, float max_width, float height) {
-  const Room room = room_of(s, {0, 0}, {max_width, height});
+float fitting_width(const Draft& d, const Settings& settings, const Style& s, float min_width, float max_width,
+                    float height) {
+  const Room room = room_of(s, rulers_of(s, settings.rulers), {0, 0}, {max_width, height});
   const float width = needed(d, s, fitting_pitch(d, s, room), room).width + max_width - room.width;
   return std::clamp(width, min_width, max_width);
 }
@@ -82,12 +94,12 @@ struct Rows {
   float labels, bar, threading, drawdown;  // upper edges
 };
 
-/// Numbers, bar, threading, drawdown; or the reverse, below the scroll bar of the ends. `lift`: height of the drawdown,
-/// `shafts`: height of the threading.
-Rows rows_of(const Style& s, float top, float shafts, float lift, bool below) {
+/// Numbers, bar, threading, drawdown; or the reverse, below the ruler and the scroll bar of the ends. `lift`: height of
+/// the drawdown, `shafts`: height of the threading.
+Rows rows_of(const Style& s, float top, float ruler, float shafts, float lift, bool below) {
   const float labels = s.px(kEndRuler), bar = s.px(kBar), gap = s.px(kGap);
   if (!below) return {top, top + labels, top + labels + bar + gap, top + labels + bar + gap + shafts + gap};
-  const float drawdown = top + s.px(kScrollbar) + gap, threading = drawdown + lift + gap;
+  const float drawdown = top + ruler + s.px(kScrollbar) + gap, threading = drawdown + lift + gap;
   return {threading + shafts + gap + bar, threading + shafts + gap, threading, drawdown};
 }
 
@@ -104,7 +116,8 @@ Axis extended(Axis a, float start, float length) {
 
 DraftLayout lay_out_draft(const Draft& d, const DraftView& v, const Settings& settings, const Style& s, ImVec2 min,
                           ImVec2 max) {
-  const Room room = room_of(s, min, max);
+  const Rulers rulers = rulers_of(s, settings.rulers);
+  const Room room = room_of(s, rulers, min, max);
   const bool below = settings.threading_below;
   DraftLayout l;
   l.pitch = v.pitch > 0 ? v.pitch : fitting_pitch(d, s, room);
@@ -113,14 +126,15 @@ DraftLayout lay_out_draft(const Draft& d, const DraftView& v, const Settings& se
   l.min = min;
   l.max = max;
   l.threading_below = below;
+  l.ruler_high = rulers.high;
   Axis shafts = axis(0, room.height * kThreadingShare, loom, v.scroll_shaft, d.shafts, !below);
   Axis picks = axis(0, room.height - shafts.length, l.pitch, v.scroll_pick, d.picks(), settings.pick1_bottom);
   const float high = settings.tiled ? std::floor(std::max(picks.length, room.height - shafts.length)) : picks.length;
-  const Rows y = rows_of(s, min.y, shafts.length, high, below);
+  const Rows y = rows_of(s, min.y, rulers.high, shafts.length, high, below);
   shafts.start = y.threading;
   picks.start = below ? y.drawdown + high - picks.length : y.drawdown;
 
-  const float x0 = min.x + s.px(kMargin);
+  const float x0 = min.x + s.px(kMargin) + rulers.wide;
   const float lift_width = std::min(static_cast<float>(lift_columns(d)) * loom, std::floor(room.width * kLiftShare));
   Axis ends = axis(x0, room.width - lift_width, l.pitch, v.scroll_end, d.ends(), settings.end1_right);
   const float wide = settings.tiled ? std::floor(std::max(ends.length, room.width - lift_width)) : ends.length;

@@ -31,6 +31,7 @@ struct DraftLayout {
   GridPane tiled_drawdown;  // the space in which the tiled view repeats the drawdown
   float pitch = 0;          // pixels a thread
   bool threading_below = false;
+  float ruler_high = 0;  // of the ruler between the drawdown and the scroll bar of its ends; 0: none
   bool scroll_ends = false, scroll_picks = false, scroll_shafts = false, scroll_treadles = false;  // not all visible
 
   /// All grids. A draft with a liftplan has no tie-up.
@@ -38,7 +39,8 @@ struct DraftLayout {
 };
 
 /// The width, between `min_width` and `max_width`, of the pane that fits the draft best.
-float fitting_width(const Draft& draft, const Style& style, float min_width, float max_width, float height);
+float fitting_width(const Draft& draft, const Settings& settings, const Style& style, float min_width, float max_width,
+                    float height);
 
 /// Chooses a fitting pitch if the view has none, and clamps its scroll.
 DraftLayout lay_out_draft(const Draft& draft, const DraftView& view, const Settings& settings, const Style& style,

@@ -8,6 +8,7 @@
 #include "session/editing/typing.h"
 #include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
+#include "views/draft/draft_rulers.h"
 #include "views/draft/drag_scroll.h"
 #include "views/draft/drawing_tools.h"
 #include "views/draft/grid_draw.h"
@@ -196,7 +197,8 @@ bool scrollbars(DraftContext& c, const DraftLayout& l) {
   bool hovered = false;
   const ImVec2 a = l.drawdown.min(), b = l.drawdown.max(), lift = l.lift.max(), shafts = l.threading.min();
   // On the side away from the threading.
-  const float thick = c.style.px(9), below = l.threading_below ? a.y - 3 - thick : b.y + 3;
+  const float thick = c.style.px(9),
+              below = l.threading_below ? a.y - 3 - l.ruler_high - thick : b.y + 3 + l.ruler_high;
   if (l.scroll_ends)
     scrollbar(c, "scroll.ends", l.drawdown.x, &DraftView::scroll_end, {a.x, below}, {b.x, below + thick}, true);
   hovered |= l.scroll_ends && (ImGui::IsItemHovered() || ImGui::IsItemActive());
@@ -275,6 +277,7 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   draw_grids(dl, c, l, pictures);
   draw_chosen(dl, c, l);
   draw_rulers(dl, c, l);
+  draw_draft_rulers(dl, c, l);
   draw_locks(dl, c, l);
   draw_origin(dl, c, l);
   draw_shape(dl, c, l);

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "base/text.h"
@@ -18,7 +19,7 @@ using design::Design;
 using session::DocumentView, session::LoomWork, session::Settings, session::go_to, session::keep_to_section,
     session::put_tabby_between;
 using ui::begin_combo, ui::blend, ui::end_combo, ui::fitted, ui::muted_text, ui::push_font, ui::row_label,
-    ui::segmented, ui::text_button;
+    ui::segmented, ui::text_button, ui::tooltip;
 
 namespace {
 
@@ -37,15 +38,36 @@ std::string line_text(const LoomLine& line, loom::Protocol protocol) {
     case LoomLink::State::kConnected:
       break;
   }
+  if (loom::takes_picks_ahead(protocol))
+    return tr("Connected, as it is published for AVL looms; not yet tried at one. Watch the first picks");
   return protocol == loom::Protocol::kToikaEs
              ? tr("Connected. This loom does not ask for picks; press Space for the next one")
              : tr("Connected. The loom asks for each pick");
 }
 
+/// By value of loom::Protocol.
+std::array<const char*, 5> protocol_names() {
+  return {tr_in("protocol", "Plain"), "S\xC3\xA9guin", "Toika ES", "AVL Compu-Dobby II, III", "AVL Compu-Dobby IV"};
+}
+
+void choose_protocol(Panel& c) {
+  const auto names = protocol_names();
+  const auto now = static_cast<size_t>(c.view.at_loom.protocol);
+  ImGui::SetNextItemWidth(c.style.px(210));
+  if (begin_combo(c, "loom.protocol", names[now])) {
+    for (size_t i = 0; i < names.size(); ++i) {
+      if (ImGui::Selectable(names[i], i == now))
+        c.wanted.change_view([i](DocumentView& v) { v.at_loom.protocol = static_cast<loom::Protocol>(i); });
+      c.map.add_item("loom.protocol:" + std::to_string(i));
+    }
+    end_combo();
+  }
+  tooltip(c, tr("How the loom speaks. Lines of AVL looms are as published by others: they were tried here with a mock, "
+                "and not yet at a loom. Louet publishes none"));
+}
+
 void draw_line(Panel& c, std::string& address) {
   const LoomLine& line = c.view.line;
-  const char* const kProtocols[] = {tr_in("protocol", "Plain"), "S\xC3\xA9guin", "Toika ES"};
-  int protocol = static_cast<int>(c.view.at_loom.protocol);
   row_label(c, tr("Loom address"), tr("tcp:HOST:PORT or serial:/dev/ttyUSB0, followed by :BAUD if it is not 9600"));
   ImGui::SetNextItemWidth(c.style.px(220));
   const bool enter =
@@ -54,8 +76,7 @@ void draw_line(Panel& c, std::string& address) {
   if (address != c.settings.loom_address)
     c.wanted.change_settings([address](Settings& s) { s.loom_address = address; });
   ImGui::SameLine();
-  if (segmented(c, "loom.protocol", kProtocols, protocol, c.style.px(240)))
-    c.wanted.change_view([protocol](DocumentView& v) { v.at_loom.protocol = static_cast<loom::Protocol>(protocol); });
+  choose_protocol(c);
   ImGui::SameLine();
   const bool off = line.state == LoomLink::State::kOff;
   if (text_button(c, off ? "loom.connect" : "loom.disconnect", off ? tr("Connect") : tr("Disconnect"), nullptr) ||
@@ -235,12 +256,22 @@ void draw_steps(Panel& c) {
       c.wanted.add_action("loom_tabby");
     ImGui::SameLine();
   }
+  if (c.view.can_speak) {
+    if (text_button(c, "loom.say", tr("Say"), tr("Say this step aloud   S"))) c.wanted.add_action("loom_say");
+    ImGui::SameLine();
+  }
   if (text_button(c, "loom.first_pick", first_label(work), tr("Start again from the first")))
     c.wanted.gesture([](DocumentView& v, const Design& d) { return go_to(v.at_loom, d, 0).edit; });
   ImGui::SameLine();
   if (text_button(c, "loom.done", tr("Leave loom"), tr("Back to the draft, which keeps your place   F9")))
     c.wanted.add_action("loom");
   ImGui::PopStyleVar();
+  if (!c.view.can_speak) return;
+  ImGui::SameLine(0, c.style.px(16));
+  bool each = c.settings.say_steps;
+  if (ImGui::Checkbox(tr("Say each step"), &each))
+    c.wanted.change_settings([each](Settings& s) { s.say_steps = each; });
+  c.map.add_item("loom.say_steps");
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct LoomView {
   const PhoneLink::Status& page;
   const std::string& page_error;                           // why there is none
   const std::vector<platform::OwnAddress>& own_addresses;  // where it can be
+  bool can_speak = false;                                  // there is a program that does
 };
 
 /// Fills the rest of the current ImGui window. `address`: of the loom, the text that is being typed; `page_address`:

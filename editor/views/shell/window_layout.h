@@ -1,6 +1,7 @@
 #pragma once
 // The layout of the window: draft and cloth side by side, or the draft alone; the inspector at the right, the status
-// bar below. Works for any window size; panes without room are left out.
+// bar below. Works for any window size: a narrow one has the inspector in the place of the cloth, and the narrowest
+// leave it out.
 
 #include <imgui.h>
 

@@ -113,6 +113,8 @@ class BareEditor {
                           },
                       .go_to_view = [this](const std::string& name) { go_to(name); },
                       .toggle_flat = [this] { view_.cloth.flat = !view_.cloth.flat; },
+                      .toggle_true_distance = [this] { view_.cloth.true_distance = !view_.cloth.true_distance; },
+                      .measure_screen = [] {},
                       .choose_environment = nothing,
                       .drape = [this] { return drape_; },
                       .stop_drape =
@@ -127,6 +129,7 @@ class BareEditor {
                      .step = [this](bool forwards) { step_at_loom(forwards); },
                      .tabby = nothing,
                      .tabby_between = nothing,
+                     .say = [] {},
                      .work = [this](session::LoomWork work) { view_.at_loom.work = work; },
                      .connect = nothing,
                      .disconnect = nothing,

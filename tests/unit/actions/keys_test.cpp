@@ -36,6 +36,7 @@ TEST(Keys, LargeKeysAndPedalsStepAtTheLoom) {
   for (const char* key : {"Space", "Enter", "Right", "Down", "PageDown"}) EXPECT_EQ(key_at_loom(key), "loom_next");
   for (const char* key : {"Delete", "Left", "Up", "PageUp"}) EXPECT_EQ(key_at_loom(key), "loom_back");
   EXPECT_EQ(key_at_loom("T"), "loom_tabby");
+  EXPECT_EQ(key_at_loom("S"), "loom_say");
   EXPECT_EQ(key_at_loom("Escape"), "loom");
   EXPECT_EQ(key_at_loom("Ctrl+Z"), "");
 }

@@ -163,14 +163,14 @@ TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
   const Style style;
   const Draft d = blank_draft(16, 16, 4, 4);
   DraftView view;
-  const float width = fitting_width(d, style, 400, 700, 800);
+  const float width = fitting_width(d, {}, style, 400, 700, 800);
   const DraftLayout l = lay_out_draft(d, view, {}, style, {0, 0}, {width, 800});
   EXPECT_GE(l.pitch, 24);
   EXPECT_LE(l.pitch, 28);
   EXPECT_EQ(l.pitch, static_cast<float>(static_cast<int>(l.pitch))) << "whole pixels";
   EXPECT_FALSE(l.scroll_ends || l.scroll_picks);
-  EXPECT_EQ(fitting_width(blank_draft(1, 1, 1, 1), style, 400, 700, 800), 400);
-  EXPECT_EQ(fitting_width(blank_draft(2000, 2000, 8, 8), style, 400, 700, 800), 700);
+  EXPECT_EQ(fitting_width(blank_draft(1, 1, 1, 1), {}, style, 400, 700, 800), 400);
+  EXPECT_EQ(fitting_width(blank_draft(2000, 2000, 8, 8), {}, style, 400, 700, 800), 700);
 }
 
 TEST(Commands, TypingFiltersAndTheBestMatchIsFirst) {

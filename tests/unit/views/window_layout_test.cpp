@@ -32,8 +32,19 @@ TEST(WindowLayout, AHiddenInspectorLeavesItsWidthToTheOthers) {
   EXPECT_TRUE(with.inspector.shown());
   EXPECT_FALSE(without.inspector.shown());
   EXPECT_EQ(without.room, 900);
-  EXPECT_FALSE(lay_out_window(style, {0, 0}, {500, 600}, 0.5f, {}).inspector.shown())
-      << "a narrow window hides the inspector";
+}
+
+TEST(WindowLayout, TheInspectorHasThePlaceOfTheClothInANarrowWindow) {
+  Style style;
+  const WindowLayout narrow = lay_out_window(style, {0, 0}, {500, 600}, 0.5f, {});
+  EXPECT_TRUE(narrow.inspector.shown());
+  EXPECT_FALSE(narrow.cloth.shown());
+  EXPECT_GT(narrow.draft.size.x, 100);
+  EXPECT_TRUE(lay_out_window(style, {0, 0}, {500, 600}, 0.5f, {.inspector = false}).cloth.shown());
+  EXPECT_FALSE(lay_out_window(style, {0, 0}, {300, 600}, 0.5f, {}).inspector.shown());
+  style.scale = 2;  // an interface of double size in the smallest window that is supported
+  EXPECT_TRUE(lay_out_window(style, {0, 0}, {900, 600}, 0.5f, {}).inspector.shown());
+  EXPECT_TRUE(lay_out_window(style, {0, 0}, {900, 600}, 0.5f, {.inspector = false}).cloth.shown());
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+// `find`: the drafts of a folder that have what is asked for, from the same index as the window's.
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/text.h"
+#include "base/user_folders.h"
+#include "base/utf8.h"
+#include "collection/colour_names.h"
+#include "collection/folder_index.h"
+#include "collection/query.h"
+#include "commands/commands.h"
+#include "commands/status_line.h"
+#include "platform/file.h"
+
+namespace weftlight::commands {
+
+using base::arg, base::as_utf8, base::fill, base::tr, base::tr_n;
+using collection::DraftEntry, collection::DraftQuery, collection::FolderIndex, collection::found_drafts,
+    collection::kColourNames, collection::look_through;
+
+namespace {
+
+const char* family_id(const DraftEntry& e) { return analysis::kWeaveFamilyNames[static_cast<size_t>(e.family)].id; }
+
+nlohmann::ordered_json as_json(const DraftEntry& e) {
+  nlohmann::ordered_json json = {{"path", as_utf8(e.path)}, {"readable", e.readable}};
+  if (!e.readable) return json;
+  json.update({{"title", e.title},
+               {"author", e.author},
+               {"ends", e.ends},
+               {"picks", e.picks},
+               {"shafts", e.shafts},
+               {"treadles", e.treadles},
+               {"family", family_id(e)},
+               {"colours", nlohmann::ordered_json::array()}});
+  for (size_t i = 0; i < kColourNames.size(); ++i)
+    if (e.colours >> i & 1) json["colours"].push_back(kColourNames[i].id);
+  return json;
+}
+
+std::string text_of(const DraftEntry& e) {
+  if (!e.readable) return fill(tr("{path}: cannot be read"), arg("path", e.path));
+  const std::string loom =
+      e.treadles == 0
+          ? fill(tr_n("{count} shaft", "{count} shafts", e.shafts), arg("count", e.shafts))
+          : fill(tr("{shafts} shafts, {treadles} treadles"), arg("shafts", e.shafts), arg("treadles", e.treadles));
+  const std::string facts = fill(tr("{path}: {ends} x {picks}, {loom}, {weave}"), arg("path", e.path),
+                                 arg("ends", e.ends), arg("picks", e.picks), arg("loom", loom),
+                                 arg("weave", tr(analysis::kWeaveFamilyNames[static_cast<size_t>(e.family)].label)));
+  return e.title.empty() ? facts : facts + "; " + e.title;
+}
+
+void print_found(const FolderIndex& index, const std::vector<int>& found, bool json) {
+  if (!json) {
+    for (const int i : found) std::printf("%s\n", text_of((*index.entries)[static_cast<size_t>(i)]).c_str());
+    return;
+  }
+  nlohmann::ordered_json out = {{"drafts", nlohmann::ordered_json::array()},
+                                {"of", index.entries->size()},
+                                {"unread_folders", nlohmann::ordered_json::array()}};
+  for (const int i : found) out["drafts"].push_back(as_json((*index.entries)[static_cast<size_t>(i)]));
+  for (const std::string& folder : index.unread) out["unread_folders"].push_back(as_utf8(folder));
+  std::printf("%s\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+}
+
+}  // namespace
+
+int find_command(const FindOptions& options) {
+  if (platform::file_facts(options.folder).kind != platform::FileKind::kFolder)
+    return fail({base::ErrorKind::kInput, tr("is no folder; give a folder of drafts"), options.folder});
+  FolderIndex index;
+  {
+    StatusLine line;
+    const base::TaskProgress progress({}, [&line](float, const std::string& said) { line.show(said); });
+    index = look_through(options.folder, options.fresh ? "" : collection::index_folder(), progress);
+  }
+  for (const std::string& folder : index.unread)
+    print_problem(fill(tr("{folder}: cannot be read, and is left out"), arg("folder", folder)));
+  if (index.left_out > 0)
+    print_problem(
+        fill(tr("{count} drafts more are left out; give a folder further down"), arg("count", index.left_out)));
+  print_found(index, found_drafts(*index.entries, options.query), options.json);
+  return kDone;
+}
+
+}  // namespace weftlight::commands

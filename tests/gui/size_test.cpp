@@ -1,0 +1,109 @@
+// How large things are: the interface, rulers, the cloth at its true distance; and a folder of drafts.
+
+#include "on_display.h"
+
+namespace weftlight::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SizeTest : public OnDisplay {
+ protected:
+  /// Without zenity, so that the window uses its own file dialogs.
+  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
+  void click(const Window& w, const std::string& control) const {
+    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
+    display_.click(w.middle_of(control));
+  }
+  /// Runs an action by its name in the command palette.
+  void command(const Window& w, const std::string& words) const {
+    display_.key("ctrl+p");
+    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << words;
+    display_.type(words);
+    display_.key("Return");
+    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); })) << words;
+  }
+  nlohmann::json kept_settings() const {
+    return nlohmann::json::parse(bytes_of(folder_ / "config/weftlight/settings.json"), nullptr, false);
+  }
+};
+
+TEST_F(SizeTest, TheInterfaceChangesItsSizeAtOnceAndKeepsIt) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  const double before = w.place_of("menu:File").second.y;
+  ASSERT_NO_FATAL_FAILURE(command(w, "interface size: 150"));
+  EXPECT_TRUE(comes_true([&] { return std::abs(w.place_of("menu:File").second.y / before - 1.5) < 0.1; }));
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0);
+  EXPECT_EQ(kept_settings()["interface_percent"], 150);
+}
+
+TEST_F(SizeTest, EverythingIsReachedAtTwiceTheSizeInASmallWindow) {
+  settings({{"cloth", true}, {"interface_percent", 200}});
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.resize(900, 600);
+  const auto inside = [&](const std::string& control) {
+    const auto [at, size] = w.place_of(control);
+    return at.x >= 0 && at.y >= 0 && at.x + size.x <= 901 && at.y + size.y <= 601;
+  };
+  ASSERT_TRUE(comes_true([&] { return w.has("menu:Help") && inside("menu:Help") && inside("inspector:Plan"); }));
+  EXPECT_FALSE(w.has("hanging:Flat")) << "the inspector has the place of the cloth";
+  display_.key("F4");
+  ASSERT_TRUE(comes_true([&] { return w.has("hanging:Flat") && inside("hanging:Flat"); }));
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Create"); }));
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
+}
+
+TEST_F(SizeTest, TheScreenIsMeasuredByACard) {
+  show_cloth();
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return is_settled(w); }));
+  display_.focus();
+  ASSERT_NO_FATAL_FAILURE(command(w, "rulers"));
+  display_.key("shift+d");
+  ASSERT_TRUE(comes_true([&] { return w.has("card.corner"); })) << "a screen that was never measured is";
+  const auto [card, unused] = w.place_of("card");
+  const Point corner = w.middle_of("card.corner");
+  const double scale = 5 * 85.6 / (corner.x - card.x);
+  display_.drag({corner, {card.x + (corner.x - card.x) * scale, card.y + (corner.y - card.y) * scale}});
+  ASSERT_TRUE(comes_true([&] { return std::abs(w.middle_of("card.corner").x - card.x - 5 * 85.6) < 3; }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Keep"));
+  EXPECT_TRUE(comes_true([&] { return w.has("view.seen_from") && w.has("view.rulers"); }));
+  display_.key("shift+d");
+  EXPECT_TRUE(comes_true([&] { return !w.has("view.seen_from"); }));
+  display_.key("shift+d");
+  EXPECT_TRUE(comes_true([&] { return w.has("view.seen_from"); })) << "it is not measured again";
+  display_.key("ctrl+q");
+  EXPECT_EQ(w.process().wait(), 0);
+  const nlohmann::json screens = kept_settings()["screens"];
+  ASSERT_EQ(screens.size(), 1U);
+  EXPECT_NEAR(screens.begin()->get<double>(), 5, 0.05);
+}
+
+TEST_F(SizeTest, AFolderIsBrowsedAndSearched) {
+  const fs::path drafts = folder_ / "drafts";
+  fs::create_directories(drafts / "within");
+  put(drafts / "four.wif", straight_draft(24, 4));
+  put(drafts / "within" / "eight.wif", straight_draft(24, 8));
+  settings({{"drafts_folder", drafts.string()}});
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+shift+o");
+  ASSERT_NO_FATAL_FAILURE(click(w, "gallery.page:Folder"));
+  ASSERT_TRUE(comes_true([&] { return w.has("gallery.picture:2") && w.has("folder.read"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "folder.shafts"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "folder.shafts:8-8"));
+  ASSERT_TRUE(comes_true([&] { return w.has("gallery:1") && !w.has("gallery:2"); }));
+  display_.click(w.middle_of("gallery:1"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(drafts / "within" / "eight.wif"); }));
+}
+
+}  // namespace
+}  // namespace weftlight::gui

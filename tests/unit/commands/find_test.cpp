@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "../variable.h"
+#include "scratch_folder.h"
+
+namespace weftlight::commands {
+namespace {
+
+using Find = ScratchFolder;
+
+TEST_F(Find, ListsTheDraftsThatHaveWhatIsAskedFor) {
+  const Variable cache("XDG_CACHE_HOME", path("cache"));
+  const std::string folder = std::string(WEFTLIGHT_TESTS_DIR) + "/fixtures";
+  const auto found = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"find", folder, "--json"});
+    const Ran ran = run(more);
+    EXPECT_EQ(ran.code, kDone) << ran.said;
+    return nlohmann::json::parse(ran.out);
+  };
+  const nlohmann::json all = found({});
+  EXPECT_EQ(all["drafts"].size(), all["of"]);
+  const nlohmann::json twills = found({"twill", "--family", "twill", "--shafts", "4"});
+  ASSERT_FALSE(twills["drafts"].empty());
+  for (const nlohmann::json& draft : twills["drafts"]) {
+    EXPECT_EQ(draft["shafts"], 4);
+    EXPECT_EQ(draft["family"], "twill");
+    EXPECT_NE(draft["path"].get<std::string>().find("twill"), std::string::npos);
+  }
+  EXPECT_TRUE(found({"--shafts", "900-"})["drafts"].empty());
+  EXPECT_TRUE(std::filesystem::exists(path("cache") + "/weftlight/folders")) << "the index is kept";
+  EXPECT_EQ(found({"--fresh"}), all);
+}
+
+TEST_F(Find, SaysWhatItCannotUse) {
+  EXPECT_EQ(run({"find", path("nowhere")}).code, kBadInput);
+  EXPECT_EQ(run({"find"}).code, kUsage);
+  EXPECT_EQ(run({"find", ".", "--shafts", "8-4"}).code, kUsage);
+  EXPECT_EQ(run({"find", ".", "--family", "brocade"}).code, kUsage);
+  EXPECT_EQ(run({"find", ".", "--color", "mauve"}).code, kUsage);
+}
+
+}  // namespace
+}  // namespace weftlight::commands

@@ -193,10 +193,11 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
                                  nothing_beside(n);
                                }),
             100);
-  // How many calls this thread makes depends on the loops that it shares with others.
-  constexpr int kStep = 5;
+  // Whole exports take their time, so these are few. How many calls this thread makes depends on the loops that it
+  // shares with others.
+  constexpr int kEnd = 180, kStep = 30;
   int failures = 0;
-  for (int n = std::max(1, all - kMax); n <= all; n += kStep) {
+  for (int n = std::max(1, all - kEnd); n < all; n += kStep) {
     bool reached = false;
     failures += fails_at(n, job, reached);
     // Files change one after the other, each as a whole; the list holds those of both sets.
@@ -204,7 +205,7 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
       EXPECT_TRUE(name == "texture_set.json" || bytes == old_set.at(name) || bytes == new_set.at(name)) << n;
     nothing_beside(n);
   }
-  EXPECT_GT(failures, 10);
+  EXPECT_GT(failures, 0);
 }
 
 }  // namespace

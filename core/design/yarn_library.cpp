@@ -32,6 +32,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// A text of the user in one line.
+std::string one_line(std::string_view text) {
+  std::string out(cut_utf8(text, kMaxLibraryLine / 2));
+  for (char& c : out)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return std::string(trimmed(out));
+}
+
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 std::string lowered(std::string_view text) {
@@ -98,7 +106,7 @@ std::optional<YarnColor> color_in(std::string_view text) {
     if (error != std::errc() || stop != end || byte < 0) return std::nullopt;
     rgb[i] = static_cast<float>(byte) / 255;
   }
-  return YarnColor{{rgb[0], rgb[1], rgb[2]}, std::string(trimmed(text.substr(7)))};
+  return YarnColor{{rgb[0], rgb[1], rgb[2]}, one_line(text.substr(7))};
 }
 
 /// In the list, "Fibre" is what the yarn is made of.
@@ -161,7 +169,7 @@ class YarnReader {
   void take_count(const Line& line) {
     if (const std::optional<Yarn> spun = with_count(out_.yarn, line.value)) {
       out_.yarn = *spun;
-      out_.count = line.value;
+      out_.count = one_line(line.value);
     } else
       remark(line, fill(tr("the count {count} is not understood; write it as Ne 8/2, Nm 30/2, 16 lea, 150 den, 30 tex"),
                         arg("count", std::string(line.value))));
@@ -170,8 +178,8 @@ class YarnReader {
   void take(const Line& line) {
     if (line.key.empty()) return out_.other_lines.emplace_back(line.text), void();
     if (same_word(line.key, "Count") || same_word(line.key, "Fibre")) return;
-    if (same_word(line.key, "Name")) out_.yarn.name = cut_utf8(line.value, kMaxLibraryLine / 4);
-    else if (same_word(line.key, "Note")) out_.note = line.value;
+    if (same_word(line.key, "Name")) out_.yarn.name = one_line(cut_utf8(line.value, kMaxLibraryLine / 4));
+    else if (same_word(line.key, "Note")) out_.note = one_line(line.value);
     else if (same_word(line.key, "Colour") || same_word(line.key, "Color")) take_color(line);
     else if (same_word(line.key, "Twist")) take_twist(line);
     else if (same_word(line.key, "Metallic")) out_.yarn.lobes.metallic = same_word(line.value, "true");
@@ -227,14 +235,6 @@ class YarnReader {
 
 void add(std::string& out, std::string_view key, std::string_view value) {
   out.append(key).append("=").append(value).append("\n");
-}
-
-/// A text of the user in one line.
-std::string one_line(std::string_view text) {
-  std::string out(trimmed(cut_utf8(text, kMaxLibraryLine / 2)));
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return out;
 }
 
 void add_if(std::string& out, std::string_view key, float value) {
@@ -391,8 +391,8 @@ UsedYarn with_yarn_from(Design design, const LibraryYarn& from, size_t color) {
 
 bool matches(const LibraryYarn& yarn, std::string_view typed) {
   std::string all = lowered(yarn.yarn.name + "\n" + yarn.count + "\n" + yarn.note);
-  all += "\n" + lowered(tr(yarn_presets()[static_cast<size_t>(fibre_of(yarn.yarn))].name.c_str()));
-  for (const YarnColor& color : yarn.colors) all += "\n" + lowered(color.name);
+  all.append("\n").append(lowered(tr(yarn_presets()[static_cast<size_t>(fibre_of(yarn.yarn))].name.c_str())));
+  for (const YarnColor& color : yarn.colors) all.append("\n").append(lowered(color.name));
   const std::string words = lowered(typed);
   for (size_t at = words.find_first_not_of(kBlanks); at != std::string::npos;) {
     const size_t end = std::min(words.find_first_of(kBlanks, at), words.size());

@@ -21,7 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   const std::string text = yarn_library_text(*read);
   const weftlight::base::Result<YarnLibrary> again = read_yarn_library(text);
-  require(again && again->yarns == read->yarns && again->head == read->head, "yarns survive writing and reading");
+  require(again && again->yarns == read->yarns, "yarns survive writing and reading");
+  require(read->head.empty() || again->head == read->head, "what stands before them as well");
   require(yarn_library_text(*again) == text, "the text as well");
   Design design;
   design.draft = weftlight::draft::blank_draft(4, 4, 2, 2);

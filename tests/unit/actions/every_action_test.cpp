@@ -178,6 +178,10 @@ std::vector<Stage> stages() {
 const std::set<std::string> kEdits = {"advance_down",
                                       "advance_up",
                                       "clear",
+                                      "colors.sort_hue",
+                                      "colors.sort_lightness",
+                                      "colors.swap_lightness",
+                                      "colors.swap_systems",
                                       "cut",
                                       "delete_threads",
                                       "double_mirrored",
@@ -227,7 +231,9 @@ const std::set<std::string> kEdits = {"advance_down",
                                       "undo",
                                       "view.*",
                                       "view_keep_as",
-                                      "views_change"};
+                                      "views_change",
+                                      "yarns.merge",
+                                      "yarns.remove_unused"};
 
 /// What has a row for each drape, light or view.
 std::string kind_of(const std::string& id) {

@@ -11,6 +11,7 @@
 #include "base/user_folders.h"
 #include "drape/stiffness.h"
 #include "files/fabric_physics.h"
+#include "platform/shipped_file.h"
 
 namespace weftlight::files {
 
@@ -36,8 +37,7 @@ std::string shipped_path(const std::string& file) {
 Result<Mesh> load_shipped(const Design& design) {
   const std::string& name = design.scene.mesh;
   const std::string file = can_drape(design) ? shipped_file(design) : name, path = shipped_path(file);
-  std::error_code ec;
-  if (file == name || !fs::exists(path, ec)) return load_drape(name);
+  if (file == name || !platform::is_shipped(path)) return load_drape(name);
   return read_mesh(path);
 }
 

@@ -3,6 +3,7 @@
 #include "base/resources.h"
 #include "base/text.h"
 #include "files/files.h"
+#include "platform/shipped_file.h"
 
 namespace weftlight::files {
 
@@ -26,15 +27,15 @@ std::string names_of_drapes() {
 }  // namespace
 
 Result<Mesh> load_drape(const std::string& name_or_path) {
-  std::error_code ec;
   for (const std::string& name : drape_names()) {
     if (name != name_or_path) continue;
     const fs::path shipped = fs::path(presets_dir()) / "meshes" / (name + ".glb");
-    if (!fs::exists(shipped, ec)) return simulate_drape(name);
+    if (!platform::is_shipped(shipped.string())) return simulate_drape(name);
     Result<Mesh> read = read_mesh(shipped.string());
     if (read) read->name = name;
     return read;
   }
+  std::error_code ec;
   const std::string extension = fs::path(name_or_path).extension().string();
   if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return read_mesh(name_or_path);
   return base::failure(base::ErrorKind::kInput,

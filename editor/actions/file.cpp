@@ -5,14 +5,17 @@
 #include <utility>
 
 #include "actions/action_parts.h"
+#include "platform/page.h"
 #include "session/library/library.h"
 #include "weaves/table.h"
+#include "wif/wif.h"
 
 namespace weftlight::actions {
 
 using base::fill, base::mark, base::tr;
 using session::LibraryFile, session::library_files;
 using weaves::WeaveKind, weaves::weave_kinds;
+using wif::write_new_wif;
 
 namespace {
 
@@ -69,6 +72,11 @@ void add_file_of_draft_actions(Actions& all, const FileActions& files, const Act
   };
   new_group(on_tab(add(all, "File", "duplicate", tr("Duplicate"), "", files.duplicate)));
   on_tab(add(all, "File", "reload", tr("Reload from disk"), "", files.reload)).enabled = has_file;
+  if (platform::is_page()) {
+    const auto copy_link = [&draft] { platform::copy_link(write_new_wif(draft.document().now())); };
+    on_tab(add(all, "File", "copy_link", tr("Copy a link to this draft"), "", copy_link));
+    return;
+  }
   on_tab(add(all, "File", "copy_path", tr("Copy file path"), "", copy_path)).enabled = has_file;
   on_tab(add(all, "File", "show_in_folder", tr("Show in folder"), "", files.show_in_folder)).enabled = has_file;
 }
@@ -84,6 +92,7 @@ void add_tab_actions(Actions& all, const TabActions& tabs) {
 }
 
 void add_quit_action(Actions& all, const FileActions& files) {
+  if (platform::is_page()) return;  // the browser closes it
   add(all, "File", "quit", tr("Quit"), "Ctrl+Q", files.quit);
 }
 

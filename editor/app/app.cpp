@@ -2,9 +2,12 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "app/editor.h"
 #include "app/window.h"
@@ -16,6 +19,7 @@
 #include "platform/crash_report.h"
 #include "platform/file.h"
 #include "platform/language.h"
+#include "platform/turns.h"
 #include "session/files/file_identity.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
@@ -91,6 +95,29 @@ void end_soon() {
   }
 }
 
+/// The window with its editor. Where a browser gives the turns, nothing else keeps them.
+class OpenedEditor {
+ public:
+  OpenedEditor(std::unique_ptr<Window> window, const EditorOptions& options)
+      : window_(std::move(window)), editor_(std::make_unique<Editor>(*window_, options)) {
+    keeps_work_.emplace(*editor_);
+  }
+
+  bool turn() {
+    if (editor_->turn()) return true;
+    editor_->leave();
+    keeps_work_.reset();
+    editor_.reset();
+    end_soon();
+    return false;
+  }
+
+ private:
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<Editor> editor_;
+  std::optional<KeepsWork> keeps_work_;
+};
+
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
@@ -101,15 +128,11 @@ int run_editor(const EditorOptions& options) {
   if (!options.language_asked && !settings.language.empty())
     platform::use_language(settings.language, base::languages_dir());
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
-  const auto window = Window::open(settings.width, settings.height);
+  auto window = Window::open(settings.width, settings.height);
   if (!window) return fail(window.error());
   Window::when_lost([] { end_without_window(nullptr); });
-  {
-    Editor editor(**window, options);
-    const KeepsWork keeps_work(editor);
-    editor.run();
-  }
-  end_soon();
+  const auto opened = std::make_shared<OpenedEditor>(std::move(*window), options);
+  platform::take_turns([opened] { return opened->turn(); });
   return kDone;
 }
 

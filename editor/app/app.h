@@ -1,7 +1,7 @@
 #pragma once
 // The window: opens the editor and runs until it is closed.
 
-#include "commands/commands.h"
+#include "commands/exit_codes.h"
 
 namespace weftlight::app {
 

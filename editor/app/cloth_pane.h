@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include "actions/cloth_actions.h"
 #include "app/background_tasks.h"
@@ -13,6 +14,8 @@
 #include "app/frame_schedule.h"
 #include "app/messages.h"
 #include "app/preview_pane.h"
+#include "app/preview_slices.h"
+#include "opengl/opengl.h"
 #include "session/editing/true_distance.h"
 #include "session/files/user_files.h"
 #include "session/jobs/draper.h"
@@ -23,6 +26,9 @@ using actions::ClothActions;
 using design::Design;
 using session::ClothView, session::Document, session::DrapeState, session::Draper, session::Screen, session::Settings;
 using views::PanelContext;
+
+/// A browser has one GL context, of the page's thread.
+using Preview = std::conditional_t<opengl::kGles, PreviewSlices, PreviewPane>;
 
 class ClothPane {
  public:
@@ -74,7 +80,7 @@ class ClothPane {
   Messages& messages_;
   FrameSchedule& schedule_;
   Draper draper_;
-  PreviewPane preview_;
+  Preview preview_;
   Screen screen_;
   ImVec2 size_{0, 0};  // of the picture, in window pixels
   bool shown_ = true;  // whether the settings last said so

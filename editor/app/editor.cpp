@@ -114,22 +114,24 @@ Subjects Editor::subjects() {
           .comparison = reports_.actions()};
 }
 
-void Editor::run() {
-  while (!tabs_.leaving()) {
-    const bool happened = window_.wait(sleep_s());
-    if (happened || window_.has_input()) schedule_.input(Window::seconds());
-    dialogs_.poll();
-    if (window_.take_focus()) files_.look_at_file();
-    if (std::string now = trouble(); now != trouble_) {
-      trouble_ = std::move(now);
-      schedule_.draw_after_event();
-    }
-    if (window_.wants_close()) {
-      window_.set_wants_close(false);
-      tabs_.quit();
-    }
-    frame();
+bool Editor::turn() {
+  const bool happened = window_.wait(sleep_s());
+  if (happened || window_.has_input()) schedule_.input(Window::seconds());
+  dialogs_.poll();
+  if (window_.take_focus()) files_.look_at_file();
+  if (std::string now = trouble(); now != trouble_) {
+    trouble_ = std::move(now);
+    schedule_.draw_after_event();
   }
+  if (window_.wants_close()) {
+    window_.set_wants_close(false);
+    tabs_.quit();
+  }
+  frame();
+  return !tabs_.leaving();
+}
+
+void Editor::leave() {
   window_.size(settings_.width, settings_.height);
   // What is still being written is finished without the window.
   window_.hide();

@@ -27,7 +27,7 @@
 #include "app/tool_windows.h"
 #include "app/ui_map_file.h"
 #include "app/window.h"
-#include "commands/commands.h"
+#include "commands/exit_codes.h"
 #include "platform/desktop.h"
 #include "session/editing/intent.h"
 #include "session/editing/strokes.h"
@@ -46,7 +46,10 @@ using views::FrameNotes;
 class Editor {
  public:
   Editor(Window& window, const EditorOptions& options);
-  void run();
+  /// Handles what has come in since the last turn and draws a frame if one is due; false once the window is to be left.
+  bool turn();
+  /// After the last turn: keeps the settings.
+  void leave();
   /// Without the window system: waits until what is unsaved, and what is being saved, is on the disk, but not for ever.
   /// Returns why not all of it is, and sets `unsaved` if the next start has something to offer.
   std::string keep_work(bool& unsaved);

@@ -1,6 +1,5 @@
 #include "app/preview_pane.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -10,15 +9,13 @@
 
 namespace weftlight::app {
 
-using base::arg, base::caught, base::fill, base::message, base::tr;
+using base::caught, base::tr;
 using gl::Pipeline;
-using session::Compare, session::PictureComparison;
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr size_t kMaxSubjects = 64;  // while no picture comes
-constexpr double kAgainS = 1;        // delay before a failed picture is drawn again
+constexpr double kAgainS = 1;  // delay before a failed picture is drawn again
 // A context that was lost is made anew, unless that happens time after time within a minute.
 constexpr double kLastsS = 60;
 constexpr int kMaxLost = 4;
@@ -39,10 +36,7 @@ PreviewPane::~PreviewPane() {
 }
 
 void PreviewPane::submit(std::shared_ptr<const Design> design, const ClothSubject& subject) {
-  submitted_ = design;
-  subject_ = subject;
-  subjects_.emplace_back(design, subject);
-  if (subjects_.size() > kMaxSubjects) subjects_.pop_front();
+  shown_.submit(design, subject);
   {
     const std::lock_guard lock(mutex_);
     design_ = std::move(design);
@@ -89,35 +83,14 @@ HeadlessContext::Opened PreviewPane::ask_for_hidden_window() {
 
 bool PreviewPane::poll() {
   open_hidden_window_if_asked();
-  std::optional<Drawn> drawn;
+  std::optional<DrawnPicture> drawn;
   {
     const std::lock_guard lock(mutex_);
     drawn = std::exchange(drawn_, std::nullopt);
   }
   if (!drawn) return false;
-  if (!drawn->pixels.empty()) {
-    texture_.set(drawn->width, drawn->height, drawn->pixels);
-    const auto is_of = [&](const auto& one) { return one.first == drawn->of; };
-    const auto of = std::find_if(subjects_.begin(), subjects_.end(), is_of);
-    if (of != subjects_.end()) {
-      shown_subject_ = of->second;
-      subjects_.erase(subjects_.begin(), of);  // earlier ones come no more
-    }
-  }
-  if (!drawn->reference.empty())
-    reference_texture_.set(drawn->reference_width, drawn->reference_height, drawn->reference);
-  picture_ = std::move(drawn->picture);
-  shown_ = std::move(drawn->made);
+  shown_.take(std::move(*drawn));
   return true;
-}
-
-PreviewPicture PreviewPane::picture() const {
-  PreviewPicture p = picture_;
-  p.texture = shown_subject_ == subject_ ? texture_.name() : 0;
-  if (p.reference.texture != 0) p.reference.texture = reference_texture_.name();
-  p.busy = p.problem.empty() && (p.busy || shown_ != submitted_);
-  if (p.texture == 0 && p.problem.empty()) p.problem = tr("Weaving the cloth\xE2\x80\xA6");
-  return p;
 }
 
 /// Starts the computation of the cloth before the GL context is created.
@@ -201,8 +174,7 @@ void PreviewPane::fail(const base::Error& error) {
   caught([&] {
     {
       const std::lock_guard lock(mutex_);
-      drawn_ = Drawn{};
-      drawn_->picture.problem = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(error)));
+      drawn_ = undrawn_picture(error);
     }
     wake_window_();
   });
@@ -214,27 +186,7 @@ void PreviewPane::make(PictureMaker& maker, const PictureRequest& request, bool 
 }
 
 void PreviewPane::hand_over(const PictureMaker& maker, const PictureRequest& request, bool drawn) {
-  Drawn made;
-  if (drawn) {
-    maker.read(made.width, made.height, made.pixels);
-    made.of = maker.drawn_design();
-  }
-  const base::Result<PictureComparison>& traced = maker.comparison();
-  const PictureComparison c = traced.value_or(PictureComparison{});
-  const bool compared = request.compare != Compare::kOff && !c.reference.empty();
-  if (compared) made.reference = request.compare == Compare::kSplit ? c.reference : c.difference;
-  made.reference_width = c.width, made.reference_height = c.height;
-  made.picture.stats = maker.stats();
-  made.picture.tolerance = maker.tolerance();
-  made.picture.budget_ms = request.budget_ms;
-  made.picture.problem = maker.problem();
-  made.picture.busy = maker.busy();
-  made.picture.refining = maker.can_refine();
-  made.picture.reference = {compared ? 1u : 0u, c.samples, c.relative_error, !c.finished, {}};
-  if (!traced)
-    made.picture.reference.problem =
-        fill(tr("No ray-traced picture: {problem}"), arg("problem", message(traced.error())));
-  if (!made.picture.busy) made.made = maker.design();
+  DrawnPicture made = drawn_picture(maker, request, drawn);
   {
     const std::lock_guard lock(mutex_);
     // Pixels that were not taken yet and are not replaced stay valid.

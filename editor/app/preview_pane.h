@@ -3,36 +3,21 @@
 // The window requests a picture and is woken when there is something new to show.
 
 #include <condition_variable>
-#include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
+#include "app/drawn_picture.h"
 #include "app/picture_maker.h"
 #include "gl/context.h"
 #include "gl/reset_watch.h"
-#include "ui/pixel_texture.h"
-#include "views/cloth/preview_panel.h"
 
 namespace weftlight::app {
 
-using design::Design;
 using gl::HeadlessContext;
-using ui::PixelTexture;
-using views::PreviewPicture;
-
-/// What is seen: a picture of one is never shown for another, whose camera it would have.
-struct ClothSubject {
-  uint64_t document = 0;
-  bool flat = false;
-  bool operator==(const ClothSubject&) const = default;
-};
 
 class PreviewPane {
  public:
@@ -49,20 +34,9 @@ class PreviewPane {
   /// Takes the newest result; true if there is something to show. Needs the window's GL context and its thread, which
   /// opens the hidden window where the drawing thread asks for one.
   bool poll();
-  PreviewPicture picture() const;
+  PreviewPicture picture() const { return shown_.picture(); }
 
  private:
-  /// A result of the drawing thread. Unchanged pixels are left out.
-  struct Drawn {
-    int width = 0, height = 0;
-    std::vector<uint32_t> pixels;
-    std::vector<uint32_t> reference;  // of the shown comparison
-    int reference_width = 0, reference_height = 0;
-    PreviewPicture picture;              // without its textures
-    std::shared_ptr<const Design> made;  // the design, if its picture is complete
-    std::shared_ptr<const Design> of;    // the design of the pixels
-  };
-
   std::shared_ptr<const Design> first_design(gl::Pipeline& pipeline);
   void work();
   /// Draws in one context after another, until the pane is left: one that was lost is made anew.
@@ -86,20 +60,14 @@ class PreviewPane {
   std::shared_ptr<const Design> design_;
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
-  std::optional<Drawn> drawn_;
+  std::optional<DrawnPicture> drawn_;
   bool asks_for_window_ = false;
   std::optional<HeadlessContext::Opened> hidden_window_;  // the answer
   bool failed_ = false;  // used by the drawing thread: the last picture was not handed over
   // Opened and used by the drawing thread; destroyed by the window's, which alone may destroy windows.
   std::unique_ptr<HeadlessContext> context_;
   std::vector<std::unique_ptr<HeadlessContext>> lost_;  // earlier ones, a few
-  // Used by the window's thread.
-  std::shared_ptr<const Design> submitted_, shown_;
-  std::deque<std::pair<std::shared_ptr<const Design>, ClothSubject>>
-      subjects_;  // of the designs that may be shown next
-  ClothSubject subject_, shown_subject_;
-  PreviewPicture picture_;
-  PixelTexture texture_, reference_texture_;
+  ShownPicture shown_;                                  // used by the window's thread
   std::thread thread_;
 };
 

@@ -1,6 +1,5 @@
 #include "app/window.h"
 
-#include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -15,8 +14,10 @@
 
 #include "base/text.h"
 #include "gl/window_system.h"
+#include "opengl/opengl.h"
 #include "platform/clipboard.h"
 #include "platform/display.h"
+#include "platform/opened_files.h"
 #include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
@@ -327,7 +328,7 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
   ImGui::GetIO().ConfigDragClickToInputText = true;
   feed_whole_frames();
   ImGui_ImplGlfw_InitForOpenGL(w->window_, false);
-  ImGui_ImplOpenGL3_Init("#version 330 core");
+  ImGui_ImplOpenGL3_Init(opengl::kImGuiShaderHead);
   w->give_clipboard();
   w->redraw_ = std::make_unique<ui::Redraw>();
   w->watch_.emplace();
@@ -435,7 +436,11 @@ void Window::drop_frame() { ImGui::EndFrame(); }
 
 std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shortcuts, {}); }
 
-std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
+std::vector<std::string> Window::take_dropped_files() {
+  std::vector<std::string> files = std::exchange(inbox_->dropped, {});
+  for (std::string& file : platform::take_opened_files()) files.push_back(std::move(file));
+  return files;
+}
 double Window::seconds() { return glfwGetTime(); }
 void Window::wake() { glfwPostEmptyEvent(); }
 

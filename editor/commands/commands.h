@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "chart/rows.h"
 #include "collection/query.h"
+#include "commands/exit_codes.h"
 #include "commands/plan_options.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
@@ -22,9 +23,6 @@ namespace weftlight::commands {
 using design::Design;
 using draft::Face;
 using wif::Diagnostic, wif::WifFile;
-
-/// The exit codes of the command-line contract.
-enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWritten = 5 };
 
 struct InfoOptions {
   std::string file;
@@ -166,10 +164,6 @@ int print_command(const PrintCommand&);
 int weave_command(const WeaveOptions&);
 int yarns_command(const YarnsOptions&);
 
-struct EditorOptions {
-  std::string file, live_export, ui_map;
-  bool language_asked = false;  // --language; else that of the settings
-};
 struct CommandLine {
   bool open_editor = false;  // true: start the window with `editor`; false: exit with `exit_code`
   int exit_code = kDone;
@@ -192,17 +186,6 @@ void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
 std::string longest_float_text(const analysis::LongestFloats& floats);
 /// Prints a line of a report, its values in one column; labels and values are in the user's language.
 void print_row(const std::string& label, const std::string& value);
-/// Prints "weftlight: problem" on stderr.
-void print_problem(const std::string& problem);
-/// The exit code of the contract for an error of this kind.
-Exit exit_code(base::ErrorKind kind);
-/// Prints the error on stderr, as "file:line: what; what to do" or "weftlight: what; what to do"; returns its exit
-/// code.
-int fail(const base::Error& error);
-/// The same for a request that makes no sense.
-int refuse(const std::string& problem);
-/// kDone, or the same for its error.
-int finish(const base::Result<void>& result);
 /// Reads a draft and prints its problems on stderr; not `ok` if it cannot be used. `picture`: how a picture becomes a
 /// draft.
 OpenedDesign open_design(const std::string& path, bool print_warnings = false, const files::PictureDraft& picture = {});

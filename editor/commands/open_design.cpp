@@ -27,37 +27,6 @@ void print_row(const std::string& label, const std::string& value) {
   std::printf("%s%s%s\n", label.c_str(), gap.c_str(), value.c_str());
 }
 
-void print_problem(const std::string& problem) { std::fprintf(stderr, "weftlight: %s\n", problem.c_str()); }
-
-Exit exit_code(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::kUsage:
-      return kUsage;
-    case ErrorKind::kInput:
-    case ErrorKind::kMemory:  // for what was read
-      return kBadInput;
-    case ErrorKind::kGraphics:
-      return kNoGraphics;
-    case ErrorKind::kOutput:
-    case ErrorKind::kCancelled:
-      break;
-  }
-  return kNotWritten;
-}
-
-int fail(const base::Error& error) {
-  const std::string what = message(error);
-  if (error.kind == ErrorKind::kOutput)
-    std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another place"), arg("problem", what)).c_str());
-  else if (error.file.empty()) print_problem(what);
-  else std::fprintf(stderr, "%s\n", what.c_str());
-  return exit_code(error.kind);
-}
-
-int refuse(const std::string& problem) { return fail({ErrorKind::kUsage, problem}); }
-
-int finish(const base::Result<void>& result) { return result ? kDone : fail(result.error()); }
-
 OpenedDesign open_design(const std::string& path, bool print_warnings, const files::PictureDraft& picture) {
   OpenedDesign result;
   const base::Result<std::string> file = read_file(path, is_picture(path) ? base::kMaxFileBytes : kMaxDraftBytes);

@@ -4,6 +4,8 @@
 
 namespace weftlight::gl {
 
+using opengl::decode_srgb, opengl::encode_srgb;
+
 base::Result<void> Average::build() { return build_into(program_, "backdrop.vert", "average.frag", {}); }
 
 void Average::draw(GLuint from, GLuint to) {
@@ -30,7 +32,7 @@ void Average::add(GLuint texture, GLuint framebuffer, int width, int height, flo
   }
   glViewport(0, 0, width, height);
   glDisable(GL_DEPTH_TEST);
-  glDisable(GL_FRAMEBUFFER_SRGB);
+  encode_srgb(false);
   // The first pass replaces the content: fresh memory may hold NaN, which a weight of 0 keeps.
   weight < 1 ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
@@ -38,15 +40,15 @@ void Average::add(GLuint texture, GLuint framebuffer, int width, int height, flo
   // On some drivers texelFetch always decodes sRGB (EXT_texture_sRGB_decode, on texelFetch), so the texture is set to
   // decode here.
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_DECODE_EXT);
+  decode_srgb(true);
   draw(texture, target_.get());
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+  decode_srgb(false);
   glDisable(GL_BLEND);
   if (weight < 1) {
-    glEnable(GL_FRAMEBUFFER_SRGB);
+    encode_srgb(true);
     draw(mean_.get(), framebuffer);
-    glDisable(GL_FRAMEBUFFER_SRGB);
+    encode_srgb(false);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }

@@ -1,9 +1,9 @@
 #pragma once
 // Owners of OpenGL objects: freed at the end of their scope, movable, not copyable.
 
-#include <epoxy/gl.h>
-
 #include <utility>
+
+#include "opengl/opengl.h"
 
 namespace weftlight::gl {
 

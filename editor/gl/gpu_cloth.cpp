@@ -9,6 +9,7 @@ namespace weftlight::gl {
 
 using draft::Face;
 using light::LightTables, light::kResponseViews, light::kSlopeBins, light::light_tables;
+using opengl::kSmoothRg, opengl::kSmoothRgb, opengl::kSmoothRgba;
 using render_data::CrossingPatch, render_data::PackedPatch, render_data::PackedTexture, render_data::StripPatch,
     render_data::kResponseHeight, render_data::kResponseWidth, render_data::kSlopeRows, render_data::kViewTableHeight,
     render_data::kViewTableWidth;
@@ -69,8 +70,8 @@ void upload_cube(GlTexture& texture, const std::vector<float>& texels, int size)
   glBindTexture(GL_TEXTURE_CUBE_MAP, texture.get());
   const size_t face = static_cast<size_t>(size) * static_cast<size_t>(size) * 3;
   for (size_t i = 0; i < 6; ++i) {
-    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0, GL_RGB32F, size, size, 0, GL_RGB, GL_FLOAT,
-                 texels.data() + i * face);
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0, kSmoothRgb, size, size, 0, GL_RGB,
+                 GL_FLOAT, texels.data() + i * face);
   }
   clamp_to_edge(GL_TEXTURE_CUBE_MAP);
 }
@@ -81,15 +82,15 @@ void GpuCloth::upload_tables() {
   if (albedo_.name()) return;
   const LightTables& tables = light_tables();
   glBindTexture(GL_TEXTURE_3D, albedo_.get());
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RGBA, GL_FLOAT,
-               tables.albedo.values.data());
+  glTexImage3D(GL_TEXTURE_3D, 0, kSmoothRgba, tables.albedo.nx, tables.albedo.ny, tables.albedo.nz, 0, GL_RGBA,
+               GL_FLOAT, tables.albedo.values.data());
   clamp_to_edge(GL_TEXTURE_3D);
   glBindTexture(GL_TEXTURE_2D, albedo_mean_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, tables.albedo_mean.nx, tables.albedo_mean.ny, 0, GL_RG, GL_FLOAT,
+  glTexImage2D(GL_TEXTURE_2D, 0, kSmoothRg, tables.albedo_mean.nx, tables.albedo_mean.ny, 0, GL_RG, GL_FLOAT,
                tables.albedo_mean.values.data());
   clamp_to_edge(GL_TEXTURE_2D);
   glBindTexture(GL_TEXTURE_2D, fuzz_.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, tables.fuzz.nx, tables.fuzz.ny, 0, GL_RGBA, GL_FLOAT,
+  glTexImage2D(GL_TEXTURE_2D, 0, kSmoothRgba, tables.fuzz.nx, tables.fuzz.ny, 0, GL_RGBA, GL_FLOAT,
                tables.fuzz.values.data());
   clamp_to_edge(GL_TEXTURE_2D);
 }
@@ -116,7 +117,7 @@ void GpuCloth::upload_rest(const PackedCloth& cloth) {
     upload_cube(cubes_[1], cloth.front.difference_cube, cloth.front.cube_size);
     upload_cube(cubes_[2], cloth.back.half_cube, cloth.back.cube_size);
     upload_cube(cubes_[3], cloth.back.difference_cube, cloth.back.cube_size);
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    opengl::use_seamless_cubes();
   }
   has_threads_ = cloth.has_threads();
   thread_kind_.computed = !cloth.strips.empty();

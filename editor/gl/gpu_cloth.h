@@ -24,6 +24,8 @@ class GpuCloth {
   void upload_lobes(const ClothLobes& lobes);
   /// Binds the textures and the uniform block of the cloth.
   void bind();
+  /// The uniform block alone, which every program declares: WebGL draws nothing without it.
+  void bind_block() { glBindBufferBase(GL_UNIFORM_BUFFER, kClothBinding, block_.get()); }
 
   bool empty() const { return width_mm_ <= 0; }
   float width_mm() const { return width_mm_; }

@@ -24,7 +24,7 @@ void GroundLight::update(GLuint sun_depth, GLuint ground_sky) {
   glBindTexture(GL_TEXTURE_2D, ground_sky);
   glActiveTexture(GL_TEXTURE0 + kSunDepthSlot);
   glBindTexture(GL_TEXTURE_2D, sun_depth);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  opengl::compare_depths(GL_TEXTURE_2D, false);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glViewport(0, 0, kSize, kSize);
   glDisable(GL_DEPTH_TEST);
@@ -33,7 +33,7 @@ void GroundLight::update(GLuint sun_depth, GLuint ground_sky) {
   glBindVertexArray(empty_array_.get());
   glUseProgram(bake_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  opengl::compare_depths(GL_TEXTURE_2D, true);
 }
 
 void GroundLight::draw() {

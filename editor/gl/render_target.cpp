@@ -4,6 +4,9 @@
 #include <cmath>
 
 namespace weftlight::gl {
+
+using opengl::decode_srgb, opengl::encode_srgb, opengl::use_multisample;
+
 namespace {
 
 constexpr int kSamples = 4;
@@ -27,7 +30,7 @@ void RenderTarget::make(Resolved& to, int width, int height) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   // The texture is displayed with its encoded values.
-  if (!half_) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+  if (!half_) decode_srgb(false);
   glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, to.texture.get(), 0);
 }
@@ -49,14 +52,14 @@ bool RenderTarget::begin(int width, int height, float scale) {
   glBindFramebuffer(GL_FRAMEBUFFER, samples_.get());
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
   glViewport(0, 0, w, h);
-  glEnable(GL_MULTISAMPLE);
-  glEnable(GL_FRAMEBUFFER_SRGB);
+  use_multisample();
+  encode_srgb(true);
   return true;
 }
 
 void RenderTarget::end() {
   make(picture_, width_, height_);
-  glEnable(GL_FRAMEBUFFER_SRGB);
+  encode_srgb(true);
   if (drawn_width_ == width_ && drawn_height_ == height_) {
     blit(samples_.get(), width_, height_, picture_.framebuffer.get(), width_, height_, GL_NEAREST);
   } else {
@@ -65,7 +68,7 @@ void RenderTarget::end() {
          GL_NEAREST);
     blit(small_.framebuffer.get(), drawn_width_, drawn_height_, picture_.framebuffer.get(), width_, height_, GL_LINEAR);
   }
-  glDisable(GL_FRAMEBUFFER_SRGB);
+  encode_srgb(false);
 }
 
 Image RenderTarget::read() const {

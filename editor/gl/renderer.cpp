@@ -29,6 +29,7 @@ namespace weftlight::gl {
 using cloth::Linear, cloth::linear_from_srgb;
 using design::method_facts, design::method_name;
 using light::LodDemand, light::Plan, light::expected_error, light::fitted, light::plan_of, light::samples_at;
+using opengl::Counter, opengl::begin_counter, opengl::counted, opengl::end_counter, opengl::is_counted;
 using render_data::FlyawayGrowth, render_data::MethodWeights, render_data::ShippedLodTable, render_data::ThreadKind,
     render_data::expected_ms, render_data::flyaway_growth, render_data::kShadowAzimuths, render_data::method_weights,
     render_data::patch_camera, render_data::patch_mesh, render_data::shipped_lod_table;
@@ -79,7 +80,8 @@ struct Renderer::Parts {
   GlProgram backdrop, body;
   GlQuery timer, samples, flyaway_timer;
   bool queried = false, flyaways_queried = false, software = false;
-  double software_ms = 0, software_flyaway_ms = 0;
+  bool by_clock = false;  // times are taken by the clock, since the driver tells none, or wrong ones
+  double clock_ms = 0, clock_flyaway_ms = 0;
   FrameStats stats;
   DrawnFrame last;
   ShippedLodTable shipped = shipped_lod_table();
@@ -111,8 +113,10 @@ struct Renderer::Parts {
 };
 
 base::Result<void> Renderer::Parts::build() {
-  const char* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  software = name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
+  const char* name = opengl::renderer_name();
+  software =
+      name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe") || std::strstr(name, "SwiftShader"));
+  by_clock = software || !opengl::kHasCounters;
   base::Result<LightRig> studio = load_light_rig("studio");
   if (!studio) return base::failed(studio);
   rig = std::move(*studio);
@@ -202,7 +206,8 @@ void Renderer::Parts::set_lights(LightRig lights) {
   if (!rig.environment) return;
   const Image& picture = rig.environment->picture();
   glBindTexture(GL_TEXTURE_2D, environment.get());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, picture.width, picture.height, 0, GL_RGB, GL_FLOAT, picture.texels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, opengl::kSmoothRgb, picture.width, picture.height, 0, GL_RGB, GL_FLOAT,
+               picture.texels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
@@ -253,9 +258,10 @@ void Renderer::Parts::upload_frame(const interop::FrameData& data) {
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block.get());
 }
 
-/// The time, after everything submitted to a software renderer is done: its timer query counts a single tile.
+/// The time, after everything submitted is done where the clock counts: the timer query of a software renderer counts a
+/// single tile.
 std::chrono::steady_clock::time_point Renderer::Parts::time_when_drawn(const Frame& frame) const {
-  if (software && frame.timed) glFinish();
+  if (by_clock && frame.timed) opengl::finish();
   return std::chrono::steady_clock::now();
 }
 
@@ -276,14 +282,14 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
   read_queries(queried);
   const auto start = time_when_drawn(drawn.frame);
-  glBeginQuery(GL_TIME_ELAPSED, timer.get());
-  glBeginQuery(GL_SAMPLES_PASSED, samples.get());
+  begin_counter(Counter::kTime, timer.get());
+  begin_counter(Counter::kSamples, samples.get());
   on.draw_cloth();
-  glEndQuery(GL_SAMPLES_PASSED);
-  glEndQuery(GL_TIME_ELAPSED);
+  end_counter(Counter::kSamples);
+  end_counter(Counter::kTime);
   queried = true;
-  if (software && drawn.frame.timed) {
-    software_ms = std::chrono::duration<double, std::milli>(time_when_drawn(drawn.frame) - start).count();
+  if (by_clock && drawn.frame.timed) {
+    clock_ms = std::chrono::duration<double, std::milli>(time_when_drawn(drawn.frame) - start).count();
   }
 }
 
@@ -311,12 +317,12 @@ void Renderer::Parts::draw_flyaways(const DrawnFrame& drawn, const Camera& camer
   stats.flyaways = flyaways.count();
   cloth.bind();
   sun.bind();
-  glBeginQuery(GL_TIME_ELAPSED, flyaway_timer.get());
+  begin_counter(Counter::kTime, flyaway_timer.get());
   flyaways.draw(flyaway_pieces(growth, camera.pixel_mm));
-  glEndQuery(GL_TIME_ELAPSED);
+  end_counter(Counter::kTime);
   flyaways_queried = true;
-  if (software && drawn.frame.timed) {
-    software_flyaway_ms = std::chrono::duration<double, std::milli>(time_when_drawn(drawn.frame) - start).count();
+  if (by_clock && drawn.frame.timed) {
+    clock_flyaway_ms = std::chrono::duration<double, std::milli>(time_when_drawn(drawn.frame) - start).count();
   }
 }
 
@@ -347,6 +353,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
   chosen.light = scene_light(rig, drawn.scene);
   mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack,
             drawn.frame.render_scale < 1);
+  cloth.bind_block();
   const bool new_light = sun.update(mesh, chosen.light.lights[0].towards, frame_block);
   sun.update_more(mesh, chosen.light.lights, frame_block);
   const interop::FrameData data = frame_data(chosen, camera, linear_out, mesh);
@@ -465,19 +472,15 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
 
 void Renderer::Parts::read_queries(bool wait) {
   if (!queried) return;
-  GLuint ready = GL_FALSE;
-  if (!wait) glGetQueryObjectuiv(samples.get(), GL_QUERY_RESULT_AVAILABLE, &ready);
-  if (!wait && !ready) return;
-  GLuint64 ns = 0, passed = 0;
-  glGetQueryObjectui64v(timer.get(), GL_QUERY_RESULT, &ns);
-  glGetQueryObjectui64v(samples.get(), GL_QUERY_RESULT, &passed);
-  stats.gpu_ms = software ? software_ms : static_cast<double>(ns) * 1e-6;
-  stats.shaded_pixels = static_cast<double>(passed) / 4;  // four samples a pixel
+  if (!wait && !is_counted(samples.get())) return;
+  const double ns = counted(timer.get()), passed = counted(samples.get());
+  stats.gpu_ms = by_clock ? clock_ms : ns * 1e-6;
+  // Four samples a pixel. Where none are counted, all: only the ratio of two such numbers is used.
+  const double all = static_cast<double>(last.frame.width) * last.frame.height;
+  stats.shaded_pixels = opengl::kHasCounters ? passed / 4 : all;
   queried = false;
   if (!flyaways_queried) return;
-  GLuint64 flyaway_ns = 0;
-  glGetQueryObjectui64v(flyaway_timer.get(), GL_QUERY_RESULT, &flyaway_ns);
-  stats.flyaway_ms = software ? software_flyaway_ms : static_cast<double>(flyaway_ns) * 1e-6;
+  stats.flyaway_ms = by_clock ? clock_flyaway_ms : counted(flyaway_timer.get()) * 1e-6;
   flyaways_queried = false;
 }
 
@@ -485,7 +488,7 @@ Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
 Renderer::~Renderer() = default;
 
 base::Result<std::unique_ptr<Renderer>> Renderer::create() {
-  if (epoxy_gl_version() < 33)
+  if (!opengl::is_new_enough())
     return base::failure(base::ErrorKind::kGraphics, base::tr("OpenGL 3.3 is needed: update the graphics driver"));
   std::unique_ptr<Renderer> made(new Renderer);
   if (auto built = made->parts_->build(); !built) return base::failed(built);

@@ -1,12 +1,11 @@
 #include "gl/reset_watch.h"
 
-#include <epoxy/gl.h>
+#include "opengl/opengl.h"
 
 namespace weftlight::gl {
 
-// libepoxy ends the program where a function is called that the driver does not have.
-ResetWatch::ResetWatch() : can_ask_(epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness")) {}
+ResetWatch::ResetWatch() : can_ask_(opengl::can_tell_reset()) {}
 
-bool ResetWatch::is_lost() const { return can_ask_ && glGetGraphicsResetStatus() != GL_NO_ERROR; }
+bool ResetWatch::is_lost() const { return can_ask_ && opengl::was_reset(); }
 
 }  // namespace weftlight::gl

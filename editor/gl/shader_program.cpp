@@ -113,7 +113,7 @@ Result<std::string> with_includes(const std::string& text) {
 }
 
 Result<std::string> shader_text(const std::string& file, const std::vector<std::string>& defines) {
-  std::string text = "#version 330 core\n";
+  std::string text = opengl::kShaderHead;
   for (const std::string& define : defines) text += "#define " + define + "\n";
   Loader loader{shaders_dir(), method_of(defines), {}, {}};
   text += loader.file(file);
@@ -139,7 +139,7 @@ Result<GlProgram> build_program(const std::string& vert, const std::string& frag
   glAttachShader(program.get(), *f);
   for (GLuint slot = 0; slot < kAttributeCount; ++slot)
     glBindAttribLocation(program.get(), slot, kAttributeNames[slot]);
-  glBindFragDataLocation(program.get(), 0, "out_color");
+  opengl::name_output(program.get(), "out_color");
   glLinkProgram(program.get());
   glDeleteShader(*v);
   glDeleteShader(*f);

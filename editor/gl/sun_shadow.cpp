@@ -16,19 +16,11 @@ namespace {
 
 /// Beyond its border a map is lit.
 void read_as_shadow(GLenum target) {
-  constexpr float kLit[] = {1, 1, 1, 1};
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, kLit);
+  opengl::light_beyond_border(target);
   glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-}
-
-void depth_only() {
-  glDrawBuffer(GL_NONE);
-  glReadBuffer(GL_NONE);
 }
 
 Bounds bounds_with_body(const PreparedMesh& mesh) {
@@ -46,7 +38,7 @@ base::Result<void> SunShadow::build() {
   read_as_shadow(GL_TEXTURE_2D);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
-  depth_only();
+  opengl::draw_depth_only();
   return {};
 }
 
@@ -71,7 +63,7 @@ void SunShadow::update_more(GpuMesh& mesh, std::span<const DistantLight> lights,
     for (size_t i = 0; i < more_.size(); ++i) {
       glBindFramebuffer(GL_FRAMEBUFFER, more_framebuffers_[i].get());
       glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, more_depth_.name(), 0, static_cast<GLint>(i));
-      depth_only();
+      opengl::draw_depth_only();
     }
   }
   for (size_t i = 1; i < lights.size() && i < kMaxLights; ++i) {
@@ -106,12 +98,14 @@ void SunShadow::draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int si
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
   glClear(GL_DEPTH_BUFFER_BIT);
+  opengl::begin_lit_border(size);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5f, 2.0f);
   glUseProgram(program_.name());
   mesh.draw_cloth();
   mesh.draw_body();
   glDisable(GL_POLYGON_OFFSET_FILL);
+  opengl::end_lit_border();
 }
 
 void SunShadow::bind() const {

@@ -1,6 +1,6 @@
 #include "ui/pixel_texture.h"
 
-#include <epoxy/gl.h>
+#include "opengl/opengl.h"
 
 namespace weftlight::ui {
 

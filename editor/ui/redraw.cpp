@@ -1,11 +1,12 @@
 #include "ui/redraw.h"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <epoxy/gl.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "opengl/opengl.h"
 
 namespace weftlight::ui {
 
@@ -20,8 +21,7 @@ void Redraw::resize(int width, int height) {
   width_ = width, height_ = height;
   if (framebuffer_ == 0) glGenFramebuffers(1, &framebuffer_), glGenTextures(1, &picture_);
   glBindTexture(GL_TEXTURE_2D, picture_);
-  // The channel order of windows, so that presenting is a plain copy.
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, opengl::kWindowLayout, opengl::kWindowType, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_, 0);

@@ -1,20 +1,15 @@
 #!/usr/bin/env bash
-# `./check web`: builds core for browsers and for the desktop, and compares what both make of drafts, line by line.
-# Usage: tests/web/check.sh [FILE...]; without files the shipped drafts.
-# Skipped (exit code 77) where Emscripten cannot be had.
+# `./check web [FILE...]`: builds the editor for browsers and what it is held against on the desktop; compares what core makes
+# of drafts in both, line by line, and drives the page in headless Chromium (page.js).
+# Without files the shipped drafts are compared. Skipped (exit code 77) where Emscripten or Chromium cannot be had.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root"
-third_party/install.sh web
-for tool in em++ node; do
-  command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-done
-export NODE_PATH=/usr/share/nodejs  # where Debian's Emscripten finds its parser of JavaScript
-third_party/web/libraries.sh
-[[ -f build/web/build.ninja ]] || cmake --preset web >/dev/null
+editor/web/build.sh
+export NODE_PATH=/usr/share/nodejs
 cmake --build build/web --target core_answers
 [[ -f build/check/build.ninja ]] || cmake --preset check >/dev/null
-cmake --build build/check --target core_answers
+cmake --build build/check --target core_answers painted weftlight
 files=("$@")
 if ((${#files[@]} == 0)); then
   mapfile -t files < <(find presets/drafts presets/cloths -iname '*.wif' | LC_ALL=C sort)
@@ -24,3 +19,31 @@ build/check/tests/web/core_answers "${files[@]}" >build/web/desktop.txt
 node --no-experimental-fetch build/web/tests/web/core_answers.js "${files[@]}" >build/web/browser.txt
 diff build/web/desktop.txt build/web/browser.txt || { echo "The build for browsers makes something else of these drafts."; exit 1; }
 echo "$(wc -l <build/web/browser.txt) drafts: the same in a browser's WebAssembly as on the desktop"
+
+chromium=$(command -v chromium || command -v chromium-browser || true)
+[[ -n $chromium ]] || { echo "skipped: Chromium is not installed"; exit 77; }
+mkdir -p build/npm
+if [[ ! -d build/npm/node_modules/ws ]]; then
+  cp third_party/package.json third_party/package-lock.json build/npm/
+  (cd build/npm && npm ci --silent --no-audit --no-fund) || { echo "skipped: npm brings no packages"; exit 77; }
+fi
+made=$(mktemp -d)
+trap 'kill "${server:-}" 2>/dev/null || true; rm -rf "$made"' EXIT
+cp presets/drafts/starter.wif "$made/mine.wif"
+build/check/tests/web/painted "$made/mine.wif" "$made/painted.wif"
+# Flat, since a mesh has no ambient shadow of its own in a browser (docs/web.md).
+flat() { # DRAFT OUT
+  sed 's/^\[CONTENTS\]\r\?$/[CONTENTS]\nPRIVATE WEFTLIGHT SCENE=true/' "$1" >"$2"
+  printf '\n[PRIVATE WEFTLIGHT SCENE]\nMesh=plane\n' >>"$2"
+}
+for name in twill_2_2 overshot; do flat presets/drafts/$name.wif "$made/$name.wif"; done
+sed 's/^Mesh=.*/Mesh=plane/' presets/drafts/starter.wif >"$made/starter.wif"
+python3 editor/web/serve.py build/web/page 8117 >"$made/address" &
+server=$!
+for _ in $(seq 50); do [[ -s $made/address ]] && break; sleep 0.1; done
+address=$(grep -o 'http://[^ ]*' "$made/address")
+CHROMIUM=$chromium NODE_PATH=build/npm/node_modules node tests/web/page.js "$address" "$made/mine.wif" "$made/painted.wif" \
+  build/check/weftlight "$made"/{twill_2_2,overshot,starter}.wif
+size=0
+for file in weftlight.wasm weftlight.js weftlight.data; do size=$((size + $(gzip -9c build/web/page/$file | wc -c))); done
+echo "      the program with its presets: $((size / 1024)) kB compressed"

@@ -3,6 +3,7 @@
 # source packages. Under the names that third_party/dependencies.cmake gives them elsewhere.
 
 find_package(Threads REQUIRED)
+find_program(Python3_EXECUTABLE python3)
 set(web_libraries ${CMAKE_SOURCE_DIR}/build/web-libraries CACHE PATH "Made by third_party/web/libraries.sh")
 if(NOT EXISTS ${web_libraries}/done)
   message(FATAL_ERROR "The libraries of the build for browsers are not there: run third_party/web/libraries.sh "
@@ -24,10 +25,23 @@ weftlight_web_library(fmt::fmt DEFINE FMT_HEADER_ONLY=1)
 weftlight_web_library(tl::expected)
 weftlight_web_library(glm::glm)
 weftlight_web_library(nlohmann_json::nlohmann_json)
-weftlight_web_library(TinyGLTF::TinyGLTF LIBRARY libtinygltf.a)
+weftlight_web_library(TinyGLTF::TinyGLTF LIBRARY libtinygltf.a DEFINE TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE
+                      TINYGLTF_NO_INCLUDE_STB_IMAGE TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE)
 weftlight_web_library(stb)
 weftlight_web_library(ZLIB::ZLIB LIBRARY libz.a)
 weftlight_web_library(meshoptimizer::meshoptimizer LIBRARY libmeshoptimizer.a)
+
+weftlight_web_library(PkgConfig::FREETYPE LIBRARY libfreetype.a)
+weftlight_web_library(PkgConfig::IMGUI LIBRARY libimgui.a INCLUDE ${web_libraries}/include/imgui)
+target_include_directories(PkgConfig::IMGUI SYSTEM INTERFACE ${web_libraries}/include/imgui/misc/freetype
+                           ${web_libraries}/include/imgui/misc/cpp)
+target_link_libraries(PkgConfig::IMGUI INTERFACE PkgConfig::FREETYPE)
+# WebGL 2 as OpenGL ES 3.0, and GLFW, are Emscripten's own; what its GLFW lacks stands in third_party/web.
+add_library(PkgConfig::EPOXY INTERFACE IMPORTED GLOBAL)
+target_link_options(PkgConfig::EPOXY INTERFACE -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
+weftlight_web_library(glfw)
+target_link_options(glfw INTERFACE -sUSE_GLFW=3 --js-library ${CMAKE_SOURCE_DIR}/third_party/web/glfw_rest.js)
+target_link_libraries(PkgConfig::IMGUI INTERFACE glfw)
 
 set(web_flags -pthread -fwasm-exceptions -sSUPPORT_LONGJMP=wasm)
 add_compile_options(${web_flags})

@@ -8,10 +8,11 @@ to=${1:-$root/build/web-libraries}
 stamp=$to/done
 [[ -f $stamp && $stamp -nt ${BASH_SOURCE[0]} ]] && exit 0
 export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}
+command -v ccache >/dev/null && export ccache=ccache
 mkdir -p "$to"/{include,lib,sources,apt/lists/partial,apt/cache/archives/partial}
 cd "$to"
 
-for header in fmt tl glm nlohmann fast_float stb tiny_gltf.h; do
+for header in fmt tl glm nlohmann fast_float stb tiny_gltf.h GLFW; do
   [[ -e /usr/include/$header ]] || { echo "The package that holds /usr/include/$header is missing" >&2; exit 1; }
   ln -sfn "/usr/include/$header" "include/$header"
 done
@@ -43,7 +44,7 @@ library() {
   for file in "$@"; do
     printf '%s\0%s\0' "$file" "objects/$name/$(basename "$file").o"
   done | xargs -0 -n 2 -P "$(nproc)" sh -c \
-    'case $1 in *.c) c=emcc ;; *) c="em++ -std=c++17" ;; esac; exec $c -O2 -pthread -fwasm-exceptions -sSUPPORT_LONGJMP=wasm -w '"$flags"' -c "$1" -o "$2"' --
+    'case $1 in *.c) c=emcc ;; *) c="em++ -std=c++17" ;; esac; exec ${ccache:-} $c -O2 -pthread -fwasm-exceptions -sSUPPORT_LONGJMP=wasm -w '"$flags"' -c "$1" -o "$2"' --
   for file in "$@"; do objects+=("objects/$name/$(basename "$file").o"); done
   rm -f "lib/lib$name.a"
   emar rcs "lib/lib$name.a" "${objects[@]}"
@@ -67,4 +68,29 @@ cat >sources/tinygltf.cpp <<'SOURCE'
 #include <tiny_gltf.h>
 SOURCE
 library tinygltf "-Iinclude" sources/tinygltf.cpp
+
+# The outlines of fonts, with the drivers that the page's fonts need.
+freetype=$(source_of freetype)
+ln -sfn "$freetype/include/ft2build.h" include/ft2build.h && ln -sfn "$freetype/include/freetype" include/freetype
+cat >include/freetype_modules.h <<'MODULES'
+FT_USE_MODULE(FT_Module_Class, autofit_module_class)
+FT_USE_MODULE(FT_Driver_ClassRec, tt_driver_class)
+FT_USE_MODULE(FT_Driver_ClassRec, cff_driver_class)
+FT_USE_MODULE(FT_Module_Class, psaux_module_class)
+FT_USE_MODULE(FT_Module_Class, psnames_module_class)
+FT_USE_MODULE(FT_Module_Class, pshinter_module_class)
+FT_USE_MODULE(FT_Module_Class, sfnt_module_class)
+FT_USE_MODULE(FT_Renderer_Class, ft_smooth_renderer_class)
+MODULES
+library freetype "-Iinclude -DFT2_BUILD_LIBRARY -DFT_CONFIG_OPTION_SYSTEM_ZLIB '-DFT_CONFIG_MODULES_H=<freetype_modules.h>'" \
+  "$freetype"/src/base/{ftbase,ftbitmap,ftdebug,ftglyph,ftinit,ftmm,ftsynth,ftsystem}.c \
+  "$freetype"/src/{gzip/ftgzip,autofit/autofit,truetype/truetype,cff/cff,psaux/psaux,psnames/psnames,pshinter/pshinter,sfnt/sfnt,smooth/smooth}.c
+
+# As Debian's library: with the backends for GLFW and OpenGL, std::string, and glyphs by FreeType.
+imgui=$(source_of imgui)
+mkdir -p include/imgui
+for header in "$imgui"/im*.h "$imgui"/backends "$imgui"/misc; do ln -sfn "$header" "include/imgui/$(basename "$header")"; done
+library imgui "-Iinclude -Iinclude/imgui -DIMGUI_ENABLE_FREETYPE -DIMGUI_IMPL_OPENGL_ES3" \
+  "$imgui"/{imgui,imgui_draw,imgui_tables,imgui_widgets}.cpp "$imgui"/misc/cpp/imgui_stdlib.cpp \
+  "$imgui"/misc/freetype/imgui_freetype.cpp "$imgui"/backends/imgui_impl_{glfw,opengl3}.cpp
 touch "$stamp"

@@ -33,4 +33,6 @@ std::string font_file(std::span<const char* const> families, FontWeight weight) 
   return {};
 }
 
+FontFace font_face_of_language(const std::string& /*language*/, FontWeight /*weight*/) { return {}; }
+
 }  // namespace weftlight::platform

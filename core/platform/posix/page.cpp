@@ -1,0 +1,8 @@
+#include "platform/page.h"
+
+namespace weftlight::platform {
+
+bool is_page() { return false; }
+void copy_link(const std::string& /*draft*/) {}
+
+}  // namespace weftlight::platform

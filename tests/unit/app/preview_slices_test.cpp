@@ -1,0 +1,59 @@
+// The preview in the window's own context: its pictures come by poll() alone, a pass at a time.
+
+#include "app/preview_slices.h"
+
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "../straight_draft.h"
+#include "gl/context.h"
+
+namespace weftlight::app {
+
+namespace {
+
+/// Gives turns until it holds; false if it never does.
+template <class Holds>
+bool comes_true(PreviewSlices& pane, const Holds& holds) {
+  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
+    pane.poll();
+    if (holds(pane.picture())) return true;
+  }
+  return false;
+}
+
+size_t colors(unsigned texture, int width, int height) {
+  std::vector<uint32_t> pixels(static_cast<size_t>(width) * static_cast<size_t>(height));
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return std::set<uint32_t>(pixels.begin(), pixels.end()).size();
+}
+
+TEST(PreviewSlicesTest, DrawsInTheContextThatIsThere) {
+  const auto context = gl::HeadlessContext::create();
+  if (!context) GTEST_SKIP() << "no graphics: " << context.error().text;
+  PreviewSlices pane([] {});
+  EXPECT_FALSE(pane.poll()) << "nothing was submitted";
+  pane.submit(std::make_shared<const design::Design>(straight_draft(8)), {1, false});
+  EXPECT_FALSE(pane.poll()) << "nothing was asked for: the window is seen first";
+  PictureRequest request;
+  request.width = 96, request.height = 64;
+  pane.ask(request, false);
+  ASSERT_TRUE(comes_true(pane, [](const PreviewPicture& p) { return p.texture != 0 && !p.busy && !p.refining; }))
+      << pane.picture().problem;
+  EXPECT_GT(colors(pane.picture().texture, 96, 64), 50u);
+  // At rest a turn costs nothing.
+  ASSERT_TRUE(comes_true(pane, [&](const PreviewPicture&) { return !pane.poll(); }));
+  // Another document's picture is not shown for this one.
+  pane.submit(std::make_shared<const design::Design>(straight_draft(6)), {2, false});
+  EXPECT_EQ(pane.picture().texture, 0u);
+  EXPECT_TRUE(comes_true(pane, [](const PreviewPicture& p) { return p.texture != 0 && !p.busy; }));
+}
+
+}  // namespace
+}  // namespace weftlight::app

@@ -35,7 +35,7 @@ LoomReply raised(const WeavingSetup& w, WeavingState state) {
             fill(tr("the loom's protocol has room for {most} shafts, and the draft has {count}"),
                  arg("most", kMaxLoomShafts), arg("count", w.draft.shafts))};
   state.waiting = true;
-  state.shed = WeavingState::Shed::kSent;
+  if (takes_picks_ahead(w.protocol)) state.shed = WeavingState::Shed::kSent;
   return {state, raise_command(w.protocol, *shafts), {}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 
 #include "base/text.h"
@@ -22,6 +23,7 @@ namespace {
 /// The counts of shafts and treadles that looms have.
 constexpr std::array kUpTo = {4, 8, 12, 16, 24, 32};
 constexpr std::array kExactly = {2, 3, 4, 5, 6, 8, 10, 12, 14, 16, 20, 24, 32};
+constexpr float kListRows = 22;
 
 std::string span_text(const Span& span) {
   if (span.any()) return tr("any");
@@ -43,6 +45,8 @@ bool begin_filter(const PanelContext& c, const char* id, const char* label, cons
   muted_text(c, label);
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(list);
+  // All counts at once where the screen has room; ImGui's own lists show eight.
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, kListRows * ImGui::GetFrameHeightWithSpacing()});
   return begin_combo(c, id, shown.c_str());
 }
 

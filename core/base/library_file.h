@@ -5,7 +5,7 @@
 
 namespace weftlight::base {
 
-/// lib/weftlight/NAME beside the folder of the program, or in a folder above it, where the others of its files are
+/// libexec/weftlight/NAME beside the folder of the program, or in a folder above it, where the others of its files are
 /// found, too (resources.h).
 std::string library_file(const std::string& name);
 

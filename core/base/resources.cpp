@@ -47,7 +47,7 @@ std::string shaders_dir() { return folder_of(kShaders); }
 std::string languages_dir() { return folder_of(kLanguages); }
 
 std::string library_file(const std::string& name) {
-  const fs::path program = platform::program_folder(), below = fs::path("lib/weftlight") / name;
+  const fs::path program = platform::program_folder(), below = fs::path("libexec/weftlight") / name;
   std::error_code error;
   fs::path folder = program;
   for (int up = 0; up < kFoldersUp && folder.has_relative_path(); ++up, folder = folder.parent_path())

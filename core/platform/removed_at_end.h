@@ -20,8 +20,11 @@ class RemovedAtEnd {
   }
   RemovedAtEnd(const RemovedAtEnd&) = delete;
   RemovedAtEnd& operator=(const RemovedAtEnd&) = delete;
-  /// It stays.
-  void keep() { path_.clear(); }
+  RemovedAtEnd(RemovedAtEnd&& other) noexcept { path_.swap(other.path_); }
+  RemovedAtEnd& operator=(RemovedAtEnd&& other) noexcept {
+    path_.swap(other.path_);
+    return *this;
+  }
 
  private:
   std::string path_;

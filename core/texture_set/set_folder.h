@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "platform/file_lock.h"
+#include "platform/removed_at_end.h"
 
 namespace weftlight::texture_set {
 
@@ -24,10 +25,12 @@ base::Result<void> check_place(const std::filesystem::path& folder, const SetIde
 /// The same with what to do about it on the command line.
 base::Result<void> check_place_with_remedy(const std::filesystem::path& folder, const SetIdentity& identity);
 
-/// A folder that is being filled. The lock is held while its owner lives.
+/// A folder that is being filled. The lock is held while its owner lives; the folder goes with its owner, before the
+/// lock.
 struct Staging {
   std::filesystem::path folder;
   platform::FileLock lock;
+  platform::RemovedAtEnd removed;
 };
 /// Makes an empty folder beside `folder`, and removes those of the same set whose lock can be taken: their owners have
 /// ended. Where the file system has no locks all stay, whatever their age.

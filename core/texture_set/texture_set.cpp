@@ -11,7 +11,6 @@
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "platform/file.h"
-#include "platform/removed_at_end.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 #include "texture_set/recolour.h"
@@ -360,10 +359,8 @@ base::Result<void> write_texture_set(const std::string& folder, const Design& de
   if (!done) return done;
   base::Result<Staging> staging = make_staging(folder);
   if (!staging) return failed(staging);
-  const fs::path made = staging->folder;
-  const platform::RemovedAtEnd removed(made.string());
   try {
-    done = write_into(made.string(), folder, design, mesh, options, progress);
+    done = write_into(staging->folder.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {
     done = base::failure(base::ErrorKind::kMemory, tr("not enough memory; export with a smaller --size"));
   } catch (...) {

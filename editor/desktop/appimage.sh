@@ -20,7 +20,7 @@ chmod +x "$folder/AppRun"
 # the window system and the fonts.
 system='^(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|GL|EGL|GLX|GLdispatch|OpenGL|drm|gbm|X11|X11-xcb|xcb|xcb-dri[23]|Xau|Xdmcp|wayland-.*|fontconfig|freetype|expat|z|gcc_s|stdc\+\+))\.so'
 mkdir -p "$folder/usr/lib"
-ldd "$folder/usr/bin/weftlight" "$folder"/usr/lib/weftlight/*.so | awk '$3 ~ /^\// {print $3}' | while read -r library; do
+ldd "$folder/usr/bin/weftlight" "$folder"/usr/libexec/weftlight/*.so | awk '$3 ~ /^\// {print $3}' | while read -r library; do
   [[ $(basename "$library") =~ $system ]] || cp -L "$library" "$folder/usr/lib/"
 done
 if [[ -z $runtime ]]; then

@@ -70,8 +70,8 @@ fi
 grep -q dist-packages <(dpkg-deb -c "$deb"; tar -tzf "$archive") && fail "the program's packages hold the Python module"
 module=$(find "$root/packages" -maxdepth 1 -name 'python3-weftlight_*.deb')
 if [[ -n $module ]]; then
-  depends=$(dpkg-deb -f "$module" Depends)
-  for package in "weftlight (= $(dpkg-deb -f "$deb" Version))" python3-numpy 'python3 (>= 3.' libopenimageio; do
+  depends=$(dpkg-deb -f "$module" Depends)  # OpenImageIO comes with the program
+  for package in "weftlight (= $(dpkg-deb -f "$deb" Version))" python3-numpy 'python3 (>= 3.' libembree; do
     [[ $depends == *$package* ]] || fail "the Python module does not depend on $package: $depends"
   done
   dpkg_there --force-script-chrootless -i "$module"

@@ -20,11 +20,8 @@ class RemovedAtEnd {
   }
   RemovedAtEnd(const RemovedAtEnd&) = delete;
   RemovedAtEnd& operator=(const RemovedAtEnd&) = delete;
-  RemovedAtEnd(RemovedAtEnd&& other) noexcept { path_.swap(other.path_); }
-  RemovedAtEnd& operator=(RemovedAtEnd&& other) noexcept {
-    path_.swap(other.path_);
-    return *this;
-  }
+  /// It stays; whoever takes its path may remove it. Needs no memory for it.
+  std::string keep() { return std::exchange(path_, std::string()); }
 
  private:
   std::string path_;

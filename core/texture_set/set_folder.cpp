@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "platform/durable_file.h"
 #include "platform/file.h"
+#include "platform/removed_at_end.h"
 #include "platform/unique_name.h"
 
 namespace weftlight::texture_set {
@@ -195,16 +196,19 @@ base::Result<Staging> make_staging(const fs::path& folder) {
   remove_stale_files(folder);
   for (int i = 0; i < kMaxTries; ++i) {
     std::string name = platform::temporary_beside(folder.string());
-    Staging made{name, {}, RemovedAtEnd(std::string())};
+    Staging made{name, {}, {}};
     if (!fs::create_directory(made.folder, ec))
       return not_written(folder, fill(tr("the folder cannot be made: {cause}"), arg("cause", ec.message())));
-    made.removed = RemovedAtEnd(std::move(name));
+    RemovedAtEnd removed(std::move(name));
     const std::string mark = (made.folder / kStaged).string();
     made.lock = FileLock::take(mark);
     const bool locks = made.lock.answer() != LockAnswer::kNoLocks;
     // Without its mark nobody takes it for a dead one's.
     if (!locks) fs::remove(mark, ec);
-    if (!locks || (made.lock.held() && made.lock.stands_at(mark))) return made;
+    if (!locks || (made.lock.held() && made.lock.stands_at(mark))) {
+      made.name = removed.keep();
+      return made;
+    }
     if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec))
       return not_written(mark, fill(tr("cannot be made: {cause}"), arg("cause", made.lock.cause().message())));
     // A process that removes stale folders came between the mark and its lock.

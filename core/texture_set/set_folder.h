@@ -9,7 +9,6 @@
 
 #include "base/result.h"
 #include "platform/file_lock.h"
-#include "platform/removed_at_end.h"
 
 namespace weftlight::texture_set {
 
@@ -30,7 +29,7 @@ base::Result<void> check_place_with_remedy(const std::filesystem::path& folder, 
 struct Staging {
   std::filesystem::path folder;
   platform::FileLock lock;
-  platform::RemovedAtEnd removed;
+  std::string name;  // of the folder, for RemovedAtEnd
 };
 /// Makes an empty folder beside `folder`, and removes those of the same set whose lock can be taken: their owners have
 /// ended. Where the file system has no locks all stay, whatever their age.

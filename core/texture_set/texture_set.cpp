@@ -11,6 +11,7 @@
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "platform/file.h"
+#include "platform/removed_at_end.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"
 #include "texture_set/recolour.h"
@@ -359,6 +360,7 @@ base::Result<void> write_texture_set(const std::string& folder, const Design& de
   if (!done) return done;
   base::Result<Staging> staging = make_staging(folder);
   if (!staging) return failed(staging);
+  const platform::RemovedAtEnd removed(std::move(staging->name));
   try {
     done = write_into(staging->folder.string(), folder, design, mesh, options, progress);
   } catch (const std::bad_alloc&) {

@@ -10,21 +10,7 @@
 namespace weftlight::gui {
 namespace {
 
-class DeskTest : public OnDisplay {
- protected:
-  void click(const Window& w, const std::string& control) const {
-    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
-    display_.click(w.middle_of(control));
-  }
-  /// Runs an action by its name in the command palette.
-  void command(const Window& w, const std::string& words) const {
-    display_.key("ctrl+p");
-    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << words;
-    display_.type(words);
-    display_.key("Return");
-    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); })) << words;
-  }
-};
+class DeskTest : public OnDisplay {};
 
 TEST_F(DeskTest, ARefusalIsSeenBesideTheCellUnderThePointer) {
   design::Design d = design_of(bytes_of(draft_));

@@ -9,10 +9,6 @@ namespace {
 
 class LanguageTest : public OnDisplay {
  protected:
-  void click(const Window& w, const std::string& control) const {
-    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
-    display_.click(w.middle_of(control));
-  }
   /// Paints, saves, and gives the draft back as it was. The saved bytes.
   std::string painted_and_saved(const Window& w) const {
     const std::string before = bytes_of(draft_);

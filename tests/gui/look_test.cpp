@@ -65,18 +65,6 @@ class LookTest : public OnDisplay {
     put(folder_ / "config/weftlight/settings.json", R"({"width": 1280, "height": 800, "toured": true})");
   }
 
-  void press(const Window& w, const std::string& control) const {
-    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control << " is not there";
-    display_.click(w.middle_of(control));
-  }
-  /// Runs an action by its name in the command palette.
-  void command(const Window& w, const std::string& words) const {
-    display_.key("ctrl+p");
-    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << "the palette did not open for " << words;
-    display_.type(words);
-    display_.key("Return");
-    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); }));
-  }
   void leave(const Window& w, const std::string& until_gone) const {
     display_.key("Escape");
     ASSERT_TRUE(comes_true([&] { return !w.has(until_gone); })) << until_gone;
@@ -181,7 +169,7 @@ void LookTest::shoot_dialogs(const Window& w) {
 }
 
 void LookTest::shoot_menus(const Window& w) {
-  ASSERT_NO_FATAL_FAILURE(press(w, "menu:View"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu:View"));
   shoot("menu");
   ASSERT_NO_FATAL_FAILURE(leave(w, "menu.fit"));
   display_.key("ctrl+p");
@@ -189,7 +177,7 @@ void LookTest::shoot_menus(const Window& w) {
   display_.type("draw");
   shoot("commands");
   ASSERT_NO_FATAL_FAILURE(leave(w, "commands.typed"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "views"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "views"));
   ASSERT_TRUE(comes_true([&] { return w.has("views.view.grazing"); }));
   shoot("views");
   ASSERT_NO_FATAL_FAILURE(leave(w, "views.view.grazing"));
@@ -210,8 +198,8 @@ void LookTest::shoot_comparison(const Window& w) {
   ASSERT_NO_FATAL_FAILURE(open(w, folder_ / "other.wif"));
   ASSERT_TRUE(comes_true([&] { return w.has("difference.other"); }));
   shoot("compare");
-  ASSERT_NO_FATAL_FAILURE(press(w, "difference.done"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "difference.done"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Threads"));
 }
 
 void LookTest::shoot_closest_weave(const Window& w) {
@@ -225,7 +213,7 @@ void LookTest::shoot_closest_weave(const Window& w) {
   display_.click(w.middle_of("closest.see"));
   ASSERT_TRUE(comes_true([&] { return w.has("closest.place:1"); }));
   shoot("closest_weave");
-  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Cancel"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Cancel"));
   ASSERT_TRUE(comes_true([&] { return !w.has("closest.place:1"); }));
   display_.key("p");
   display_.key("ctrl+z");
@@ -234,11 +222,11 @@ void LookTest::shoot_closest_weave(const Window& w) {
 
 void LookTest::shoot_all(const Window& w) {
   for (const char* tab : {"Threads", "Yarns", "Cloth", "Analysis", "Plan"}) {
-    ASSERT_NO_FATAL_FAILURE(press(w, std::string("inspector:") + tab));
+    ASSERT_NO_FATAL_FAILURE(click(w, std::string("inspector:") + tab));
     shoot(std::string("tab_") + static_cast<char>(std::tolower(tab[0])) + (tab + 1));
     if (HasFatalFailure()) return;
   }
-  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Threads"));
   ASSERT_NO_FATAL_FAILURE(shoot_dialogs(w));
   display_.key("F1");
   ASSERT_TRUE(comes_true([&] { return w.has("keys.typed"); }));

@@ -77,6 +77,19 @@ class OnDisplay : public testing::Test {
       ASSERT_TRUE(comes_true([&] { return std::abs(pitch()) > std::abs(before); })) << "the cells stay as they are";
     }
   }
+  /// Clicks a control once it is there.
+  void click(const Window& w, const std::string& control) const {
+    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
+    display_.click(w.middle_of(control));
+  }
+  /// Runs an action by its name in the command palette.
+  void command(const Window& w, const std::string& words) const {
+    display_.key("ctrl+p");
+    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << words;
+    display_.type(words);
+    display_.key("Return");
+    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); })) << words;
+  }
   /// Presses a button of a dialog.
   void press(const Window& w, const std::string& button) const {
     ASSERT_TRUE(comes_true([&] { return w.has("dialog:" + button); })) << "no dialog with the button " << button;

@@ -9,20 +9,6 @@ namespace fs = std::filesystem;
 
 class SizeTest : public OnDisplay {
  protected:
-  /// Without zenity, so that the window uses its own file dialogs.
-  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
-  void click(const Window& w, const std::string& control) const {
-    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
-    display_.click(w.middle_of(control));
-  }
-  /// Runs an action by its name in the command palette.
-  void command(const Window& w, const std::string& words) const {
-    display_.key("ctrl+p");
-    ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); })) << words;
-    display_.type(words);
-    display_.key("Return");
-    ASSERT_TRUE(comes_true([&] { return !w.has("commands.typed"); })) << words;
-  }
   nlohmann::json kept_settings() const {
     return nlohmann::json::parse(bytes_of(folder_ / "config/weftlight/settings.json"), nullptr, false);
   }

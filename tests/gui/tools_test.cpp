@@ -15,16 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ToolsTest : public OnDisplay {
- protected:
-  /// The window uses its own file dialogs.
-  static std::vector<std::string> without_dialogs() { return {"PATH=/nowhere"}; }
-
-  void click(const Window& w, const std::string& control) {
-    ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control;
-    display_.click(w.middle_of(control));
-  }
-};
+class ToolsTest : public OnDisplay {};
 
 TEST_F(ToolsTest, PrintsThePreviewedSheets) {
   Window w(display_, folder_, draft_, without_dialogs());

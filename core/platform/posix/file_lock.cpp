@@ -5,27 +5,15 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <utility>
 
 #include "platform/posix/open_file_lock.h"
 
 namespace weftlight::platform {
+
 FileLock::~FileLock() {
   if (handle_ < 0) return;
   unlock_open_file(static_cast<int>(handle_));
   ::close(static_cast<int>(handle_));
-}
-
-FileLock::FileLock(FileLock&& other) noexcept
-    : handle_(std::exchange(other.handle_, -1)),
-      answer_(std::exchange(other.answer_, LockAnswer::kNoFile)),
-      cause_(other.cause_) {}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(handle_, other.handle_);
-  std::swap(answer_, other.answer_);
-  std::swap(cause_, other.cause_);
-  return *this;
 }
 
 FileLock FileLock::open(const std::string& path, int flags, unsigned mode, bool wait) {

@@ -3,18 +3,12 @@
 #include "platform/fonts.h"
 
 #include <array>
-#include <string_view>
 
-#include "platform/file.h"
+#include "platform/without/own_fonts.h"
 
 namespace weftlight::platform {
 namespace {
 
-struct OwnFont {
-  const char* family;
-  FontWeight weight;
-  const char* file;
-};
 constexpr std::array<OwnFont, 5> kFonts{{{"Inter", FontWeight::kRegular, "Inter-Regular.otf"},
                                          {"Inter", FontWeight::kMedium, "Inter-SemiBold.otf"},
                                          {"Inter", FontWeight::kSemiBold, "Inter-SemiBold.otf"},
@@ -24,13 +18,7 @@ constexpr std::array<OwnFont, 5> kFonts{{{"Inter", FontWeight::kRegular, "Inter-
 }  // namespace
 
 std::string font_file(std::span<const char* const> families, FontWeight weight) {
-  for (const std::string_view family : families)
-    for (const OwnFont& font : kFonts) {
-      if (family != font.family || weight != font.weight) continue;
-      if (std::string path = std::string("/weftlight/fonts/") + font.file; file_facts(path).kind == FileKind::kRegular)
-        return path;
-    }
-  return {};
+  return own_font_file(kFonts, "/weftlight/fonts/", families, weight);
 }
 
 FontFace font_face_of_language(const std::string& /*language*/, FontWeight /*weight*/) { return {}; }

@@ -2,8 +2,6 @@
 
 #include <windows.h>
 
-#include <utility>
-
 #include "platform/file.h"
 #include "platform/windows/open_handle.h"
 #include "platform/windows/wide.h"
@@ -25,18 +23,6 @@ BOOL lock_handle(HANDLE handle, bool wait) {
 
 FileLock::~FileLock() {
   if (handle_ >= 0) ::CloseHandle(reinterpret_cast<HANDLE>(handle_));
-}
-
-FileLock::FileLock(FileLock&& other) noexcept
-    : handle_(std::exchange(other.handle_, -1)),
-      answer_(std::exchange(other.answer_, LockAnswer::kNoFile)),
-      cause_(other.cause_) {}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(handle_, other.handle_);
-  std::swap(answer_, other.answer_);
-  std::swap(cause_, other.cause_);
-  return *this;
 }
 
 /// `flags`: OPEN_ALWAYS and the like; `mode`: flags of the file.

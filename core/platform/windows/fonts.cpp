@@ -8,20 +8,15 @@
 #include "platform/environment.h"
 #include "platform/file.h"
 #include "platform/folders.h"
+#include "platform/without/own_fonts.h"
 
 namespace weftlight::platform {
 namespace {
 
 bool is_file(const std::string& path) { return file_facts(path).kind == FileKind::kRegular; }
 
-std::string of_program(const char* file) { return program_folder() + "\\..\\share\\weftlight\\fonts\\" + file; }
 std::string of_windows(const char* file) { return variable("SystemRoot") + "\\Fonts\\" + file; }
 
-struct OwnFont {
-  std::string_view family;
-  FontWeight weight;
-  const char* file;
-};
 constexpr std::array<OwnFont, 5> kOwn{{{"Inter", FontWeight::kRegular, "Inter-Regular.otf"},
                                        {"Inter", FontWeight::kMedium, "Inter-Medium.otf"},
                                        {"Inter", FontWeight::kSemiBold, "Inter-SemiBold.otf"},
@@ -43,12 +38,7 @@ constexpr std::array<SystemFont, 6> kOfLanguage{{{"ja", "YuGothM.ttc"},
 }  // namespace
 
 std::string font_file(std::span<const char* const> families, FontWeight weight) {
-  for (const std::string_view family : families)
-    for (const OwnFont& font : kOwn) {
-      if (family != font.family || weight != font.weight) continue;
-      if (std::string path = of_program(font.file); is_file(path)) return path;
-    }
-  return {};
+  return own_font_file(kOwn, program_folder() + "\\..\\share\\weftlight\\fonts\\", families, weight);
 }
 
 FontFace font_face_of_language(const std::string& language, FontWeight /*weight*/) {

@@ -33,12 +33,12 @@ bool asks_for_facts(const DraftQuery& q) {
 }  // namespace
 
 std::optional<Span> span_from(std::string_view text) {
-  constexpr int kMost = 1'000'000;
+  constexpr int kMax = 1'000'000;
   const size_t dash = text.find('-');
   const auto number = [](std::string_view digits) -> std::optional<int> {
     int value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || value < 0 || value > kMost) return {};
+    if (error != std::errc() || end != digits.data() + digits.size() || value < 0 || value > kMax) return {};
     return value;
   };
   if (dash == std::string_view::npos) {

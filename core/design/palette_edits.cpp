@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -69,12 +70,11 @@ std::vector<int> own_heirs(size_t count) {
 }
 
 template <class T>
-Design without(Design design, std::vector<T>& list, Column column, int entry, int heir) {
-  if (!within(entry, list.size()) || !within(heir, list.size()) || entry == heir) return design;
+void leave_out(Design& design, std::vector<T>& list, Column column, int entry, int heir) {
+  if (!within(entry, list.size()) || !within(heir, list.size()) || entry == heir) return;
   std::vector<int> heirs = own_heirs(list.size());
   heirs[static_cast<size_t>(entry)] = heir;
   keep(design, list, column, heirs);
-  return design;
 }
 
 /// Unused entries go, their heir is the first that stays.
@@ -87,11 +87,12 @@ std::vector<int> heirs_of_unused(const std::vector<int>& uses) {
   return heirs;
 }
 
-/// The list in another order, given by the old numbers.
-template <class T>
-void reorder(Design& design, std::vector<T>& list, Column column, const std::vector<int>& order) {
+/// The list sorted by what `rank` says of an entry; equals stay in their order.
+template <class T, class Rank>
+void reorder(Design& design, std::vector<T>& list, Column column, Rank rank) {
+  std::vector<int> order = own_heirs(list.size()), now(list.size());
+  std::ranges::stable_sort(order, {}, [&](int i) { return std::invoke(rank, list[static_cast<size_t>(i)]); });
   std::vector<T> sorted;
-  std::vector<int> now(list.size());
   for (const int old : order) {
     now[static_cast<size_t>(old)] = static_cast<int>(sorted.size());
     sorted.push_back(list[static_cast<size_t>(old)]);
@@ -212,75 +213,56 @@ std::vector<int> uses_of_colors(const Design& design) {
 std::vector<int> uses_of_yarns(const Design& design) { return uses(design, &Threads::yarn, design.yarns.size()); }
 
 Design without_color(Design design, int color, int heir) {
-  auto palette = design.draft.palette;
-  design = without(std::move(design), palette, &Threads::color, color, heir);
-  design.draft.palette = std::move(palette);
+  leave_out(design, design.draft.palette, &Threads::color, color, heir);
   return design;
 }
 
 Design without_yarn(Design design, int yarn, int heir) {
-  auto yarns = design.yarns;
-  design = without(std::move(design), yarns, &Threads::yarn, yarn, heir);
-  design.yarns = std::move(yarns);
+  leave_out(design, design.yarns, &Threads::yarn, yarn, heir);
   forget_purchases(design);
   return design;
 }
 
 Design with_merged_colors(Design design) {
-  auto palette = design.draft.palette;
+  const auto& palette = design.draft.palette;
   std::vector<int> heirs = own_heirs(palette.size());
   std::map<Bytes, int> first;
   for (size_t i = 0; i < palette.size(); ++i)
     heirs[i] = first.try_emplace(bytes_of(palette[i]), heirs[i]).first->second;
-  keep(design, palette, &Threads::color, heirs);
-  design.draft.palette = std::move(palette);
+  keep(design, design.draft.palette, &Threads::color, heirs);
   return design;
 }
 
 Design with_merged_yarns(Design design) {
-  auto yarns = design.yarns;
+  const auto& yarns = design.yarns;
   std::vector<int> heirs = own_heirs(yarns.size());
   for (size_t i = 0; i < yarns.size(); ++i)
     heirs[i] = static_cast<int>(std::ranges::find(yarns, yarns[i]) - yarns.begin());
-  keep(design, yarns, &Threads::yarn, heirs);
-  design.yarns = std::move(yarns);
+  keep(design, design.yarns, &Threads::yarn, heirs);
   return design;
 }
 
 Design without_unused_colors(Design design) {
-  auto palette = design.draft.palette;
-  if (palette.empty()) return design;
-  keep(design, palette, &Threads::color, heirs_of_unused(uses_of_colors(design)));
-  design.draft.palette = std::move(palette);
+  if (!design.draft.palette.empty())
+    keep(design, design.draft.palette, &Threads::color, heirs_of_unused(uses_of_colors(design)));
   return design;
 }
 
 Design without_unused_yarns(Design design) {
-  auto yarns = design.yarns;
-  keep(design, yarns, &Threads::yarn, heirs_of_unused(uses_of_yarns(design)));
-  design.yarns = std::move(yarns);
+  keep(design, design.yarns, &Threads::yarn, heirs_of_unused(uses_of_yarns(design)));
   forget_purchases(design);
   return design;
 }
 
 Design with_sorted_colors(Design design, ColorOrder order) {
-  auto palette = design.draft.palette;
-  std::vector<std::tuple<int, float>> ranks;
-  for (const Rgb& color : palette)
-    ranks.push_back(order == ColorOrder::kHue ? hue_rank(color) : std::tuple(0, -oklab_of(color).lightness));
-  std::vector<int> numbers = own_heirs(palette.size());
-  std::ranges::stable_sort(numbers, {}, [&](int i) { return ranks[static_cast<size_t>(i)]; });
-  reorder(design, palette, &Threads::color, numbers);
-  design.draft.palette = std::move(palette);
+  reorder(design, design.draft.palette, &Threads::color, [&](const Rgb& color) {
+    return order == ColorOrder::kHue ? hue_rank(color) : std::tuple(0, -oklab_of(color).lightness);
+  });
   return design;
 }
 
 Design with_sorted_yarns(Design design) {
-  auto yarns = design.yarns;
-  std::vector<int> numbers = own_heirs(yarns.size());
-  std::ranges::stable_sort(numbers, {}, [&](int i) { return std::string_view(yarns[static_cast<size_t>(i)].name); });
-  reorder(design, yarns, &Threads::yarn, numbers);
-  design.yarns = std::move(yarns);
+  reorder(design, design.yarns, &Threads::yarn, &Yarn::name);
   return design;
 }
 

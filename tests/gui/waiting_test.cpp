@@ -30,6 +30,12 @@ class WaitingTest : public OnDisplay {
     environment.push_back("WEFTLIGHT_SLOW_DISK=" + gate().string());
     return environment;
   }
+  /// It answers nothing at all while it hangs.
+  std::vector<std::string> on_a_dead_disk() const {
+    std::vector<std::string> environment = on_a_slow_disk();
+    environment.emplace_back("WEFTLIGHT_DEAD_DISK=1");
+    return environment;
+  }
   fs::path gate() const { return folder_ / "slow/busy"; }
   void disk_hangs() const { put(gate(), ""); }
   void disk_ends() const { fs::remove(gate()); }
@@ -187,9 +193,7 @@ TEST_F(WaitingTest, AReadThatHangsKeepsNeitherAnotherNorTheEndOfTheProgram) {
 TEST_F(WaitingTest, AShareThatAnswersNothingKeepsNeitherTheWindowNorOtherDrafts) {
   const fs::path other = folder_ / "other.wif", beside = folder_ / "beside.wif";
   put(other, original_);
-  std::vector<std::string> dead = on_a_slow_disk();
-  dead.emplace_back("WEFTLIGHT_DEAD_DISK=1");
-  Window w(display_, folder_, draft_, dead);
+  Window w(display_, folder_, draft_, on_a_dead_disk());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   disk_hangs();
   ASSERT_NO_FATAL_FAILURE(type_path(w, draft_)) << "it is open, and looked at";
@@ -209,9 +213,7 @@ TEST_F(WaitingTest, AShareThatAnswersNothingKeepsNeitherTheWindowNorOtherDrafts)
 TEST_F(WaitingTest, WhatAShareHoldsAlreadyIsAskedBesideTheWindow) {
   const fs::path mine = folder_ / "mine.wif";
   put(mine, original_);
-  std::vector<std::string> dead = on_a_slow_disk();
-  dead.emplace_back("WEFTLIGHT_DEAD_DISK=1");
-  Window w(display_, folder_, mine, dead);
+  Window w(display_, folder_, mine, on_a_dead_disk());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   disk_hangs();
   // Whether a save would replace a file.

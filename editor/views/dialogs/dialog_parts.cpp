@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 #include "ui/imgui_compat.h"
@@ -50,6 +51,11 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
 DialogResult dialog_result(int button, int cancel_button) {
   if (button < 0) return {};
   return {button == cancel_button ? DialogOutcome::kCancelled : DialogOutcome::kDone, button, {}};
+}
+
+DialogResult edited(MaybeEdit edit, DialogResult buttons) {
+  buttons.edit = std::move(edit);
+  return buttons;
 }
 
 unsigned field_of_number(const char* label) {

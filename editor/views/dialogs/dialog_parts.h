@@ -21,6 +21,8 @@ void number(PanelContext& c, const char* id, const char* label, int& value, int 
 int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first);
 /// The result for what draw_buttons returned.
 DialogResult dialog_result(int button, int cancel_button = 1);
+/// The result of the buttons of a dialog whose draft follows.
+DialogResult edited(MaybeEdit edit, DialogResult buttons);
 
 /// The weaves of weave_kinds() by family, those that have the `typed` words. True if another was chosen. Sizes in
 /// pixels at 96 dpi.

@@ -117,11 +117,9 @@ DialogResult draw_gradient(PanelContext& c, GradientPrompt& p) {
   muted_text(c, p.gradient.blended ? tr("Neighbouring colours alternate, more and more of the next one.")
                                    : tr("One stripe of each colour, all of the same width."));
   draw_band(c, p);
-  DialogResult result;
-  if (!p.shown || !(before == p.gradient) || system_before != p.system) result.edit = preview_edit(p);
-  const DialogResult button = dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true));
-  result.outcome = button.outcome, result.button = button.button;
-  return result;
+  MaybeEdit edit;
+  if (!p.shown || !(before == p.gradient) || system_before != p.system) edit = preview_edit(p);
+  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true)));
 }
 
 MaybeEdit restored(const GradientPrompt& p) {

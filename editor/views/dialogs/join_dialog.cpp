@@ -62,14 +62,12 @@ DialogResult draw_join(PanelContext& c, JoinPrompt& p) {
   ImGui::PopTextWrapPos();
   number(c, "join.first", tr("This draft"), p.joining.first, 1, kMaxInTurn);
   number(c, "join.second", tr("The other"), p.joining.second, 1, kMaxInTurn);
-  DialogResult result;
-  if (!p.shown || !(before == p.joining)) result.edit = preview_edit(p);
+  MaybeEdit edit;
+  if (!p.shown || !(before == p.joining)) edit = preview_edit(p);
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
   ImGui::TextUnformatted(fitted(p.why, c.style.px(kWidth)).c_str());
   ImGui::PopStyleColor();
-  const DialogResult button = dialog_result(draw_buttons(c, {mark("Join"), mark("Cancel")}, true));
-  result.outcome = button.outcome, result.button = button.button;
-  return result;
+  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Join"), mark("Cancel")}, true)));
 }
 
 MaybeEdit restored(const JoinPrompt& p) {

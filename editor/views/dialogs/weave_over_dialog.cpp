@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <memory>
+#include <utility>
 
 #include "base/text.h"
 #include "ui/imgui_compat.h"
@@ -38,7 +39,7 @@ MaybeEdit preview_edit(WeaveOverPrompt& p) {
 }  // namespace
 
 DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
-  DialogResult result;
+  MaybeEdit edit;
   heading(c, p.whole ? tr("Weave over the draft") : tr("Weave over the selected threads"));
   bool changed = draw_weave_list(c, p.kind, p.typed, kListWidth, kHeight);
   if (changed || p.use.values.empty()) {
@@ -51,7 +52,7 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   muted_text(c, tr(kind_of(p).description));
   ImGui::PopTextWrapPos();
   changed |= draw_weave_numbers(c, kind_of(p), p.use.values);
-  if (changed) result.edit = preview_edit(p);
+  if (changed) edit = preview_edit(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
   if (!check_values(kind_of(p), p.use.values)) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
@@ -60,9 +61,7 @@ DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
-  const DialogResult button = dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true));
-  result.outcome = button.outcome, result.button = button.button;
-  return result;
+  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true)));
 }
 
 MaybeEdit restored(const WeaveOverPrompt& p) {

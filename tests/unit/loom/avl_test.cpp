@@ -86,6 +86,14 @@ class Avl : public testing::TestWithParam<Protocol> {
     said(loom_.close_shed());
     said(loom_.open_shed());
   }
+  /// As a loom that takes picks ahead: after connecting, the empty shed is opened once.
+  void weave_the_first_two() {
+    take(on_connected(setup(), state_));
+    said(loom_.open_shed());
+    weave();
+    weave();
+    loom_.sheds.clear();
+  }
   uint32_t shafts_of(int pick) const { return *raised_shafts(draft_, lifts_, pick); }
   std::vector<uint32_t> shafts_of(const std::vector<int>& picks) const {
     std::vector<uint32_t> out;
@@ -107,11 +115,7 @@ TEST_P(Avl, OpensTheShedsOfTheDraftInOrder) {
 }
 
 TEST_P(Avl, AStepByHandAndAJumpChangeTheNextShed) {
-  take(on_connected(setup(), state_));
-  said(loom_.open_shed());
-  weave();
-  weave();
-  loom_.sheds.clear();
+  weave_the_first_two();
   take(step_by_hand(setup(), state_, false));
   weave();
   EXPECT_EQ(state_.next_pick, 0);
@@ -122,11 +126,7 @@ TEST_P(Avl, AStepByHandAndAJumpChangeTheNextShed) {
 }
 
 TEST_P(Avl, ABrokenLineLosesNoPick) {
-  take(on_connected(setup(), state_));
-  said(loom_.open_shed());
-  weave();
-  weave();
-  loom_.sheds.clear();
+  weave_the_first_two();
   reader_ = LoomReader(GetParam());
   take(on_connected(setup(), state_));
   weave();

@@ -55,14 +55,18 @@ TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
   PictureRequest request{design.scene, design.look, 128, 96, false, Compare::kOff, 0};
   request.scene.view_distance = 0.1f;
   double now_s = 0;
-  const std::vector<uint32_t> first = at_rest(maker, request, now_s);
+  at_rest(maker, request, now_s);  // a first picture has fewer samples than those after it
   ASSERT_GT(maker.stats().method_weights[0], 0.9f) << "of threads";
-  request.show_methods = true;
-  at_rest(maker, request, now_s);
-  request.show_methods = false;
-  const std::vector<uint32_t> again = at_rest(maker, request, now_s);
+  const auto after_another = [&] {
+    request.show_methods = true;
+    at_rest(maker, request, now_s);
+    request.show_methods = false;
+    return at_rest(maker, request, now_s);
+  };
+  const std::vector<uint32_t> first = after_another(), again = after_another();
   ASSERT_EQ(first.size(), again.size());
-  EXPECT_LT(apart(first, again), 0.04);  // 0.011 to 0.027: the first has the samples of a first picture
+  // Bit by bit on a quiet machine; up to 0.022 on a busy one, where the same samples fall into other passes.
+  EXPECT_LT(apart(first, again), 0.04);
 }
 
 }  // namespace

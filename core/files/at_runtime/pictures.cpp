@@ -39,11 +39,13 @@ Result<const PictureCalls*> calls() {
 }  // namespace
 
 struct ImageRows::File {
-  explicit File(void* of_library) : rows(of_library) {}
-  ~File() { (*calls())->end_rows(rows); }
+  File() = default;
+  ~File() {
+    if (rows != nullptr) (*calls())->end_rows(rows);
+  }
   File(const File&) = delete;
   File& operator=(const File&) = delete;
-  void* rows;
+  void* rows = nullptr;  // of the library
 };
 
 ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
@@ -53,9 +55,11 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int 
                                                    PixelType type, const Names& names) {
   const auto library = calls();
   if (!library) return failed(library);
+  auto file = std::make_unique<File>();  // before there are rows, which an end of memory would lose
   const Result<void*> rows = (*library)->open_rows(path, width, height, channels, type, names);
   if (!rows) return failed(rows);
-  return std::unique_ptr<ImageRows>(new ImageRows(std::make_unique<File>(*rows)));
+  file->rows = *rows;
+  return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
 }
 
 Result<void> ImageRows::add(const Image& band) { return (*calls())->add_rows(file_->rows, band); }

@@ -225,23 +225,29 @@ struct ImageRows::File {
   std::unique_ptr<OIIO::ImageOutput> out;
   int width = 0, height = 0, channels = 0, next = 0;
   PixelType type = PixelType::kU8;
+
+  /// libpng prints an error on the console if a file ends before its first texels are written, which are buffered at
+  /// first. Noise rows flush that buffer.
+  void flush_unfinished() const {
+    constexpr size_t kOut = size_t{1} << 18;  // bytes of noise that are enough
+    if (!out || !disk || next >= height) return;
+    std::vector<uint16_t> row(static_cast<size_t>(width) * static_cast<size_t>(channels));
+    const bool bytes_each = type == PixelType::kU8;
+    const size_t bytes = row.size() * (bytes_each ? 1 : 2);
+    uint32_t noise = 1;
+    for (int y = next; y < height && static_cast<size_t>(y - next) * bytes < kOut; ++y) {
+      for (uint16_t& v : row) v = static_cast<uint16_t>((noise = noise * 1664525u + 1013904223u) >> 16);
+      out->write_scanlines(y, y + 1, 0, bytes_each ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, row.data());
+    }
+  }
 };
 
 ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
-/// An unfinished PNG: libpng prints an error on the console if a file ends before its first texels are written, which
-/// are buffered at first. Noise rows flush that buffer.
 ImageRows::~ImageRows() {
-  constexpr size_t kOut = size_t{1} << 18;  // bytes of noise that are enough to flush the buffer
-  if (!file_ || !file_->out || !file_->disk || file_->next >= file_->height) return;
-  const File& f = *file_;
-  std::vector<uint16_t> row(static_cast<size_t>(f.width) * static_cast<size_t>(f.channels));
-  const size_t bytes = row.size() * (f.type == PixelType::kU8 ? 1 : 2);
-  uint32_t noise = 1;
-  for (int y = f.next; y < f.height && static_cast<size_t>(y - f.next) * bytes < kOut; ++y) {
-    for (uint16_t& v : row) v = static_cast<uint16_t>((noise = noise * 1664525u + 1013904223u) >> 16);
-    f.out->write_scanlines(y, y + 1, 0, f.type == PixelType::kU8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16,
-                           row.data());
+  try {
+    if (file_) file_->flush_unfinished();
+  } catch (...) {  // no memory for it
   }
 }
 

@@ -16,9 +16,9 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "base/text.h"
 #include "files/files.h"
 #include "files/mesh_uv.h"

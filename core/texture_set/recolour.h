@@ -3,10 +3,10 @@
 // of threads and which colour of the draft each texel shows, and the list of these colours. In linear light,
 //   base colour = white x sum over the colours of share x colour.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "design/design.h"
 #include "files/files.h"
 #include "texture_set/set_images.h"

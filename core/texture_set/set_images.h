@@ -3,10 +3,10 @@
 // sheet.
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"

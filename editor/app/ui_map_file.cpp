@@ -1,7 +1,6 @@
 #include "app/ui_map_file.h"
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "wif/wif.h"
 
 namespace weftlight::app {

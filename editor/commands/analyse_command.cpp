@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "analysis/difference.h"
@@ -11,6 +10,7 @@
 #include "analysis/units.h"
 #include "analysis/warping.h"
 #include "analysis/weave_layers.h"
+#include "base/json.h"
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/fibre.h"

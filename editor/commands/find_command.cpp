@@ -1,8 +1,8 @@
 // `find`: the drafts of a folder that have what is asked for, from the same index as the window's.
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/text.h"
 #include "base/user_folders.h"
 #include "base/utf8.h"

@@ -1,9 +1,9 @@
 // `info`: the properties of a draft as text or as JSON.
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "analysis/floats.h"
+#include "base/json.h"
 #include "base/text.h"
 #include "commands/commands.h"
 #include "design/repeat.h"

@@ -1,9 +1,9 @@
 // The plan of the cloth as `analyse` gives it: in words, and as JSON.
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "analysis/plan_texts.h"
+#include "base/json.h"
 #include "base/text.h"
 #include "commands/commands.h"
 #include "commands/plan_options.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "draft/drawdown.h"
 #include "files/fabric_physics.h"
 #include "files/zip.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
+#include "base/json.h"
 #include "base/text.h"
 #include "platform/durable_file.h"
 #include "session/files/file_identity.h"

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "base/languages.h"
 #include "base/user_folders.h"
 #include "base/utf8.h"

@@ -12,6 +12,7 @@
 #include "../scarce_memory.h"
 #include "../scratch_fixture.h"
 #include "base/caught.h"
+#include "base/json.h"
 #include "cloth/cloth.h"
 #include "cloth/maps.h"
 #include "design/edits.h"
@@ -146,6 +147,20 @@ TEST_F(NthAllocation, MapsFailOrAreWhole) {
                                    EXPECT_EQ(maps->height_mm.at_, whole.height_mm.at_) << n;
                                  }
                                }),
+            20);
+}
+
+// nlohmann's destructor asks for memory, also of values that an initializer list leaves behind.
+TEST_F(NthAllocation, TreesOfJsonAreMadeAndGo) {
+  const auto made = [] {
+    nlohmann::json tree{{"threads", {1, 2, 3}}, {"size", {{"width", 2.5}, {"depth", {{"mm", 4}}}}}};
+    tree["maps"] = nlohmann::json::array({tree, {{"name", "height"}}});
+    return nlohmann::json::parse(tree.dump()).dump();
+  };
+  const std::string whole = made();
+  std::string now;
+  EXPECT_GT(at_each_allocation([&] { now.clear(), now = made(); },
+                               [&](int n) { EXPECT_TRUE(now.empty() || now == whole) << n; }),
             20);
 }
 

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "scratch_folder.h"

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "../variable.h"
+#include "base/json.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {

@@ -3,9 +3,9 @@
 #include "commands/progress.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/json.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
 #include "scratch_folder.h"

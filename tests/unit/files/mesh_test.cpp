@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "../scratch.h"
+#include "base/json.h"
 #include "files/files.h"
 #include "sheet.h"
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "command.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"

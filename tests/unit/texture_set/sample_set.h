@@ -2,9 +2,9 @@
 // A small design to export, its options, and the list of its set.
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "texture_set/texture_set.h"
 #include "weaves/weaves.h"
 

@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stop_token>
 
 #include "../files/sheet.h"
 #include "../scratch.h"
+#include "base/json.h"
 #include "sample_set.h"
 #include "texture_set/material_files.h"
 

@@ -1,0 +1,56 @@
+#include "base/json.h"
+
+#include <array>
+#include <functional>
+#include <mutex>
+#include <new>
+
+namespace weftlight::base {
+namespace {
+
+/// Pieces one after the other, all free again when none is left: where memory has ended, trees go soon.
+class Store {
+ public:
+  void* take(size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    const size_t whole = (bytes + kAlign - 1) / kAlign * kAlign;
+    if (whole > room_.size() - used_) throw std::bad_alloc();
+    void* const piece = room_.data() + used_;
+    used_ += whole, ++pieces_;
+    return piece;
+  }
+  /// Whether it was a piece of the store.
+  bool give_back(void* piece) {
+    const std::less<const void*> before;
+    if (before(piece, room_.data()) || !before(piece, room_.data() + room_.size())) return false;
+    const std::lock_guard lock(mutex_);
+    if (--pieces_ == 0) used_ = 0;
+    return true;
+  }
+
+ private:
+  static constexpr size_t kAlign = alignof(std::max_align_t);
+  std::mutex mutex_;
+  alignas(kAlign) std::array<std::byte, size_t{1} << 20> room_{};  // 30,000 values that wait for their end
+  size_t used_ = 0;
+  int pieces_ = 0;
+};
+
+/// Of the whole process, and there before and after everything else.
+constinit Store g_store;
+
+}  // namespace
+
+void* take_json_memory(size_t bytes) {
+  try {
+    return ::operator new(bytes);
+  } catch (const std::bad_alloc&) {
+    return g_store.take(bytes);
+  }
+}
+
+void give_json_memory_back(void* piece) noexcept {
+  if (!g_store.give_back(piece)) ::operator delete(piece);
+}
+
+}  // namespace weftlight::base

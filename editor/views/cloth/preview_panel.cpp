@@ -291,13 +291,15 @@ void draw_true_distance(Panel& c, ImVec2 a, ImVec2 pane) {
   const Style& s = c.style;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSetCurrent(1);
-  const float margin = s.px(kBarMargin), pad = s.px(8), width = std::max(s.px(60), pane.x - 2 * margin - 2 * pad);
+  const ClothRulers rulers = rulers_of(c, c.view);
+  const float margin = s.px(kBarMargin), pad = s.px(8);
+  const float width = std::max(s.px(60), pane.x - rulers.wide - 2 * margin - 2 * pad);
   const std::string text = true_distance_text(c);
   push_font(s.font.small);
   const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
   ImGui::PopFont();
   const float row = ImGui::GetFrameHeight(), high = words.y + row + s.px(6) + 2 * pad;
-  const ImVec2 from{a.x + margin, a.y + pane.y - s.px(40) - high};
+  const ImVec2 from{a.x + rulers.wide + margin, a.y + pane.y - rulers.high - s.px(40) - high};
   dl->AddRectFilled(from, {from.x + width + 2 * pad, from.y + high}, with_alpha(s.color.panel, 0.9f), s.px(6));
   dl->AddText(s.font.small, font_size(s.font.small), {from.x + pad, from.y + pad}, s.color.text, text.c_str(), nullptr,
               width);
@@ -306,8 +308,8 @@ void draw_true_distance(Panel& c, ImVec2 a, ImVec2 pane) {
   const float button = ImGui::CalcTextSize(card).x + 2 * ImGui::GetStyle().FramePadding.x;
   float metres = c.settings.seen_from_m;
   ImGui::SetNextItemWidth(std::max(s.px(40), std::min(s.px(kBarSlider), width - button - s.px(8))));
-  const std::string shown = session::distance_text(metres, c.settings.imperial);
-  if (ImGui::SliderFloat("##seen_from", &metres, session::kNearestSeen_m, session::kFurthestSeen_m, shown.c_str(),
+  // The words above it say the figure.
+  if (ImGui::SliderFloat("##seen_from", &metres, session::kNearestSeen_m, session::kFurthestSeen_m, "",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput))
     c.wanted.change_settings([metres](Settings& to) {
       to.seen_from_m = std::clamp(metres, session::kNearestSeen_m, session::kFurthestSeen_m);

@@ -23,7 +23,7 @@ void add_recent(Actions& all, const FileActions& files, const std::vector<std::s
   const char* const menu = mark("Open recent");
   constexpr size_t kMax = 10;  // in the menu; the gallery shows all
   add(all, "File", "recent", tr("Browse with pictures\xE2\x80\xA6"), "Ctrl+Shift+O", [&files] {
-    files.show_gallery(false);
+    files.show_gallery(GalleryPage::kRecent);
   }).item.submenu = menu;
   for (size_t i = 0; i < std::min(recent.size(), kMax); ++i) {
     const std::string& path = recent[i];
@@ -50,6 +50,7 @@ void add_file_actions(Actions& all, const FileActions& files, const std::vector<
         [&files, at = number++] { files.new_draft(at); });
   add(all, "File", "open", tr("Open\xE2\x80\xA6"), "Ctrl+O", files.open);
   add_recent(all, files, recent);
+  add(all, "File", "folder", tr("Folder of drafts"), "", [&files] { files.show_gallery(GalleryPage::kFolder); });
   new_group(on_tab(add(all, "File", "save", tr("Save"), "Ctrl+S", files.save)));
   on_tab(add(all, "File", "save_as", tr("Save as\xE2\x80\xA6"), "Ctrl+Shift+S", files.save_as));
   add(all, "File", "save_all", tr("Save all"), "Ctrl+Alt+S", files.save_all).enabled = files.any_unsaved;
@@ -98,7 +99,7 @@ void add_quit_action(Actions& all, const FileActions& files) {
 
 void add_library_actions(Actions& all, const FileActions& files) {
   add(all, "Library", "library", tr("Browse with pictures\xE2\x80\xA6"), "Ctrl+L",
-      [&files] { files.show_gallery(true); });
+      [&files] { files.show_gallery(GalleryPage::kLibrary); });
   bool first = true;
   for (const LibraryFile& file : library_files()) {
     Action& a = add(all, "Library", ("library." + file.id).c_str(), file.name.c_str(), "",

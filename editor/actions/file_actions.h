@@ -6,6 +6,9 @@
 
 namespace weftlight::actions {
 
+/// Of the gallery, in the order of its tabs.
+enum class GalleryPage { kRecent, kLibrary, kFolder };
+
 struct FileActions {
   /// Asks for a new draft, with a weave of weave_kinds() chosen.
   std::function<void(int weave)> new_draft;
@@ -13,8 +16,8 @@ struct FileActions {
   std::function<void(const std::string& path)> open_path;
   /// As a new, unnamed draft: a shipped one is never overwritten.
   std::function<void(const std::string& path)> open_copy;
-  /// Shows recent drafts, or the library, with thumbnails.
-  std::function<void(bool library)> show_gallery;
+  /// Shows recent drafts, the library, or a folder of drafts, with thumbnails.
+  std::function<void(GalleryPage)> show_gallery;
   std::function<void()> save, save_as, save_all, save_for_others;
   std::function<bool()> any_unsaved;
   /// Opens a copy of the draft, unnamed, in a new tab.

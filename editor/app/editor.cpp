@@ -17,7 +17,7 @@
 
 namespace weftlight::app {
 
-using actions::key_at_loom, actions::runs_while_typing;
+using actions::GalleryPage, actions::key_at_loom, actions::runs_while_typing;
 using base::arg, base::fill, base::tr;
 using session::ActionItem, session::Document, session::DocumentView, session::Edit, session::Gesture, session::GoToStep,
     session::Intent, session::MaybeEdit, session::RunAction, session::SelectDrag, session::SelectState,
@@ -93,7 +93,7 @@ Subjects Editor::subjects() {
                     .open = [this] { files_.open(); },
                     .open_path = [this](const std::string& path) { files_.open_path(path); },
                     .open_copy = [this](const std::string& path) { files_.open_copy(path); },
-                    .show_gallery = [this](bool library) { start_.show_gallery(library); },
+                    .show_gallery = [this](GalleryPage page) { start_.show_gallery(page); },
                     .save = [this] { files_.save(); },
                     .save_as = [this] { files_.save_as(); },
                     .save_all = [this] { files_.save_all(); },

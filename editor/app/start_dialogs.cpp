@@ -15,6 +15,7 @@
 
 namespace weftlight::app {
 
+using actions::GalleryPage;
 using base::arg, base::cache_folder, base::fill, base::tr;
 using session::GalleryCard, session::OpenDocument, session::library_cards, session::name_of, session::recent_cards,
     session::time_in_words;
@@ -59,7 +60,8 @@ void StartDialogs::take_found(Found found, bool gallery) {
   session_.set_left(std::move(found.work));
   crashes_ = std::move(found.crashes);
   if (has_left_work()) dialogs_.when_none([this] { offer_recovery(); });
-  else if (gallery && !dialogs_.any()) show_gallery(settings_.recent.empty());
+  else if (gallery && !dialogs_.any())
+    show_gallery(settings_.recent.empty() ? GalleryPage::kLibrary : GalleryPage::kRecent);
 }
 
 void StartDialogs::delete_reports() {
@@ -69,11 +71,9 @@ void StartDialogs::delete_reports() {
   tasks_.writing().start(std::move(task));
 }
 
-void StartDialogs::show_gallery(bool library) { show_page(library ? 1 : 0); }
-
-void StartDialogs::show_page(int page) {
+void StartDialogs::show_gallery(GalleryPage page) {
   GalleryPrompt prompt;
-  prompt.page = page;
+  prompt.page = static_cast<int>(page);
   if (!browser_) browser_ = std::make_shared<FolderBrowser>(collection::index_folder(), Window::wake);
   if (browser_->folder().empty() && !settings_.drafts_folder.empty()) browser_->open(settings_.drafts_folder);
   prompt.browser = browser_;
@@ -98,7 +98,7 @@ void StartDialogs::choose_folder() {
                     [this](const std::string& folder) {
                       settings_.drafts_folder = folder;
                       browser_->open(folder);
-                      show_page(views::kFolderPage);
+                      show_gallery(GalleryPage::kFolder);
                     });
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "actions/file_actions.h"
 #include "app/background_tasks.h"
 #include "app/dialogs.h"
 #include "app/files.h"
@@ -28,8 +29,7 @@ class StartDialogs {
   /// Looks for work of crashed sessions and reports, and offers them; if there are none, shows the gallery if that is
   /// wanted.
   void begin(bool gallery);
-  void show_gallery(bool library);
-  void show_page(int page);
+  void show_gallery(actions::GalleryPage page);
   void choose_folder();
   void offer_recovery();
   bool has_left_work() const { return !session_.left().empty() || !crashes_.empty(); }

@@ -81,8 +81,7 @@ TEST_F(SizeTest, AFolderIsBrowsedAndSearched) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.focus();
-  display_.key("ctrl+shift+o");
-  ASSERT_NO_FATAL_FAILURE(click(w, "gallery.page:Folder"));
+  ASSERT_NO_FATAL_FAILURE(command(w, "folder of drafts"));
   ASSERT_TRUE(comes_true([&] { return w.has("gallery.picture:2") && w.has("folder.read"); }));
   ASSERT_NO_FATAL_FAILURE(click(w, "folder.shafts"));
   ASSERT_NO_FATAL_FAILURE(click(w, "folder.shafts:8-8"));

@@ -2,6 +2,7 @@
 // no crash, no leak of locks, and no half-written file. What succeeds in spite of it is right.
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -181,8 +182,10 @@ int allocations_of(const std::function<void()>& job) {
 
 // Where it begins, and where it puts the set in place and clears up.
 TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
+  // On this thread alone, so that every export asks for memory as often.
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
   texture_set::TextureSetOptions options;
-  options.target = &texture_set::targets::kGodot;
+  options.target = &texture_set::targets::kRaw;  // without a fit, which takes most of the time
   options.name = "x", options.size = 16, options.draft_path = options.source = "x.wif";
   const design::Design before = sample(), after = design::with_palette_color(before, 0, {0.9f, 0.1f, 0.2f});
   const auto write = [&](const char* folder, const design::Design& design) {
@@ -208,21 +211,19 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
                                  nothing_beside(n);
                                }),
             100);
-  // Whole exports take their time, so these are few. How many calls this thread makes depends on the loops that it
-  // shares with others: it may make far fewer than before.
-  constexpr int kFailures = 5, kStep = 30;
-  int failures = 0, step = kStep;
-  for (int n = all - 1; n > 0 && failures < kFailures; n -= step) {
+  // Whole exports take their time, so these are few.
+  constexpr int kFailures = 8, kStep = 30;
+  int failures = 0;
+  for (int n = all - 1; n > all - kFailures * kStep; n -= kStep) {
     bool reached = false;
-    const bool failed = fails_at(n, job, reached);
-    failures += failed ? 1 : 0;
-    step = failed ? kStep : 2 * step;
+    failures += fails_at(n, job, reached) ? 1 : 0;
+    EXPECT_TRUE(reached) << n;
     // Files change one after the other, each as a whole; the list holds those of both sets.
     for (const auto& [name, bytes] : bytes_in(path("set")))
       EXPECT_TRUE(name == "texture_set.json" || bytes == old_set.at(name) || bytes == new_set.at(name)) << n;
     nothing_beside(n);
   }
-  EXPECT_EQ(failures, kFailures);
+  EXPECT_GT(failures, kFailures / 2) << "what fails at an allocation that is not needed may go on";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using design::Assembly, design::ClothPlan, design::Design, design::Finish, desig
     design::kFinishFields, design::kLobeFields, design::kMethods, design::kPliesFacts, design::kTwistNames,
     design::kYarnFields, design::lighting_preset, design::sleying_from_text;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn,
-    draft::kMaxShafts, draft::kMaxThreads;
+    draft::kMaxColors, draft::kMaxShafts, draft::kMaxThreads;
 
 namespace {
 
@@ -122,9 +122,8 @@ Yarn read_yarn(const Source& s, const WifSection& section, const std::string& pr
 void read_yarns(const Source& s, Design& design) {
   const WifSection* section = private_section(s.text, "YARNS");
   if (!section) return;
-  constexpr int kMaxYarns = 4096;
   const WifKey* count = section->find("Yarns");
-  const int yarns = count ? std::clamp(leading_int(count->value).value_or(1), 1, kMaxYarns) : 1;
+  const int yarns = count ? std::clamp(leading_int(count->value).value_or(1), 1, kMaxColors) : 1;
   design.yarns.clear();
   for (int i = 0; i < yarns; ++i) design.yarns.push_back(read_yarn(s, *section, std::to_string(i + 1) + " "));
 }

@@ -220,14 +220,15 @@ TEST(read, fifty_thousand_sections_are_kept_unchanged) {
   EXPECT_TRUE(opened(after).design == edited);
 }
 
-TEST(read, as_many_yarns_as_stated_but_at_most_4096) {
-  constexpr int kMax = 4096;
-  for (const int stated : {kMax, 2'000'000'000}) {
+// Yarns beyond 4096 were lost, of which a draft may have more.
+TEST(read, as_many_yarns_as_stated_but_no_more_than_a_draft_may_have) {
+  constexpr int kNamed = 5000;
+  for (const auto& [stated, read] : {std::pair(kNamed, kNamed), std::pair(2'000'000'000, draft::kMaxColors)}) {
     std::string bytes = fixture("twill.wif") + "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=" + std::to_string(stated) + "\r\n";
-    for (int i = 1; i <= kMax; ++i) bytes += std::to_string(i) + " Name=Y" + std::to_string(i) + "\r\n";
+    for (int i = 1; i <= kNamed; ++i) bytes += std::to_string(i) + " Name=Y" + std::to_string(i) + "\r\n";
     const WifFile file = opened(bytes);
-    ASSERT_EQ(file.design.yarns.size(), static_cast<size_t>(kMax)) << stated;
-    EXPECT_EQ(file.design.yarns.back().name, "Y4096");
+    ASSERT_EQ(file.design.yarns.size(), static_cast<size_t>(read)) << stated;
+    EXPECT_EQ(file.design.yarns[kNamed - 1].name, "Y5000");
     EXPECT_EQ(write_wif(file, file.design), bytes) << stated;
   }
 }

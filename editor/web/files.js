@@ -3,7 +3,9 @@
 'use strict';
 
 const Files = (() => {
-  const kFolder = '/home/web_user/files', kExports = '/home/web_user/exports';
+  const kHome = '/home/web_user', kFolder = kHome + '/files', kExports = kHome + '/exports';
+  // Where texture sets go, each in a folder: the one that was chosen, or those beside a draft and beside none.
+  const kSets = [kExports, kFolder + '/textures', kHome + '/textures'];
   let FS;
   const handles = new Map();   // path -> the picked file
   const opened = [];           // paths that the program is to open
@@ -69,11 +71,27 @@ const Files = (() => {
     }
   }
 
-  /// The program has put a file or a folder in its place.
+  const folderOf = path => path.slice(0, path.lastIndexOf('/')), nameOf = path => path.slice(path.lastIndexOf('/') + 1);
+
+  /// A folder with a texture set, once nothing more comes into it: as "draft.zip", or "draft-target.zip" where there is one
+  /// for each of several programs. It does not stay in the page's memory.
+  const kSetMs = 1000;
+  const sets = new Map();
+  function deliverSet(folder) {
+    clearTimeout(sets.get(folder));
+    sets.set(folder, setTimeout(() => {
+      const root = kSets.find(one => folder.startsWith(one + '/'));
+      const name = root ? folder.slice(root.length + 1).replace(/\//g, '-') : nameOf(folder);
+      const files = [...below(folder, '')];
+      download(name + '.zip', zip(files.map(([file, bytes]) => [nameOf(folder) + '/' + file, bytes])));
+      for (const [file] of files) FS.unlink(folder + '/' + file);
+      FS.rmdir(folder);
+      sets.delete(folder);
+    }, kSetMs));
+  }
+
   async function deliver(path) {
-    const name = path.slice(path.lastIndexOf('/') + 1);
-    if (FS.isDir(FS.stat(path).mode)) return download(name + '.zip', zip([...below(path, name + '/')]));
-    const bytes = FS.readFile(path), handle = handles.get(path);
+    const name = nameOf(path), bytes = FS.readFile(path), handle = handles.get(path);
     if (!handle) return download(name, bytes);
     try {
       const out = await handle.createWritable();
@@ -92,10 +110,12 @@ const Files = (() => {
     const rename = FS.rename;
     FS.rename = (from, to) => {
       rename(from, to);
-      const full = to.startsWith('/') ? to : FS.cwd() + '/' + to;
       // What is written beside and renamed is whole.
-      const ours = full.startsWith(kFolder + '/') || full.startsWith(kExports + '/');
-      if (ours && !full.includes('.part-')) deliver(full);
+      const full = to.startsWith('/') ? to : (FS.cwd() + '/' + to).replace(/^\/+/, '/');
+      if (full.includes('.part-')) return;
+      if (FS.isDir(FS.stat(full).mode)) deliverSet(full);
+      else if (sets.has(folderOf(full))) deliverSet(folderOf(full));
+      else if (folderOf(full) === kFolder) deliver(full);
     };
     addEventListener('dragover', event => event.preventDefault(), true);
     addEventListener('drop', async event => {
@@ -135,7 +155,7 @@ const Files = (() => {
   }
   function ask(what, title, start, patterns) {
     answer = undefined;
-    const accept = endings(patterns), name = start.slice(start.lastIndexOf('/') + 1);
+    const accept = endings(patterns), name = nameOf(start);
     const refused = error => {
       if (error.name === 'AbortError') answer = '';
       else what === 'open' ? pick(accept) : byName();

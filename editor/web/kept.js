@@ -4,7 +4,7 @@
 'use strict';
 
 const Kept = (() => {
-  const kShared = ['/home/web_user/settings', '/home/web_user/files'], kWork = '/home/web_user/state';
+  const kFiles = '/home/web_user/files', kShared = ['/home/web_user/settings', kFiles], kWork = '/home/web_user/state';
   const kLookMs = 400, kMaxFile = 32 << 20;
   let base, tab, FS, tell = () => {};
   const known = new Map();  // path -> "time size", as kept
@@ -59,7 +59,8 @@ const Kept = (() => {
     for (const name of FS.readdir(folder)) {
       if (name === '.' || name === '..') continue;
       const path = folder + '/' + name, facts = FS.stat(path);
-      if (FS.isDir(facts.mode)) yield* below(path);
+      // The user's files lie in one folder; what is below it is on its way out (files.js).
+      if (FS.isDir(facts.mode) && folder !== kFiles) yield* below(path);
       else if (FS.isFile(facts.mode)) yield [path, facts];
     }
   }

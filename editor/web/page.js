@@ -56,6 +56,16 @@
       return null;
     }
   }
+  /// Puts it among the files, beside drafts of other links, and gives its path.
+  function keepDraftOfLink(FS, draft) {
+    for (let n = 1;; ++n) {
+      const path = Files.pathOf('from a link' + (n > 1 ? ' ' + n : '') + '.wif');
+      const there = FS.analyzePath(path).exists && FS.readFile(path);
+      const same = there && there.length === draft.length && there.every((byte, i) => byte === draft[i]);
+      if (!there) FS.writeFile(path, draft);
+      if (!there || same) return path;
+    }
+  }
   async function copyLink(bytes) {
     const kMaxLink = 30000;  // what browsers and programs for mail let through
     const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate-raw'));
@@ -101,10 +111,7 @@
       Files.begin(FS);
       Kept.begin(FS, tell).then(async () => {
         const draft = await draftOfLink();
-        if (draft) {
-          FS.writeFile(Files.pathOf('from a link.wif'), draft);
-          program.arguments.push(Files.pathOf('from a link.wif'));
-        }
+        if (draft) program.arguments.push(keepDraftOfLink(FS, draft));
         const map = new URLSearchParams(location.search).get('ui-map');  // for tests, as the option --ui-map
         if (map) program.arguments.push(...(program.arguments.length ? [] : ['']), map);
         module.removeRunDependency('kept');
@@ -166,9 +173,7 @@
     addEventListener('paste', event => { program.pasted = event.clipboardData.getData('text/plain'); });
     addEventListener('hashchange', async () => {
       const draft = await draftOfLink();
-      if (!draft) return;
-      program.FS.writeFile(Files.pathOf('from a link.wif'), draft);
-      Files.open(Files.pathOf('from a link.wif'));
+      if (draft) Files.open(keepDraftOfLink(program.FS, draft));
     });
     canvas.addEventListener('webglcontextlost', async () => {
       await Kept.keep();

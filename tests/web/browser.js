@@ -62,13 +62,14 @@ class Browser {
       this.socket.send(JSON.stringify({id, method, params, sessionId}));
     });
   }
-  async open(address, width = 1280, height = 800) {
+  async open(address, width = 1280, height = 800, touch = false) {
     const {targetId} = await this.call('Target.createTarget', {url: 'about:blank'});
     const {sessionId} = await this.call('Target.attachToTarget', {targetId, flatten: true});
     const page = new Page(this, targetId, sessionId);
     await this.call('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: this.downloads});
     for (const domain of ['Page', 'Runtime', 'Log', 'DOM']) await page.call(domain + '.enable');
     await page.call('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: 1, mobile: false});
+    if (touch) await page.call('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 2});
     // Headless, the dialogs of the File System Access API cannot be answered: files come and go as in other browsers.
     await page.call('Page.addScriptToEvaluateOnNewDocument',
       {source: 'delete window.showOpenFilePicker; delete window.showSaveFilePicker;'});
@@ -76,10 +77,16 @@ class Browser {
     await page.call('Page.navigate', {url: address});
     return page;
   }
+  async close_page(page) { await this.call('Target.closeTarget', {targetId: page.target}); }
+  /// The addresses of all pages.
+  async addresses() {
+    const {targetInfos} = await this.call('Target.getTargets');
+    return targetInfos.filter(one => one.type === 'page').map(one => one.url);
+  }
   /// A file that was downloaded, once it is whole.
-  async download(name) {
+  async download(name, seconds = 30) {
     const file = path.join(this.downloads, name);
-    await comesTrue('the download of ' + name, () => fs.existsSync(file), 30);
+    await comesTrue('the download of ' + name, () => fs.existsSync(file), seconds);
     await sleep(100);
     const bytes = fs.readFileSync(file);
     fs.unlinkSync(file);
@@ -142,15 +149,45 @@ class Page {
     await sleep(60);
     await mouse('mouseReleased');
   }
-  async press(name) {
-    const at = await this.control(name);
-    await this.click(at.x + at.w / 2, at.y + at.h / 2);
+  /// The middle of a control that stays where it is.
+  async middle(name) {
+    let last;
+    return comesTrue('the control ' + name + ' at rest', async () => {
+      const {x, y, w, h} = await this.control(name), now = [x + w / 2, y + h / 2];
+      const still = last && last[0] === now[0] && last[1] === now[1];
+      last = now;
+      await sleep(80);
+      return still && now;
+    });
   }
+  async press(name) { await this.click(...await this.middle(name)); }
+  /// An item of a menu.
+  async choose(menu, item) {
+    await this.press('menu:' + menu);
+    await this.press('menu.' + item);
+  }
+  /// Files of this machine, dropped there.
+  async drop(x, y, files) {
+    const data = {items: [], files, dragOperationsMask: 1};
+    for (const type of ['dragEnter', 'dragOver', 'drop'])
+      await this.call('Input.dispatchDragEvent', {type, x, y, data});
+  }
+  /// Fingers on the glass: where each is, in order; an empty list lifts them.
+  async touch(kind, points) {
+    const touchPoints = points.map(([x, y], id) => ({x, y, id, radiusX: 4, radiusY: 4, force: 1}));
+    await this.call('Input.dispatchTouchEvent', {type: kind, touchPoints});
+    await sleep(40);
+  }
+  async title(begins) {
+    await comesTrue('the title begins with ' + begins,
+                    () => this.ask(`document.title.startsWith(${JSON.stringify(begins)})`));
+  }
+  unsaved() { return this.title('\u25CF'); }
   /// A key with Ctrl or Shift: "Ctrl+S".
   async key(name) {
     const parts = name.split('+'), key = parts.pop();
     const modifiers = (parts.includes('Ctrl') ? 2 : 0) | (parts.includes('Shift') ? 8 : 0);
-    const codes = {Enter: 13, Escape: 27};
+    const codes = {Enter: 13, Escape: 27, F1: 112};
     const code = codes[key] ?? key.toUpperCase().charCodeAt(0);
     const event = {modifiers, key: codes[key] ? key : key.toLowerCase(), code: codes[key] ? key : 'Key' + key,
                    windowsVirtualKeyCode: code, nativeVirtualKeyCode: code};

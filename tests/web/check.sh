@@ -36,14 +36,14 @@ flat() { # DRAFT OUT
   sed 's/^\[CONTENTS\]\r\?$/[CONTENTS]\nPRIVATE WEFTLIGHT SCENE=true/' "$1" >"$2"
   printf '\n[PRIVATE WEFTLIGHT SCENE]\nMesh=plane\n' >>"$2"
 }
-for name in twill_2_2 overshot; do flat presets/drafts/$name.wif "$made/$name.wif"; done
-sed 's/^Mesh=.*/Mesh=plane/' presets/drafts/starter.wif >"$made/starter.wif"
+mkdir "$made/pictures"
+for name in twill_2_2 overshot; do flat presets/drafts/$name.wif "$made/pictures/$name.wif"; done
+sed 's/^Mesh=.*/Mesh=plane/' presets/drafts/starter.wif >"$made/pictures/starter.wif"
 python3 editor/web/serve.py build/web/page 8117 >"$made/address" &
 server=$!
 for _ in $(seq 50); do [[ -s $made/address ]] && break; sleep 0.1; done
 address=$(grep -o 'http://[^ ]*' "$made/address")
-CHROMIUM=$chromium NODE_PATH=build/npm/node_modules node tests/web/page.js "$address" "$made/mine.wif" "$made/painted.wif" \
-  build/check/weftlight "$made"/{twill_2_2,overshot,starter}.wif
+CHROMIUM=$chromium NODE_PATH=build/npm/node_modules node tests/web/page.js "$address" build/check/weftlight "$made"
 size=0
 for file in weftlight.wasm weftlight.js weftlight.data; do size=$((size + $(gzip -9c build/web/page/$file | wc -c))); done
 echo "      the program with its presets: $((size / 1024)) kB compressed"

@@ -110,6 +110,15 @@ template <class R>
 constexpr void replace(R&& range, const auto& old, const auto& value) {
   std::replace(std::begin(range), std::end(range), old, value);
 }
+template <class R, class F>
+constexpr void replace_if(R&& range, F test, const auto& value) {
+  std::replace_if(std::begin(range), std::end(range), test, value);
+}
+template <class R, class O, class F>
+constexpr auto transform(R&& range, O out, F made) {
+  return in_out{std::end(range), std::transform(std::begin(range), std::end(range), out,
+                                                [&](auto&& one) -> decltype(auto) { return std::invoke(made, one); })};
+}
 template <class R>
 constexpr void reverse(R&& range) {
   std::reverse(std::begin(range), std::end(range));
@@ -132,6 +141,10 @@ constexpr void sort(R&& range, C compare = {}, P projection = {}) {
 template <class R, class C = less, class P = identity>
 void stable_sort(R&& range, C compare = {}, P projection = {}) {
   std::stable_sort(std::begin(range), std::end(range), before::by(compare, projection));
+}
+template <class R, class I, class C = less, class P = identity>
+constexpr void nth_element(R&& range, I nth, C compare = {}, P projection = {}) {
+  std::nth_element(std::begin(range), nth, std::end(range), before::by(compare, projection));
 }
 template <class R, class C = less, class P = identity>
 constexpr auto max_element(R&& range, C compare = {}, P projection = {}) {

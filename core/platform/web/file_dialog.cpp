@@ -13,7 +13,7 @@ EM_JS(void, page_ask, (const char* what, const char* title, const char* start, c
 /// The path that was chosen, empty after a cancel; null while there is no answer. To be freed.
 EM_JS(char*, page_answer, (), {
   const answer = Files.take();
-  return answer == = undefined ? 0 : allocateUTF8(answer);
+  return answer == null ? 0 : allocateUTF8(answer);
 });
 
 namespace weftlight::platform {

@@ -7,7 +7,7 @@
 /// The next path that the page was given, or null. To be freed.
 EM_JS(char*, page_next_opened, (), {
   const path = Files.nextOpened();
-  return path == = undefined ? 0 : allocateUTF8(path);
+  return path == null ? 0 : allocateUTF8(path);
 });
 
 namespace weftlight::platform {

@@ -22,7 +22,7 @@ EM_JS(char*, page_fetch, (const char* address, int* size), {
   } catch (error) {
     return 0;
   }
-  if (asked.status != = 200) return 0;
+  if (asked.status != 200) return 0;
   const bytes = new Uint8Array(asked.response);
   const at = _malloc(bytes.length);
   HEAPU8.set(bytes, at);

@@ -1,0 +1,122 @@
+// What a person does with files: opens, paints, saves, loses the tab, drops, sends a link, exports.
+'use strict';
+
+const fs = require('fs');
+const path = require('path');
+const zlib = require('zlib');
+const {execFileSync} = require('child_process');
+const {comesTrue, sleep} = require('./browser.js');
+const {at_rest, difference, open_file, pixels_of} = require('./looking.js');
+
+async function paint_a_cell(page) {
+  await page.click(...await page.cell('tieup', 1, 1));
+  await page.unsaved();
+}
+
+async function painted(t) {
+  const page = await t.at_page();
+  await open_file(page, t.mine);
+  const before = await at_rest(page);
+  await paint_a_cell(page);
+  const after = await at_rest(page);
+  t.check('a painted cell changes the picture of the cloth', difference(before, after) > 0.02,
+          difference(before, after).toFixed(3) + ' of 255 a channel');
+  await t.show('painted');
+  await page.key('Ctrl+S');
+  const saved = await t.browser.download('mine.wif');
+  t.check('the saved file has the bytes of the desktop\'s', saved.equals(fs.readFileSync(path.join(t.folder, 'painted.wif'))));
+}
+
+/// A second edit, unsaved, and the tab dies.
+async function killed(t) {
+  const page = await t.at_page();
+  await open_file(page, path.join(t.folder, 'painted.wif'));
+  await paint_a_cell(page);
+  await sleep(1500);  // half a second is promised, of a machine with time for it
+  page.call('Page.crash').catch(() => {});
+  await sleep(500);
+  await t.browser.close_page(page);
+  t.page = null;
+  const next = await t.at_page();
+  await next.press('dialog:Recover');
+  await comesTrue('the work is back', () => next.ask('document.title.includes("painted.wif")'));
+  await next.key('Ctrl+S');
+  const again = await t.browser.download('painted.wif');
+  t.check('unsaved work comes back after the tab died', again.equals(fs.readFileSync(t.mine)));
+}
+
+async function dropped(t) {
+  const page = await t.at_page();
+  const file = path.join(t.folder, 'dropped.wif');
+  fs.copyFileSync(t.mine, file);
+  const [x, y] = await page.middle('view');
+  await page.drop(x, y, [file]);
+  await page.title('dropped.wif');
+  await paint_a_cell(page);
+  await page.key('Ctrl+S');
+  const saved = await t.browser.download('dropped.wif');
+  t.check('a dropped file opens, and is saved by its name', saved.equals(fs.readFileSync(path.join(t.folder, 'painted.wif'))));
+}
+
+async function linked(t) {
+  const page = await t.at_page();
+  await open_file(page, t.mine);
+  await page.choose('File', 'copy_link');
+  const link = await comesTrue('a link', () => page.ask('(Weftlight.program.copied || "").includes("#draft=") && Weftlight.program.copied'));
+  const inside = zlib.inflateRawSync(Buffer.from(link.replace(/.*#draft=/, ''), 'base64url'));
+  const other = await t.browser.open(link);
+  await other.title('from a link.wif');
+  await other.key('Ctrl+S');
+  const saved = await t.browser.download('from a link.wif');
+  t.check('whoever opens the link has the draft', saved.equals(inside), link.length + ' characters');
+  const file = path.join(t.folder, 'linked.wif');
+  fs.writeFileSync(file, saved);
+  const cells = of => execFileSync(t.program, ['drawdown', of]).toString();
+  t.check('it weaves as the draft it was made from', cells(file) === cells(t.mine));
+  // Another link into the same page is another draft beside it.
+  await other.ask(`location.hash = ${JSON.stringify(await a_link_to(t, 'twill_2_2.wif'))}`);
+  await other.title('from a link 2.wif');
+  t.check('a second link is a second draft', true);
+  await t.browser.close_page(other);
+
+  const damaged = await t.browser.open(link.slice(0, link.length - 40));
+  await damaged.control('view');
+  const says = await damaged.ask('document.getElementById("toast").textContent');
+  t.check('a damaged link is a sentence', /damaged/.test(says), says);
+  t.check('and a new draft beside it', !(await damaged.ask('document.title')).includes('link'));
+  await t.browser.close_page(damaged);
+}
+async function a_link_to(t, name) {
+  const bytes = fs.readFileSync(path.join(t.folder, 'pictures', name));
+  return '#draft=' + zlib.deflateRawSync(bytes).toString('base64url');
+}
+
+/// A texture set comes as a .zip: its texts have the desktop's bytes, its pictures the desktop's pixels.
+async function exported(t) {
+  const page = await t.at_page();
+  await open_file(page, t.mine);
+  await page.key('Ctrl+E');
+  await page.press('export.size:512');
+  await page.press('dialog:Export');
+  const zip = path.join(t.folder, 'set.zip'), here = path.join(t.folder, 'set'), there = path.join(t.folder, 'desktop');
+  fs.writeFileSync(zip, await t.browser.download('mine.zip', 120));
+  await t.show('exported');
+  await page.press('dialog:Close');
+  execFileSync('python3', ['-m', 'zipfile', '-e', zip, here]);
+  execFileSync(t.program, ['export', t.mine, '--target', 'gltf', '-o', there, '--size', '512'], {stdio: 'ignore'});
+  const files = fs.readdirSync(path.join(there, 'mine')).sort();
+  t.check('the .zip holds the files of the desktop\'s set', files.join() === fs.readdirSync(path.join(here, 'mine')).sort().join(),
+          files.join(', '));
+  for (const name of files) {
+    if (name === 'contact_sheet.png') continue;  // without OpenImageIO it has no lettering
+    const [a, b] = [here, there].map(where => path.join(where, 'mine', name));
+    if (name.endsWith('.png')) {
+      const [x, y] = [a, b].map(pixels_of);
+      t.check(name + ' has the desktop\'s pixels', x.length === y.length && difference(x, y) < 0.05, difference(x, y).toFixed(4) + ' of 255 a channel');
+    } else if (/\.(json|gltf|txt|mtlx|md)$/.test(name)) {
+      t.check(name + ' has the desktop\'s bytes', fs.readFileSync(a).equals(fs.readFileSync(b)));
+    }
+  }
+}
+
+module.exports = {painted, killed, dropped, linked, exported};

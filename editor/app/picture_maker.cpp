@@ -138,6 +138,8 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   stats_ = renderer_->draw(request.scene, look_for(request), frame);
   pipeline_.set_visible_part(renderer_->visible_part());
   if (scale == 1) stats_ = renderer_->measure();
+  // The time of the compiler would be taken for that of every pass, and the picture would get no further samples.
+  if (scale == 1 && stats_.first_of_program) return draw_pass(request, scale);
   if (scale == 1 && passes_ == 0 && request.budget_ms > 0 && stats_.method == Method::kAuto) {
     const float held = renderer_->tolerance_within(request.budget_ms);
     // Once per picture: its cost gives the tolerance for the budget.
@@ -146,12 +148,15 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
     held_used_ = true;
     if (other) return draw_pass(request, scale);
   }
-  if (stats_.gpu_ms > 0 && passes_ == 0)
+  if (stats_.gpu_ms > 0 && passes_ == 0 && !stats_.first_of_program)
     (scale < 1 ? moving_ms_ : full_ms_) = stats_.gpu_ms / static_cast<double>(scale * scale);
   drawn_scale_ = scale;
   if (scale < 1) return;
   constexpr float kMostlyThreads = 0.3f;
+  const bool first_cost = ms_a_sample_ == 0;
   if (stats_.gpu_ms > 0 && stats_.method_weights[0] > kMostlyThreads) ms_a_sample_ = stats_.gpu_ms / samples;
+  // Only now it is known how many samples there is time for.
+  if (first_cost && ms_a_sample_ > 0) return begin_passes();
   ++passes_;
   samples_ += samples;
   spent_ms_ += stats_.gpu_ms;

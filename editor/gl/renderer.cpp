@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
+#include <utility>
 
 #include "base/text.h"
 #include "gl/average.h"
@@ -75,6 +76,7 @@ struct Renderer::Parts {
   struct ClothProgram {
     GlProgram program;
     base::Result<void> built;
+    bool drawn = false;
   };
   std::map<std::array<int, 8>, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
@@ -89,7 +91,7 @@ struct Renderer::Parts {
 
   base::Result<void> build();
   void set_lights(LightRig lights);
-  const ClothProgram& cloth_program(Method method, int taps, int methods, bool more_lit, ThreadKind kind = {});
+  ClothProgram& cloth_program(Method method, int taps, int methods, bool more_lit, ThreadKind kind = {});
   int methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
   void report_methods(const DrawnFrame& drawn);
   Plan plan_for(const DrawnFrame& drawn) const;
@@ -151,8 +153,8 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
 }
 
 /// more_lit: with the lights of an environment beside the key light. kind: properties of the cloth.
-const Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int methods, bool more_lit,
-                                                                    ThreadKind kind) {
+Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int methods, bool more_lit,
+                                                              ThreadKind kind) {
   ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer,
                                        kind.smooth, kind.computed}];
   if (!made.program.name() && made.built) {
@@ -275,8 +277,9 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.methods & kYarnMethod));
   ThreadKind kind = software && of_threads ? cloth.thread_kind() : ThreadKind{};
   kind.computed = of_threads && cloth.thread_kind().computed;
-  const ClothProgram& with = cloth_program(method, taps, drawn.methods, drawn.light.lights.size() > 1, kind);
+  ClothProgram& with = cloth_program(method, taps, drawn.methods, drawn.light.lights.size() > 1, kind);
   stats.cloth = with.built;
+  stats.first_of_program = !std::exchange(with.drawn, true);
   if (!with.built) return;
   glUseProgram(with.program.name());
   drawn.gaps ? glEnable(GL_BLEND) : glDisable(GL_BLEND);

@@ -51,7 +51,8 @@ struct Frame {
 };
 
 struct FrameStats {
-  double gpu_ms = 0;  // the cloth's pass: timer query, or the clock of a timed frame
+  double gpu_ms = 0;              // the cloth's pass: timer query, or the clock of a timed frame
+  bool first_of_program = false;  // its program was drawn with for the first time: gpu_ms has the compiler's time, too
   double shaded_pixels = 0;
   float yarns_per_pixel = 0;      // footprint at the centre of the picture
   Method method = Method::kAuto;  // the method that was drawn

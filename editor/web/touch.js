@@ -1,14 +1,15 @@
 // Fingers and pencils as the pointer that the program knows: one finger is the pointer with its button down, held still it
-// is the other button; two fingers move (as a wheel does) and pinch (as a wheel with Ctrl does).
+// is the other button; two fingers move (as a wheel does) and pinch (as a wheel with Ctrl does). A finger presses only when
+// it moves, leaves or no other has followed, so that the first of two paints nothing.
 'use strict';
 
 const Touch = (() => {
-  const kHoldMs = 550, kStill = 9;  // pixels of the page
-  const kMoveStep = 28, kPinch = 1.12;
+  const kPressMs = 120, kHoldMs = 550, kStill = 9;  // pixels of the page
+  const kMoveStep = 28, kPinch = 1.19;              // a step of the wheel makes the cells so much larger
   let canvas;
   const fingers = new Map();
-  let state = 'none';  // none, one, two, done
-  let held, from, middle, apart, left = [0, 0];
+  let state = 'none';  // none, waits, one, two, done
+  let waits, held, from, middle, apart, left = [0, 0];
 
   function mouse(kind, at, button, buttons) {
     canvas.dispatchEvent(new MouseEvent(kind, {bubbles: true, cancelable: true, view: window, clientX: at.x, clientY: at.y,
@@ -24,13 +25,21 @@ const Touch = (() => {
     return [{x: (a.x + b.x) / 2, y: (a.y + b.y) / 2}, Math.hypot(a.x - b.x, a.y - b.y)];
   };
 
+  function press() {
+    clearTimeout(waits);
+    if (state !== 'waits') return;
+    state = 'one';
+    mouse('mousedown', from, 0, 1);
+  }
   function down(event) {
     fingers.set(event.pointerId, at(event));
     if (fingers.size === 1) {
-      state = 'one';
+      state = 'waits';
       from = at(event);
       mouse('mousemove', from, 0, 0);
-      mouse('mousedown', from, 0, 1);
+      // A pencil is alone.
+      if (event.pointerType === 'pen') press();
+      else waits = setTimeout(press, kPressMs);
       held = setTimeout(() => {
         if (state !== 'one') return;
         state = 'done';
@@ -40,6 +49,7 @@ const Touch = (() => {
       }, kHoldMs);
     } else if (fingers.size === 2) {
       clearTimeout(held);
+      clearTimeout(waits);
       if (state === 'one') mouse('mouseup', from, 0, 0);
       state = 'two';
       [middle, apart] = both();
@@ -49,10 +59,10 @@ const Touch = (() => {
   function move(event) {
     if (!fingers.has(event.pointerId)) return;
     fingers.set(event.pointerId, at(event));
-    if (state === 'one') {
-      const here = at(event);
-      if (Math.hypot(here.x - from.x, here.y - from.y) > kStill) clearTimeout(held);
-      mouse('mousemove', here, 0, 1);
+    if (state === 'one' || state === 'waits') {
+      const here = at(event), moved = Math.hypot(here.x - from.x, here.y - from.y) > kStill;
+      if (moved) clearTimeout(held), press();
+      if (state === 'one') mouse('mousemove', here, 0, 1);
     } else if (state === 'two' && fingers.size === 2) {
       const [now, wide] = both();
       left[0] += middle.x - now.x, left[1] += middle.y - now.y;
@@ -71,6 +81,7 @@ const Touch = (() => {
   function up(event) {
     if (!fingers.delete(event.pointerId)) return;
     clearTimeout(held);
+    press();
     if (state === 'one') {
       const here = at(event);
       mouse('mouseup', here, 0, 0);

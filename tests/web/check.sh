@@ -31,14 +31,19 @@ made=$(mktemp -d)
 trap 'kill "${server:-}" 2>/dev/null || true; rm -rf "$made"' EXIT
 cp presets/drafts/starter.wif "$made/mine.wif"
 build/check/tests/web/painted "$made/mine.wif" "$made/painted.wif"
-# Flat, since a mesh has no ambient shadow of its own in a browser (docs/web.md).
-flat() { # DRAFT OUT
-  sed 's/^\[CONTENTS\]\r\?$/[CONTENTS]\nPRIVATE WEFTLIGHT SCENE=true/' "$1" >"$2"
-  printf '\n[PRIVATE WEFTLIGHT SCENE]\nMesh=plane\n' >>"$2"
+# The cloth alone, since the ground and a mesh have no ambient shadow in a browser; with one method, since how many samples
+# of the threads there is time for decides otherwise (docs/web.md).
+near() { # DRAFT METHOD
+  local out=$made/pictures/$1_$2.wif
+  sed 's/^\[CONTENTS\]\r\?$/[CONTENTS]\nPRIVATE WEFTLIGHT SCENE=true\nPRIVATE WEFTLIGHT LOOK=true/' \
+    "presets/drafts/$1.wif" | sed '/^\[PRIVATE WEFTLIGHT SCENE\]/,$d' >"$out"
+  printf '\n[PRIVATE WEFTLIGHT SCENE]\nMesh=plane\nView Azimuth=0\nView Elevation=75\nView Distance=0.14\n' >>"$out"
+  printf '\n[PRIVATE WEFTLIGHT LOOK]\nMethod=%s\n' "$2" >>"$out"
 }
 mkdir "$made/pictures"
-for name in twill_2_2 overshot; do flat presets/drafts/$name.wif "$made/pictures/$name.wif"; done
-sed 's/^Mesh=.*/Mesh=plane/' presets/drafts/starter.wif >"$made/pictures/starter.wif"
+near overshot repeat
+near twill_2_2 cell
+near starter yarn
 python3 editor/web/serve.py build/web/page 8117 >"$made/address" &
 server=$!
 for _ in $(seq 50); do [[ -s $made/address ]] && break; sleep 0.1; done

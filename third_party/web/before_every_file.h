@@ -1,9 +1,8 @@
 #pragma once
-// What the build for browsers includes before every file, compiled once (dependencies.cmake): what libc++ lacks, and the
-// headers of other people that most files include.
+// What the build for browsers includes before every file, compiled once (dependencies.cmake): what libc++ lacks, and
+// the headers of other people that most files include.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <atomic>
@@ -13,6 +12,7 @@
 #include <fstream>
 #include <glm/glm.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>

@@ -9,6 +9,9 @@ for tool in em++ node python3; do
   command -v $tool >/dev/null || { echo "$tool is not installed, which the build for browsers needs (docs/web.md)" >&2; exit 77; }
 done
 export NODE_PATH=/usr/share/nodejs  # where Debian's Emscripten finds its parser of JavaScript
+# Debian's own, without a shim before it; and ccache need not run the preprocessor beside the compiler.
+[[ ! -x /usr/bin/python3 ]] || export EMSDK_PYTHON=/usr/bin/python3
+export CCACHE_DEPEND=1
 third_party/web/libraries.sh
 [[ -f build/web/build.ninja ]] || cmake --preset web >/dev/null
 log=build/web/build.log

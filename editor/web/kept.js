@@ -72,7 +72,7 @@ const Kept = (() => {
     known.set(path, facts.mtime.getTime() + ' ' + facts.size);
   }
 
-  let writing = false;
+  let writing = false, full = false;
   /// Keeps what has changed since it was last looked at.
   async function keep() {
     if (!base || writing) return;
@@ -92,8 +92,10 @@ const Kept = (() => {
       await write(changes);
       known.clear();
       for (const [path, state] of now) known.set(path, state);
-      tell('');
+      if (full) tell('');
+      full = false;
     } catch (error) {
+      full = true;
       tell('The browser keeps no more unsaved work (' + (error && error.name || 'storage is full') +
            '): save your drafts.');
     }

@@ -53,6 +53,7 @@
       return new Uint8Array(await new Blob(parts).arrayBuffer());
     } catch (error) {
       tell('The draft in this link is damaged: perhaps the address was cut off. Ask for it again.');
+      addEventListener('pointerdown', () => tell(''), {once: true});
       return null;
     }
   }

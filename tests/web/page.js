@@ -8,7 +8,8 @@ const fs = require('fs');
 const {Browser} = require('./browser.js');
 
 const [address, program, folder] = process.argv.slice(2);
-const kSteps = {...require('./steps_files.js'), ...require('./steps_pictures.js'), ...require('./steps_host.js')};
+const {first_picture, ...seen} = require('./steps_pictures.js');
+const kSteps = {first_picture, ...require('./steps_files.js'), ...seen, ...require('./steps_host.js')};
 const kPictures = 'build/web/pictures';  // for whoever wants to look
 
 async function main() {

@@ -34,7 +34,8 @@ async function killed(t) {
   const page = await t.at_page();
   await open_file(page, path.join(t.folder, 'painted.wif'));
   await paint_a_cell(page);
-  await sleep(1500);  // half a second is promised, of a machine with time for it
+  await at_rest(page);  // half a second is promised, of a machine with time for it
+  await sleep(1500);
   page.call('Page.crash').catch(() => {});
   await sleep(500);
   await t.browser.close_page(page);

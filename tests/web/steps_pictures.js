@@ -98,7 +98,6 @@ async function fingers(t) {
   const pitch = async () => Math.abs((await page.map()).grids.find(one => one.name === 'drawdown').step_a[0]);
   const start = await pitch(), [x, y] = await page.cell('drawdown', 4, 4);
   const apart = by => [[x - by, y], [x + by, y]];
-  await page.touch('touchStart', [apart(20)[0]]);
   await page.touch('touchStart', apart(20));
   for (let by = 25; by <= 80; by += 5) await page.touch('touchMove', apart(by));
   await page.touch('touchEnd', []);
@@ -108,7 +107,6 @@ async function fingers(t) {
 
   const at = async () => (await page.map()).grids.find(one => one.name === 'drawdown').origin;
   const [left, top] = await at(), both = d => [[x - 20 + d, y + d], [x + 20 + d, y + d]];
-  await page.touch('touchStart', [both(0)[0]]);
   await page.touch('touchStart', both(0));
   for (let d = 10; d <= 120; d += 10) await page.touch('touchMove', both(d));
   await page.touch('touchEnd', []);

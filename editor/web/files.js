@@ -6,6 +6,7 @@ const Files = (() => {
   const kHome = '/home/web_user', kFolder = kHome + '/files', kExports = kHome + '/exports';
   // Where texture sets go, each in a folder: the one that was chosen, or those beside a draft and beside none.
   const kSets = [kExports, kFolder + '/textures', kHome + '/textures'];
+  const kOwn = [kHome + '/settings', kHome + '/state', '/cache'];  // the program's, nobody else's
   let FS;
   const handles = new Map();   // path -> the picked file
   const opened = [];           // paths that the program is to open
@@ -112,7 +113,7 @@ const Files = (() => {
       rename(from, to);
       // What is written beside and renamed is whole.
       const full = to.startsWith('/') ? to : (FS.cwd() + '/' + to).replace(/^\/+/, '/');
-      if (full.includes('.part-')) return;
+      if (full.includes('.part-') || kOwn.some(one => full.startsWith(one + '/'))) return;
       if (FS.isDir(FS.stat(full).mode)) deliverSet(full);
       else if (sets.has(folderOf(full))) deliverSet(folderOf(full));
       else if (folderOf(full) === kFolder) deliver(full);

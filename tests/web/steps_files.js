@@ -39,6 +39,7 @@ async function killed(t) {
   page.call('Page.crash').catch(() => {});
   await sleep(500);
   await t.browser.close_page(page);
+  await sleep(4000);  // the browser gives its lock back once the process is gone
   t.page = null;
   const next = await t.at_page();
   await next.press('dialog:Recover');

@@ -40,12 +40,6 @@ float openpbr_roughness(const GgxAlphas& a) {
   return std::sqrt(std::sqrt(0.5f * (a.wide * a.wide + a.narrow * a.narrow)));
 }
 
-/// The angle of an axis without a sense, in turns, 0..0.5.
-float axis_angle(const std::array<float, 2>& axis) {
-  const float turn = std::atan2(axis[1], axis[0]) * 0.15915494f;
-  return turn < 0 ? turn + 0.5f : std::min(turn, 0.5f);
-}
-
 /// True if the channel is computed from ggx_alphas().
 bool needs_alphas(Channel channel) {
   switch (channel) {
@@ -80,7 +74,7 @@ float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, boo
     case kOpenPbrAnisotropy:
       return alphas.wide > 0 ? 1 - alphas.narrow / alphas.wide : 0.0f;
     case kWideAngle:
-      return axis_angle(alphas.wide_axis);
+      return axis_turn(alphas.wide_axis, surface.first_turn);
     case kHeightNormalized:
       return (t.height_mm - surface.low_mm) / std::max(surface.high_mm - surface.low_mm, 1e-6f);
     case kDetailNormalX:

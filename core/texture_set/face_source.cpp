@@ -191,6 +191,7 @@ void FaceSource::measure_range() {
     sum += 1 - std::sqrt(std::sqrt(static_cast<double>(a.wide * a.narrow)));
   }
   small_.smoothness = static_cast<float>(sum / static_cast<double>(small_.texels.at_.size()));
+  small_.first_turn = axis_cut(small_.texels.at_);
 }
 
 void FaceSource::measure(const Cloth& cloth, const Maps& maps) {
@@ -313,7 +314,8 @@ SurfaceTexels FaceSource::finished(SurfaceTexels raw, int y0, int level_height) 
 SurfaceTexels FaceSource::raw_rows(int y0, int y1) const {
   const int width = options_.size.width;
   SurfaceTexels out{small_.width_mm, small_.depth_mm, Plane<SurfaceTexel>(width, y1 - y0), {}, {}};
-  out.low_mm = small_.low_mm, out.high_mm = small_.high_mm, out.smoothness = small_.smoothness;
+  out.low_mm = small_.low_mm, out.high_mm = small_.high_mm, out.smoothness = small_.smoothness,
+  out.first_turn = small_.first_turn;
   if (whole_.texels.width > 0) {
     std::copy(whole_.texels.row(y0), whole_.texels.row(y0) + static_cast<ptrdiff_t>(width) * (y1 - y0),
               out.texels.at_.begin());

@@ -120,7 +120,8 @@ Result<void> MipImages::close() {
                       Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
                       {},
                       {}};
-  level.low_mm = rest_[0].low_mm, level.high_mm = rest_[0].high_mm, level.smoothness = rest_[0].smoothness;
+  level.low_mm = rest_[0].low_mm, level.high_mm = rest_[0].high_mm, level.smoothness = rest_[0].smoothness,
+  level.first_turn = rest_[0].first_turn;
   for (size_t y = 0; y < rest_.size(); ++y)
     std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
   for (int k = first_rest_ + 1; k < levels(); ++k) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "base/loops.h"
 #include "light/engine_fit.h"
@@ -26,6 +27,7 @@ namespace {
 constexpr float kGapWeight = 1e-4f;
 // Limit for slopes about the mean (76 degrees), so that one grazing texel does not widen the lobe.
 constexpr float kMaxSlope = 4.0f;
+constexpr float kTurn = 6.28318531f;
 
 glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
@@ -208,7 +210,8 @@ SurfaceTexels half_of(const SurfaceTexels& fine, int threads) {
   const int width = std::max(fine.texels.width / 2, 1), height = std::max(fine.texels.height / 2, 1);
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
   SurfaceTexels out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
-  out.low_mm = fine.low_mm, out.high_mm = fine.high_mm, out.smoothness = fine.smoothness;
+  out.low_mm = fine.low_mm, out.high_mm = fine.high_mm, out.smoothness = fine.smoothness,
+  out.first_turn = fine.first_turn;
   for_each_job(height, threads, [&](int y) {
     std::array<SurfaceTexel, 4> parts;
     for (int x = 0; x < width; ++x) {
@@ -230,6 +233,32 @@ GgxAlphas ggx_alphas(const SurfaceTexel& texel) {
   // axis whatever the twist.
   if (out.wide_axis[texel.system] < 0) out.wide_axis = {-out.wide_axis[0], -out.wide_axis[1]};
   return out;
+}
+
+float axis_cut(std::span<const SurfaceTexel> texels) {
+  constexpr int kBins = 32;
+  std::array<float, kBins> axes{};
+  const auto turn_of = [](float bin) { return 0.5f * bin / kBins; };
+  for (const SurfaceTexel& t : texels) {
+    const GgxAlphas a = ggx_alphas(t);
+    const int bin = static_cast<int>(2 * kBins * axis_turn(a.wide_axis, 0));
+    axes[static_cast<size_t>(std::clamp(bin, 0, kBins - 1))] += t.coverage * (a.wide - a.narrow);
+  }
+  float cut = 0, least = std::numeric_limits<float>::max();
+  for (int at = 0; at < kBins; ++at) {
+    float near = 0;
+    for (int bin = 0; bin < kBins; ++bin) {
+      const float c = std::cos(kTurn * (turn_of(static_cast<float>(bin) + 0.5f) - turn_of(static_cast<float>(at))));
+      near += axes[static_cast<size_t>(bin)] * std::pow(c, 8.0f);
+    }
+    if (near < least) least = near, cut = turn_of(static_cast<float>(at));
+  }
+  return cut;
+}
+
+float axis_turn(const std::array<float, 2>& axis, float first_turn) {
+  const float turns = 2 * (std::atan2(axis[1], axis[0]) / kTurn - first_turn), half_turn = turns - std::floor(turns);
+  return first_turn + 0.5f * half_turn;
 }
 
 std::array<float, 2> ggx_along_across(const SurfaceTexel& texel) {

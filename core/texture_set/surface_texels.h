@@ -38,6 +38,7 @@ struct SurfaceTexels {
   std::vector<Plane<float>> horizon_mean, horizon_spread;
   float low_mm = 0, high_mm = 1;  // heights in the whole face
   float smoothness = 0.5f;        // mean of the whole face
+  float first_turn = 0;           // where angles of axes begin, in turns (axis_cut)
 };
 
 /// Averages blocks of map texels; the sizes of `maps` must be multiples of `width` and `height`.
@@ -59,6 +60,11 @@ struct GgxAlphas {
   std::array<float, 2> wide_axis{1, 0};
 };
 GgxAlphas ggx_alphas(const SurfaceTexel& texel);
+/// An axis has no sense, so that its angle as a number jumps by half a turn somewhere. This is the angle, in turns,
+/// 0..0.5, near which the fewest axes of a face lie, by their coverage and how much wider they are.
+float axis_cut(std::span<const SurfaceTexel> texels);
+/// The angle of a texel's wider axis, in turns, from first_turn to half a turn more.
+float axis_turn(const std::array<float, 2>& axis, float first_turn);
 /// Alphas along and across the texel's fibre.
 std::array<float, 2> ggx_along_across(const SurfaceTexel& texel);
 

@@ -80,6 +80,20 @@ TEST(TextureSet, LostNormalVarianceGoesIntoRoughness) {
   EXPECT_NEAR(alphas.wide_axis[0], 1, 1e-5);
 }
 
+TEST(TextureSet, AnglesOfAxesJumpWhereFewLie) {
+  std::vector<SurfaceTexel> along_the_weft;
+  for (const float xy : {-0.01f, 0.0f, 0.01f}) {
+    SurfaceTexel t;
+    t.coverage = 1, t.slope_cov = {0.2f, xy, 0.02f};
+    along_the_weft.push_back(t);
+  }
+  const float from = axis_cut(along_the_weft);
+  EXPECT_NEAR(from, 0.25f, 0.05f);
+  for (const SurfaceTexel& t : along_the_weft) EXPECT_NEAR(axis_turn(ggx_alphas(t).wide_axis, from), 0.5f, 0.02f);
+  EXPECT_NEAR(axis_turn({0, 1}, 0.2f), 0.25f, 1e-6);
+  EXPECT_NEAR(axis_turn({0, -1}, 0.3f), 0.75f, 1e-6);
+}
+
 TEST(TextureSet, GapColourDoesNotBleed) {
   SurfaceTexel thread, gap;
   thread.coverage = 1;

@@ -72,7 +72,7 @@ class BareEditor {
                       .open = nothing,
                       .open_path = [](const std::string&) {},
                       .open_copy = [](const std::string&) {},
-                      .show_gallery = [](bool) {},
+                      .show_gallery = [](GalleryPage) {},
                       .save = nothing,
                       .save_as = nothing,
                       .save_all = nothing,

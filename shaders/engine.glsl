@@ -28,15 +28,16 @@ struct EngineMaterial {
   vec3 sheen;
   float sheen_roughness;
   vec2 alpha;  // along the frame's x and y
-  float f0;    // reflectance of the dielectric at normal incidence
+  vec3 f0;     // reflectance of the dielectric at normal incidence
   float f90;   // at grazing incidence
   float occlusion;
 };
 
 // For unit irradiance at normal incidence.
 struct EngineParts {
-  vec3 body;   // diffuse, and the specular part of metals
-  vec2 gloss;  // specular part of the dielectric, for f0 = 1 and for f90 = 1
+  vec3 body;     // diffuse, and the specular part of metals
+  vec3 gloss;    // specular part of the dielectric for f0 = 1
+  vec3 grazing;  // and for f90 = 1
   vec3 fuzz;
   float kept;            // fraction of body and gloss that the sheen leaves
 };
@@ -109,7 +110,8 @@ FORMULA float disney_body(float nl, float nv, float lh, float roughness) {
 FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
   EngineParts p;
   p.body = vec3(0.0f);
-  p.gloss = vec2(0.0f);
+  p.gloss = vec3(0.0f);
+  p.grazing = vec3(0.0f);
   p.fuzz = vec3(0.0f);
   p.kept = 1.0f;
   if (wi.z <= 0.0f) return p;
@@ -127,13 +129,15 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float k5 = k * k * k * k * k;
   // Only glTF's kind compensates the loss of rough lobes.
   float loss = sheen == kSheenCharlie ? engine_loss(nv, sqrt(min(ax, ay))) : 0.0f;
-  float dielectric = clamp(m.f0 + (m.f90 - m.f0) * k5, 0.0f, 1.0f);
-  float body = (1.0f - m.metal) * (1.0f - dielectric) / kPi;
+  vec3 dielectric = clamp(m.f0 + (m.f90 - m.f0) * k5, vec3(0.0f), vec3(1.0f));
+  vec3 body = (1.0f - dielectric) * ((1.0f - m.metal) / kPi);
   if (sheen == kSheenDisney || sheen == kSheenNoneDisney)
-    body = (1.0f - m.metal) * disney_body(nl, nv, 1.0f - k, sqrt(sqrt(ax * ay))) / kPi;
+    body = vec3(1.0f - m.metal) * disney_body(nl, nv, 1.0f - k, sqrt(sqrt(ax * ay))) / kPi;
   vec3 metal = (m.base + (1.0f - m.base) * k5) * (1.0f + m.base * loss) * (m.metal * shine);
   p.body = (m.base * body + metal) * nl;
-  p.gloss = vec2(1.0f - k5, k5) * ((1.0f - m.metal) * shine * (1.0f + m.f0 * loss) * nl);
+  vec3 mirrored = (1.0f + m.f0 * loss) * ((1.0f - m.metal) * shine * nl);
+  p.gloss = mirrored * (1.0f - k5);
+  p.grazing = mirrored * k5;
   float most = max(max(m.sheen.x, m.sheen.y), m.sheen.z);
   if (sheen == kSheenCharlie) {
     p.fuzz = m.sheen * (charlie_sheen(h.z, nl, nv, m.sheen_roughness) * nl);
@@ -158,8 +162,8 @@ FORMULA Reflected engine_radiance(EngineMaterial m, LobeFrame f, vec3 l, vec3 v)
   float fuzz = charlie_albedo(clamp(wo.z, 0.0f, 1.0f), m.sheen_roughness);
   float kept = 1.0f - max(max(m.sheen.x, m.sheen.y), m.sheen.z) * fuzz;
   Reflected a;
-  a.key = (p.body + (p.gloss.x * m.f0 + p.gloss.y * m.f90)) * p.kept + p.fuzz;
+  a.key = (p.body + p.gloss * m.f0 + p.grazing * m.f90) * p.kept + p.fuzz;
   a.diffuse = (m.base * ((1.0f - m.metal) * kept) + m.sheen * fuzz) * m.occlusion;
-  a.glossy = mix(vec3(m.f0), m.base, m.metal) * (kept * m.occlusion);
+  a.glossy = mix(m.f0, m.base, m.metal) * (kept * m.occlusion);
   return a;
 }

@@ -108,8 +108,10 @@ struct SystemData {
 
 // Material of an exported set of one face (core/light/engine_fit.h).
 struct EngineData {
-  vec4 base;   // rgb factors of base colour; w: reflectance of dielectrics at normal incidence
-  vec4 sheen;  // factor, roughness; z: reflectance of dielectrics at grazing incidence
+  vec4 base;   // rgb factors of base colour; w: reflectance of dielectrics at grazing incidence
+  vec4 gloss;  // rgb: the same at normal incidence
+  vec4 sheen;  // rgb factors of the sheen's colour; w: its roughness
+  vec4 lean;   // xy: mean slope of the normals, which the images are without
   // Warp, weft.
   vec4 lobes[2];  // direction of the wider axis, roughness of the narrow one, strength of the anisotropy
   vec4 body[2];   // rgb: base colour over the thread's; metal
@@ -187,6 +189,6 @@ static_assert(offsetof(interop::SystemData, fibre_tan) == sizeof(interop::YarnDa
 static_assert(offsetof(interop::SystemData, color) == sizeof(interop::YarnData) + sizeof(glm::vec4));
 static_assert(sizeof(interop::SystemData) == sizeof(interop::YarnData) + 3 * sizeof(glm::vec4));
 static_assert(offsetof(interop::ClothData, width_mm) == 4 * sizeof(interop::SystemData));
-static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 15 * sizeof(glm::vec4));
+static_assert(sizeof(interop::ClothData) == 4 * sizeof(interop::SystemData) + 19 * sizeof(glm::vec4));
 }  // namespace weftlight
 #endif

@@ -9,7 +9,8 @@ vec4 shade_engine(Side side, Lights x, Footprint f) {
   System weft = fetch_system(side, f, 1);
   vec2 weight = vec2(warp.color.a, weft.color.a) + 1e-4;
   weight /= weight.x + weight.y;
-  vec3 n = normalize(warp.n * weight.x + weft.n * weight.y);
+  vec3 n = warp.n * weight.x + weft.n * weight.y;
+  n = normalize(vec3(n.xy - n.z * fit.lean.xy, n.z));
   vec4 lobe = fit.lobes[0] * weight.x + fit.lobes[1] * weight.y;
   vec4 body = fit.body[0] * weight.x + fit.body[1] * weight.y;
   vec2 width = clamp(lobe.zw, vec2(0.0), vec2(1.0));  // of the linear fit through the images
@@ -19,11 +20,11 @@ vec4 shade_engine(Side side, Lights x, Footprint f) {
   EngineMaterial m;
   m.base = min(color * body.rgb * fit.base.rgb, vec3(1.0));
   m.metal = body.w;
-  m.sheen = min(sqrt(color) * ((a.yarn.fuzz * weight.x + b.yarn.fuzz * weight.y) * fit.sheen.x), vec3(1.0));
-  m.sheen_roughness = fit.sheen.y;
+  m.sheen = min(sqrt(color) * ((a.yarn.fuzz * weight.x + b.yarn.fuzz * weight.y) * fit.sheen.rgb), vec3(1.0));
+  m.sheen_roughness = fit.sheen.w;
   m.alpha = vec2(mix(narrow, 1.0, width.y * width.y), narrow);
-  m.f0 = fit.base.w;
-  m.f90 = fit.sheen.z;
+  m.f0 = fit.gloss.rgb;
+  m.f90 = fit.base.w;
   m.occlusion = min(textureLod(horizon_map, vec3(f.at, float(side.face) * (cloth.azimuths + 1.0) + cloth.azimuths), f.level - 1.0).r * gain, 1.0);
   Reflected e = engine_radiance(m, lobe_frame(n, vec3(lobe.xy, 0.0)), x.l, x.v);
   vec3 mirrored = from_side(side, reflect(-x.v, n));

@@ -58,8 +58,9 @@ struct GltfMaterial {
   Linear sheen_color{0, 0, 0};
   float sheen_roughness = 0.5f;
   float anisotropy_strength = 0, anisotropy_rotation = 0;
-  float f0 = 0.04f, f90 = 1;  // reflectance at normal and grazing incidence: KHR_materials_specular, _ior
-  float transmission = 0;     // diffuse transmission as a fraction of the diffuse light
+  Linear f0{0.04f, 0.04f, 0.04f};  // reflectance at normal incidence: KHR_materials_specular, _ior
+  float f90 = 1;                   // and at grazing incidence
+  float transmission = 0;          // diffuse transmission as a fraction of the diffuse light
   GltfAlpha alpha = GltfAlpha::kOpaque;
 };
 /// Writes the mesh as .glb, or as .gltf with files beside it. Without material if `front` is null. With `back` the

@@ -250,16 +250,25 @@ json transmission_extension(Document& doc, const GltfMaterial& m) {
 /// at grazing incidence. The one at normal incidence is at most a fraction of it: up to the usual by a darker colour,
 /// beyond by the index of refraction, since programs clamp a colour beyond 1.
 struct Specular {
-  float factor = 1, colour = 1, ior = kUsualIor;
+  float factor = 1, ior = kUsualIor;
+  Linear colour{1, 1, 1};
 };
 Specular specular_of(const GltfMaterial& m) {
   constexpr float kMaxRatio = 0.99f;  // an index of 398
   Specular out;
-  out.factor = std::clamp(std::max(m.f90, m.f0), 1e-3f, 1.0f);
-  const float ratio = std::clamp(m.f0 / out.factor, 0.0f, kMaxRatio), amplitude = std::sqrt(ratio);
-  if (ratio <= kUsualF0) out.colour = ratio / kUsualF0;
-  else out.ior = (1 + amplitude) / (1 - amplitude);
+  const float most = std::max({m.f0.r, m.f0.g, m.f0.b});
+  out.factor = std::clamp(std::max(m.f90, most), 1e-3f, 1.0f);
+  const float ratio = std::clamp(most / out.factor, 0.0f, kMaxRatio), amplitude = std::sqrt(ratio);
+  const float full = std::max(ratio, kUsualF0);  // reflectance of a colour of 1
+  if (ratio > kUsualF0) out.ior = (1 + amplitude) / (1 - amplitude);
+  const auto colour = [&](float f0) { return std::clamp(f0 / out.factor / full, 0.0f, 1.0f); };
+  out.colour = {colour(m.f0.r), colour(m.f0.g), colour(m.f0.b)};
   return out;
+}
+
+/// The glTF default, which needs no extension.
+bool usual_reflectance(const GltfMaterial& m) {
+  return m.f0.r == kUsualF0 && m.f0.g == kUsualF0 && m.f0.b == kUsualF0 && m.f90 == 1;
 }
 
 void use(Document& doc, const char* extension) {
@@ -285,9 +294,9 @@ json material_of(Document& doc, const GltfMaterial& m, bool double_sided) {
   if (m.alpha != GltfAlpha::kOpaque) material["alphaMode"] = m.alpha == GltfAlpha::kMask ? "MASK" : "BLEND";
   if (has_sheen(m)) extend(doc, material, "KHR_materials_sheen", sheen_extension(doc, m));
   const Specular s = specular_of(m);
-  if (m.f0 != kUsualF0 || m.f90 != 1)
+  if (!usual_reflectance(m))
     extend(doc, material, "KHR_materials_specular",
-           {{"specularFactor", s.factor}, {"specularColorFactor", {s.colour, s.colour, s.colour}}});
+           {{"specularFactor", s.factor}, {"specularColorFactor", {s.colour.r, s.colour.g, s.colour.b}}});
   if (s.ior != kUsualIor) extend(doc, material, "KHR_materials_ior", {{"ior", s.ior}});
   if (m.anisotropy_strength > 0) extend(doc, material, "KHR_materials_anisotropy", anisotropy_extension(doc, m));
   if (m.transmission > 0) extend(doc, material, "KHR_materials_diffuse_transmission", transmission_extension(doc, m));

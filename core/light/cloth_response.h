@@ -58,6 +58,16 @@ struct ClothResponse {
   std::vector<float> visible_rise;
 };
 
+/// The four nodes of the tables around a view, with their weights.
+struct ViewNodes {
+  std::array<size_t, 4> at{};
+  std::array<float, 4> weight{};
+};
+ViewNodes view_nodes(const glm::vec3& view);
+/// Reflected light (from behind: transmitted) between the nodes of light and view, as response_at() of
+/// shaders/method_repeat.glsl.
+glm::vec4 response_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view);
+
 /// Density of a slope's angle along one axis, interpolated between bins as a texture unit does.
 float density_at(const std::array<float, kSlopeBins>& bins, float slope);
 /// Density (1/sr) of the facets of a system that mirror light from `l` to `v`, by the product of slope densities that

@@ -24,18 +24,27 @@ struct EngineModel {
   float most_f0 = 1;    // largest reflectance of its dielectric; kEngineF0: fixed
   bool grazing = true;  // the reflectance at grazing angles can be set; else it is 1
   bool anisotropic = true;
+  bool tinted = false;  // its reflectance at normal view has a colour
+  // Weight of the means in the planes along warp and weft, over that of the shape of the response. More brings these
+  // nearer at some cost of the shape, for models that can tell the planes apart.
+  float planes = 0.3f;
 };
+
+/// Of glTF, which method `engine` shows.
+inline constexpr EngineModel kGltfModel{
+    .sheen = formulas::kSheenCharlie, .most_f0 = 1, .grazing = true, .anisotropic = true, .tinted = true, .planes = 20};
 
 struct EngineFit {
   glm::vec3 base{1};  // factors of the base colour
-  float f0 = formulas::kEngineF0, f90 = 1;
-  float sheen = 1;
+  glm::vec3 f0{formulas::kEngineF0};
+  float f90 = 1;
+  glm::vec3 sheen{1};  // factors of the sheen's colour
   float sheen_roughness = 0.5f;
-  glm::vec2 lobe{1, 1};  // factors of the footprint's variances along and across the fibres
+  LobeScale lobe;
+  bool has_sheen() const { return sheen.r > 0 || sheen.g > 0 || sheen.b > 0; }
   /// For engines whose Specular of 1/2 is the usual reflectance and of 1 twice that.
-  float specular() const { return 0.5f * f0 / formulas::kEngineF0; }
-  float error = 0;  // relative RMSE over views (to 79 degrees) and lights, and over the means of views, which count
-                    // four times as much
+  float specular() const { return 0.5f * f0.g / formulas::kEngineF0; }
+  float error = 0;  // relative RMSE over views (to 75 degrees), lights, and the means of views
 };
 
 /// Radiance of cloth and fitted material for one pair of directions (x along the weft, y along the warp, z out), for
@@ -57,9 +66,9 @@ struct EngineScore {
 std::vector<EngineScore> score_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                       const EngineModel& model, const EngineFit& fit);
 
-/// The same for views and lights in one plane, along the warp or along the weft: there errors do not cancel as they do
-/// over all azimuths.
 enum class EnginePlane { kWarp, kWeft };
+/// The same for views and lights in one plane, along the warp or along the weft, at 0, 30, 60 and 75 degrees, with
+/// lights to 80 degrees from the normal.
 std::vector<EngineScore> score_plane(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                      const EngineModel& model, const EngineFit& fit, EnginePlane plane);
 

@@ -170,10 +170,14 @@ class Windows {
   std::map<std::pair<int, int>, FootprintLobe> windows_;
 };
 
-/// Scales the pixels so that their means are those of the whole face.
-void keep_means(std::vector<EngineTexel>& texels, const Cloth& cloth, const Maps& maps) {
-  glm::vec3 base(0), sheen(0), seen_base(1e-6f), seen_sheen(1e-6f);
-  float total = 1e-9f, seen = 1e-9f;
+/// Means of the whole face.
+struct FaceMeans {
+  glm::vec3 base{0}, sheen{0}, normal{0, 0, 1e-6f};
+};
+
+FaceMeans means_of(const Cloth& cloth, const Maps& maps) {
+  FaceMeans out;
+  float total = 1e-9f;
   for (int j = 0; j < kMeans; ++j) {
     for (int i = 0; i < kMeans; ++i) {
       const glm::vec2 at = sample_position(i, j, kMeans);
@@ -182,17 +186,36 @@ void keep_means(std::vector<EngineTexel>& texels, const Cloth& cloth, const Maps
           std::min(static_cast<int>(at.y * static_cast<float>(maps.coverage.height)), maps.coverage.height - 1);
       const Lobes& lobes = lobes_at(cloth, maps, x, y);
       const glm::vec3 dye = vec(maps.colour.at(x, y));
+      const Slope slope = maps.slope.at(x, y);
       const float w = maps.coverage.at(x, y);
-      total += w, base += w * base_of(lobes, dye * maps.groove.at(x, y)), sheen += w * glm::sqrt(dye) * lobes.fuzz;
+      total += w, out.base += w * base_of(lobes, dye * maps.groove.at(x, y)),
+          out.sheen += w * glm::sqrt(dye) * lobes.fuzz;
+      out.normal += w * glm::normalize(glm::vec3(slope.x, slope.y, 1));
     }
   }
-  for (const EngineTexel& t : texels)
-    seen += t.weight, seen_base += t.weight * t.material.base, seen_sheen += t.weight * t.material.sheen;
-  for (EngineTexel& t : texels)
-    t.material.base *= base * seen / (total * seen_base), t.material.sheen *= sheen * seen / (total * seen_sheen);
+  out.base /= total, out.sheen /= total;
+  return out;
+}
+
+/// Scales the colours of the pixels so that their means are those of the whole face, and turns the normals so that
+/// their mean points straight out.
+void keep_means(EngineTexels& out, const FaceMeans& means) {
+  glm::vec3 base(1e-6f), sheen(1e-6f);
+  float total = 1e-9f;
+  for (const EngineTexel& t : out.texels)
+    total += t.weight, base += t.weight * t.material.base, sheen += t.weight * t.material.sheen;
+  out.lean = glm::vec2(means.normal) / means.normal.z;
+  for (EngineTexel& t : out.texels) {
+    t.material.base *= means.base * total / base, t.material.sheen *= means.sheen * total / sheen;
+    t.normal = straightened(t.normal, out.lean);
+  }
 }
 
 }  // namespace
+
+glm::vec3 straightened(const glm::vec3& normal, const glm::vec2& lean) {
+  return glm::normalize(glm::vec3(glm::vec2(normal) - normal.z * lean, normal.z));
+}
 
 glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
   const Axes axes = axes_over(normal);
@@ -226,11 +249,12 @@ FootprintLobe footprint_lobe(std::span<const LobePart> parts) {
   return out;
 }
 
-glm::vec3 scaled_covariance(const FootprintLobe& lobe, const glm::vec2& scale) {
-  const glm::vec2 root = glm::sqrt(glm::max(scale, glm::vec2(1e-6f)));  // of slopes
+glm::vec3 scaled_covariance(const FootprintLobe& lobe, const LobeScale& scale) {
+  const glm::vec2 root = glm::sqrt(glm::max(scale.fibre, glm::vec2(1e-6f)));  // of slopes
   const float alike = lobe.grain.x - lobe.grain.y, middle = std::sqrt(root.x * root.y);
   const float more = std::pow(root.x / root.y, 0.5f * alike);
-  const glm::vec2 by{middle * more, middle / more};
+  const float weft = std::sqrt(scale.weft);
+  const glm::vec2 by{middle * more * weft, middle / (more * weft)};
   return lobe.covariance * glm::vec3(by.x * by.x, by.x * by.y, by.y * by.y);
 }
 
@@ -249,7 +273,7 @@ glm::vec2 EngineLobe::alpha() const {
   return {narrow + (1 - narrow) * strength * strength, narrow};
 }
 
-EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float footprint_weight) {
+EngineLobe engine_lobe(const EngineTexel& texel, const LobeScale& scale, float footprint_weight) {
   EngineLobe out{{0, 0}, 0, 0};
   float total = 1e-9f;
   const auto add = [&](const glm::vec3& covariance, bool weft, float w) {
@@ -302,11 +326,11 @@ EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint
       if (out.texels.back().weight <= 1e-6f) out.texels.pop_back();
     }
   }
-  keep_means(out.texels, cloth, maps);
+  keep_means(out, means_of(cloth, maps));
   return out;
 }
 
-std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_fraction) {
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const LobeScale& scale, float weft_fraction) {
   // Linear fit over the pixels by the direction of their fibres.
   constexpr float kAlike = 1e-3f;  // below this variance there is nothing to fit
   glm::vec4 mean(0), both(0);

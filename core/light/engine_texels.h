@@ -32,8 +32,12 @@ struct LobePart {
   float weight = 1;
 };
 FootprintLobe footprint_lobe(std::span<const LobePart> parts);
-/// Its covariance scaled by a fit: factors of the variances along and across the fibres, as far as these are parallel.
-glm::vec3 scaled_covariance(const FootprintLobe& lobe, const glm::vec2& scale);
+/// Factors of a footprint's variances.
+struct LobeScale {
+  glm::vec2 fibre{1, 1};  // along and across the fibres, as far as these are parallel
+  float weft = 1;         // along the weft; along the warp 1 / weft
+};
+glm::vec3 scaled_covariance(const FootprintLobe& lobe, const LobeScale& scale);
 
 /// Its GGX alphas, 0..1, the wider first, and the direction of the wider axis in (x, y): alpha = sqrt(2 variance).
 struct FacetAlphas {
@@ -66,7 +70,7 @@ struct EngineLobe {
   glm::vec2 alpha() const;
 };
 /// footprint_weight: weight of the footprint's lobe against that of the texel itself.
-EngineLobe engine_lobe(const EngineTexel& texel, const glm::vec2& scale, float footprint_weight);
+EngineLobe engine_lobe(const EngineTexel& texel, const LobeScale& scale, float footprint_weight);
 
 /// Mean spacing over warp and weft.
 float thread_spacing_mm(const Cloth& cloth);
@@ -78,15 +82,19 @@ float footprint_weight(float footprint_mm, float spacing_mm);
 
 /// Pixels that represent a period of the cloth.
 struct EngineTexels {
-  std::vector<EngineTexel> texels;
+  std::vector<EngineTexel> texels;  // their normals are straightened
+  glm::vec2 lean{0};                // mean slope of their normals before that
   float footprint_weight = 0;
 };
+/// The normal with its slope less that of the mean. Floats lean all the same way in a satin, so that the mean of their
+/// normals leans, while the cloth's highlight does not.
+glm::vec3 straightened(const glm::vec3& normal, const glm::vec2& lean);
 inline constexpr int kFitPixels = 4;
 /// footprint_mm: a pixel's width; 0: one texel of the maps. `pixels`: a side.
 EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm, int pixels = kFitPixels);
 /// Linear fit of all pixels' lobes: at warp only and at weft only; at the cloth's own weft fraction lies their mean.
 /// Roughness and strength stay within 0..1 between, not necessarily at the ends.
-std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const glm::vec2& scale, float weft_fraction);
+std::array<EngineLobe, 2> engine_lobes(const EngineTexels& texels, const LobeScale& scale, float weft_fraction);
 
 /// Pixel size at one metre, in a picture of 1080 rows with a field of view of 50 degrees.
 inline constexpr float kFootprintMmAtOneMetre = 0.863f;

@@ -96,7 +96,8 @@ interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
   data.open = data.systems[0].coverage + data.systems[1].coverage < kClosed ? 1.0f : 0.0f;
   data.front_sky = data.back_sky = 1;
   for (interop::EngineData& e : data.engine)
-    e = {{1, 1, 1, 0.04f}, {1, 0.5f, 1, 0}, {{1, 0, 1, 0}, {1, 0, 1, 0}}, {{1, 1, 1, 0}, {1, 1, 1, 0}}};
+    e = {{1, 1, 1, 1}, {.04f, .04f, .04f, 0},        {1, 1, 1, 0.5f},
+         {},           {{1, 0, 1, 0}, {1, 0, 1, 0}}, {{1, 1, 1, 0}, {1, 1, 1, 0}}};
   return data;
 }
 

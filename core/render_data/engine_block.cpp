@@ -16,7 +16,7 @@ namespace weftlight::render_data {
 using cloth::Linear, cloth::Maps, cloth::MapsSize, cloth::ThreadBody, cloth::bake, cloth::linear_from_srgb;
 using design::Lobes;
 using light::EngineFit, light::EngineLobe, light::EngineTexels, light::engine_lobes, light::engine_texels,
-    light::fit_engine, light::kFitSamples, light::kFootprintMmAtOneMetre, light::measure_response;
+    light::fit_engine, light::kFitSamples, light::kFootprintMmAtOneMetre, light::kGltfModel, light::measure_response;
 
 namespace {
 
@@ -53,12 +53,14 @@ MapsSize size_of(const Cloth& cloth) {
 interop::EngineData engine_block(const Cloth& repeat, float weft_fraction) {
   const Maps maps = bake(repeat, size_of(repeat));
   const EngineTexels seen = engine_texels(repeat, maps, kFootprintMmAtOneMetre);
-  const EngineFit fit = fit_engine(seen, repeat, measure_response(repeat, maps, kFitSamples), {});
+  const EngineFit fit = fit_engine(seen, repeat, measure_response(repeat, maps, kFitSamples), kGltfModel);
   const std::array<EngineLobe, 2> lobes =
       engine_lobes(engine_texels(repeat, maps, kFootprintMmAtOneMetre, kLobePixels), fit.lobe, weft_fraction);
   const auto packed = [](const EngineLobe& l) { return glm::vec4(l.axis, l.roughness, l.strength); };
-  return {glm::vec4(fit.base, fit.f0),
-          {fit.sheen, fit.sheen_roughness, fit.f90, 0},
+  return {glm::vec4(fit.base, fit.f90),
+          glm::vec4(fit.f0, 0),
+          glm::vec4(fit.sheen, fit.sheen_roughness),
+          {seen.lean, 0, 0},
           {packed(lobes[0]), packed(lobes[1])},
           {mean_body(repeat, repeat.ends), mean_body(repeat, repeat.picks)}};
 }

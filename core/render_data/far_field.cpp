@@ -10,9 +10,8 @@
 namespace weftlight::render_data {
 
 using cloth::Linear, cloth::Maps, cloth::bake;
-using light::SystemResponse, light::kLightAzimuths, light::kResponseElevations, light::kResponseLights,
-    light::kSlopeBins, light::kTransmissionAzimuths, light::kTransmissionElevations, light::kTransmissionLights,
-    light::kViewAzimuths, light::measure_response;
+using light::SystemResponse, light::ViewNodes, light::density_at, light::measure_response, light::response_at,
+    light::view_nodes;
 
 namespace {
 
@@ -23,66 +22,6 @@ constexpr size_t kMinTexels = 128;
 
 int texels_for(size_t threads) {
   return static_cast<int>(std::clamp(threads * kTexelsPerThread, kMinTexels, kMaxTexels));
-}
-
-/// Neighbouring nodes of a direction on one axis of the grid, and the weight of the second.
-struct Nodes {
-  size_t low, high;
-  float fraction;
-};
-
-Nodes on_circle(float at, int count) {
-  const float x = at * static_cast<float>(count), whole = std::floor(x);
-  const int low = static_cast<int>(whole) % count;
-  return {static_cast<size_t>(low), static_cast<size_t>((low + 1) % count), x - whole};
-}
-
-Nodes on_line(float at, int count) {
-  const int low = std::clamp(static_cast<int>(at), 0, count - 2);
-  return {static_cast<size_t>(low), static_cast<size_t>(low + 1), at - static_cast<float>(low)};
-}
-
-/// The four nodes around a view direction, with their weights.
-struct ViewNodes {
-  std::array<size_t, 4> at;
-  std::array<float, 4> weight;
-};
-
-ViewNodes around(const glm::vec3& view) {
-  const formulas::vec2 o = formulas::response_coord(view);
-  const Nodes turn = on_circle(o.x, kViewAzimuths), tilt = on_line(o.y, kResponseElevations);
-  const size_t low = tilt.low * kViewAzimuths, high = tilt.high * kViewAzimuths;
-  const float a = turn.fraction, e = tilt.fraction;
-  return {{low + turn.low, low + turn.high, high + turn.low, high + turn.high},
-          {(1 - e) * (1 - a), (1 - e) * a, e * (1 - a), e * a}};
-}
-
-/// Interpolates between the nodes of light and view, as response_at() of shaders/method_repeat.glsl.
-glm::vec4 response_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view) {
-  const bool before = light.z > 0;
-  const formulas::vec2 i = before ? formulas::response_coord(light) : formulas::transmission_coord(light);
-  const int azimuths = before ? kLightAzimuths : kTransmissionAzimuths,
-            lights = before ? kResponseLights : kTransmissionLights;
-  const Nodes turn = on_circle(i.x, azimuths),
-              tilt = on_line(i.y, before ? kResponseElevations : kTransmissionElevations);
-  const ViewNodes views = around(view);
-  glm::vec4 sum(0);
-  for (size_t corner = 0; corner < 16; ++corner) {
-    const bool turned = corner >> 2 & 1, tilted = corner >> 3 & 1;
-    const float weight = views.weight[corner & 3] * (turned ? turn.fraction : 1 - turn.fraction) *
-                         (tilted ? tilt.fraction : 1 - tilt.fraction);
-    const size_t node = views.at[corner & 3] * static_cast<size_t>(lights) +
-                        (tilted ? tilt.high : tilt.low) * static_cast<size_t>(azimuths) +
-                        (turned ? turn.high : turn.low);
-    sum += weight * glm::make_vec4(&(before ? system.reflected : system.transmitted)[4 * node]);
-  }
-  return sum;
-}
-
-float density_at(const std::array<float, kSlopeBins>& bins, float slope) {
-  const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.0f);
-  const Nodes n = on_line(at, kSlopeBins);
-  return bins[n.low] + (bins[n.high] - bins[n.low]) * n.fraction;
 }
 
 }  // namespace
@@ -133,7 +72,7 @@ glm::vec3 far_field_radiance(const FarField& field, const glm::vec3& light, cons
 
 glm::vec3 far_field_sky_radiance(const FarField& field, const glm::vec3& view, float even, const glm::vec3& rise) {
   if (field.response.systems[0].sky.empty() || view.z <= 0) return glm::vec3(0);
-  const ViewNodes views = around(view);
+  const ViewNodes views = view_nodes(view);
   glm::vec3 diffuse(0), glossy(0), from_diffuse(0), from_glossy(0);
   for (size_t k = 0; k < 4; ++k) {
     from_diffuse += views.weight[k] * field.response.sky_from[views.at[k]][0];

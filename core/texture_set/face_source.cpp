@@ -13,7 +13,7 @@ using cloth::MapsSize, cloth::bake;
 using light::ClothResponse, light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart,
     light::check_engine, light::engine_texels, light::fit_engine, light::footprint_lobe, light::grain_of,
     light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
-    light::score_plane, light::thread_spacing_mm;
+    light::score_plane, light::straightened, light::thread_spacing_mm;
 
 namespace {
 
@@ -139,6 +139,7 @@ FaceSource::FaceSource(Tile tile, const FaceOptions& options)
   const int64_t row = int64_t{width} * factor_ * factor_;
   band_ = height;
   while (band_ > 1 && row * band_ > kMaxPieceTexels) band_ /= 2;
+  measure_lean();
   measure_footprints();
   measure_means();
   finish(small_, 0, small_.texels.height, 0);
@@ -204,6 +205,13 @@ void FaceSource::measure(const Cloth& cloth, const Maps& maps) {
   scores_ = score_engine(texels, cloth, response, options_.model, fit_);
   for (const EnginePlane plane : {EnginePlane::kWarp, EnginePlane::kWeft})
     plane_scores_[static_cast<size_t>(plane)] = score_plane(texels, cloth, response, options_.model, fit_, plane);
+}
+
+void FaceSource::measure_lean() {
+  if (!options_.fitted) return;
+  glm::vec3 sum(0, 0, 1e-6f);
+  for (const SurfaceTexel& t : small_.texels.at_) sum += t.coverage * t.normal;
+  lean_ = glm::vec2(sum) / sum.z;
 }
 
 void FaceSource::measure_footprints() {
@@ -283,7 +291,8 @@ void FaceSource::finish(SurfaceTexels& surface, int y0, int level_height, int th
     for (int x = 0; x < width; ++x) {
       SurfaceTexel& t = row[x];
       t.base = times(t.base, fit_.base);
-      t.sheen = times(t.sheen, glm::vec3(fit_.sheen));
+      t.sheen = times(t.sheen, fit_.sheen);
+      t.normal = straightened(t.normal, lean_);
       t.sheen_roughness = fit_.sheen_roughness;
       t.occlusion = std::min(t.occlusion * occlusion_gain_, 1.0f);
     }

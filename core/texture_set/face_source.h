@@ -68,6 +68,7 @@ class FaceSource {
   void make_whole();
   void make_from_part();
   void measure(const Cloth& cloth, const Maps& maps);
+  void measure_lean();
   void measure_footprints();
   void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void measure_means();
@@ -89,6 +90,7 @@ class FaceSource {
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;
   std::array<std::vector<EngineScore>, 2> plane_scores_;
+  glm::vec2 lean_{0};  // mean slope of the normals (light::straightened)
   float coverage_ = 1, occlusion_gain_ = 1;
   Linear mean_base_;
 };

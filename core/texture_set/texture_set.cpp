@@ -93,9 +93,9 @@ json scores_json(const std::vector<EngineScore>& scores) {
 json fit_json(const FaceSource& face) {
   const EngineFit& f = face.fit();
   return {{"base_color", {f.base.r, f.base.g, f.base.b}},
-          {"reflectance", {f.f0, f.f90}},
-          {"highlight", {f.lobe.x, f.lobe.y}},
-          {"sheen", f.sheen},
+          {"reflectance", {{"normal", numbers(f.f0)}, {"grazing", f.f90}}},
+          {"highlight", {{"along", f.lobe.fibre.x}, {"across", f.lobe.fibre.y}, {"weft", f.lobe.weft}}},
+          {"sheen", numbers(f.sheen)},
           {"sheen_roughness", f.sheen_roughness},
           {"rms_error", f.error},
           {"views", scores_json(face.scores())},

@@ -64,12 +64,13 @@ GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
     m.anisotropy_strength = 1;
   }
   // No other target that writes a .glb fits this sheen, and Blender 3 would import it as an unscaled velvet.
-  if (beside && source.fit().sheen > 0) {
+  if (beside && source.fit().has_sheen()) {
     set_sheen(m, set, face);
   }
   const UvTransform uv = uv_transform(set);
   m.uv_scale_u = static_cast<float>(uv.scale_u), m.uv_scale_v = static_cast<float>(uv.scale_v);
-  m.f0 = source.fit().f0, m.f90 = source.fit().f90;
+  const glm::vec3& f0 = source.fit().f0;
+  m.f0 = {f0.r, f0.g, f0.b}, m.f90 = source.fit().f90;
   m.transmission = mean_transmission(set);
   m.alpha = set.alpha == Alpha::kOpaque ? GltfAlpha::kOpaque
             : set.alpha == Alpha::kMask ? GltfAlpha::kMask
@@ -97,7 +98,7 @@ const ExportTarget targets::kGltf{
     .id = "gltf",
     .title = "glTF",
     .images = kImages,
-    .model = {.sheen = formulas::kSheenCharlie, .most_f0 = 1, .grazing = true, .anisotropic = true},
+    .model = light::kGltfModel,
     .highlight = "anisotropic GGX; both reflectances by `KHR_materials_specular` and `KHR_materials_ior`",
     .sheen = "Charlie, `KHR_materials_sheen`",
     .material = ".glb",

@@ -66,7 +66,7 @@ base::Result<void> write_godot_face(const SetFacts& set, Face face) {
                                      {"FLOW", mipped_image_named(set, "_flowmap", face)},
                                      {"TRANSPARENCY", transparency},
                                      {"CULL", face == Face::kBack ? "1" : "0"},
-                                     {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0) / 0.16))},
+                                     {"SPECULAR", number(std::sqrt(static_cast<double>(source.fit().f0.g) / 0.16))},
                                      {"SCALE_U", number(uv.scale_u)},
                                      {"SCALE_V", number(uv.scale_v)},
                                      {"OFFSET_U", number(uv.offset_u)},

@@ -233,8 +233,8 @@ Values values_of(const SetFacts& set, Face face) {
           {"SCALE_V", number(uv.scale_v)},
           {"OFFSET_U", number(uv.offset_u)},
           {"OFFSET_V", number(uv.offset_v)},
-          {"IOR", number(ior_of(static_cast<double>(source.fit().f0)))},
-          {"FUZZ_WEIGHT", source.fit().sheen > 0 ? "1" : "0"},
+          {"IOR", number(ior_of(static_cast<double>(source.fit().f0.g)))},
+          {"FUZZ_WEIGHT", source.fit().has_sheen() ? "1" : "0"},
           {"FUZZ_ROUGHNESS", number(static_cast<double>(source.fit().sheen_roughness))}};
 }
 
@@ -277,7 +277,7 @@ std::string usd_material(const SetFacts& set, Face face) {
   const UvTransform uv = uv_transform(set);
   return fill_template(kPreview, {{"TEXTURES", textures},
                                   {"USD_OPACITY", opacity},
-                                  {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0)))},
+                                  {"IOR", number(ior_of(static_cast<double>(set.of(face).fit().f0.g)))},
                                   {"PRIM", prim},
                                   {"MATERIAL", material},
                                   {"SCALE_U", number(uv.scale_u)},

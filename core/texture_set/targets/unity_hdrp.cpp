@@ -1,6 +1,6 @@
 // Unity's High Definition Render Pipeline: HDRP/Lit, and a thread map for HDRP/Fabric. Based on: its manual.
 
-#include <cmath>
+#include <algorithm>
 
 #include "base/mark.h"
 #include "cloth/srgb.h"
@@ -29,7 +29,8 @@ constexpr UnitySlot kSlots[] = {{"_BaseMap", "_BaseColorMap"}, {"_MaskMap", "_Ma
 
 /// Lit has either a specular colour or metal.
 bool has_specular_color(const SetFacts& set, Face face) {
-  return std::abs(set.of(face).fit().f0 - formulas::kEngineF0) > 1e-4f;
+  const glm::vec3 more = glm::abs(set.of(face).fit().f0 - formulas::kEngineF0);
+  return std::max({more.r, more.g, more.b}) > 1e-4f;
 }
 
 std::vector<std::string> keywords(const SetFacts& set, Face face) {
@@ -67,8 +68,9 @@ std::vector<std::string> floats(const SetFacts& set, Face face) {
 /// sRGB encoded, as in the inspector.
 std::vector<std::string> colors(const SetFacts& set, Face face) {
   if (!has_specular_color(set, face)) return {};
-  const std::string f0 = number(static_cast<double>(srgb_encoded(set.of(face).fit().f0)));
-  return {"_SpecularColor: {r: " + f0 + ", g: " + f0 + ", b: " + f0 + ", a: 1}"};
+  const glm::vec3& f0 = set.of(face).fit().f0;
+  const auto encoded = [](float v) { return number(static_cast<double>(srgb_encoded(v))); };
+  return {"_SpecularColor: {r: " + encoded(f0.r) + ", g: " + encoded(f0.g) + ", b: " + encoded(f0.b) + ", a: 1}"};
 }
 
 constexpr UnityShader kLit{"6e4ae4064600d784cac1e41a9e6f2e59", kSlots, keywords, floats, colors};
@@ -79,7 +81,7 @@ const ExportTarget targets::kUnityHdrp{
     .id = "unity-hdrp",
     .title = "Unity HDRP",
     .images = kImages,
-    .model = {.sheen = formulas::kSheenNone, .most_f0 = 1, .grazing = false, .anisotropic = false},
+    .model = {.sheen = formulas::kSheenNone, .most_f0 = 1, .grazing = false, .anisotropic = false, .tinted = true},
     .metal_model =
         EngineModel{
             .sheen = formulas::kSheenNone, .most_f0 = formulas::kEngineF0, .grazing = false, .anisotropic = false},

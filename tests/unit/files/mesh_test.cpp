@@ -78,7 +78,7 @@ TEST(MeshFile, ReflectancesNeedNoColourBeyondOne) {
   const Scratch scratch("reflectances");
   for (const auto& [f0, f90] : {std::pair{0.4f, 1.0f}, {0.17f, 0.17f}, {0.3f, 0.5f}, {0.01f, 1.0f}, {0.0f, 0.0f}}) {
     GltfMaterial material;
-    material.f0 = f0, material.f90 = f90;
+    material.f0 = {f0, 0.5f * f0, 0.25f * f0}, material.f90 = f90;
     ASSERT_EQ(problem_of(write_mesh(scratch / "cloth.glb", sheet(), &material)), "");
     const json extensions = root_of(scratch / "cloth.glb")["materials"][0]["extensions"];
     const float factor = extensions["KHR_materials_specular"]["specularFactor"],
@@ -89,6 +89,8 @@ TEST(MeshFile, ReflectancesNeedNoColourBeyondOne) {
     EXPECT_NEAR(factor, std::max(f90, 1e-3f), 1e-4);
     const float amplitude = (ior - 1) / (ior + 1);
     EXPECT_NEAR(amplitude * amplitude * colour * factor, f0, 0.011f * f0 + 1e-6f) << ior;
+    const float blue = extensions["KHR_materials_specular"]["specularColorFactor"][2];
+    EXPECT_NEAR(blue, 0.25f * colour, 0.003f) << "the hue is kept";
   }
 }
 
@@ -96,7 +98,7 @@ TEST(MeshFile, AGlbHasTheExtensionsOfItsGltf) {
   const Scratch scratch("extensions");
   GltfMaterial material;
   material.base_color.png = encode_png(Image{2, 2, 3, std::vector<float>(12, 0.5f)});
-  material.transmission = 0.2f, material.f0 = 0.3f;
+  material.transmission = 0.2f, material.f0 = {0.3f, 0.3f, 0.3f};
   json materials[2];
   for (const bool binary : {false, true}) {
     const std::string file = scratch / (binary ? "cloth.glb" : "cloth.gltf");

@@ -475,7 +475,7 @@ constexpr const char* kMethodMain = R"(
   if (row == 2) result = vec4(system_radiance(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, d, l, v).key, 0.0);
   if (row == 3) result = vec4(response_coord(v), half_slopes(l, v));
   if (row == 4) {
-    EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), 0.5 + e.x, 0.9 - 0.5 * e.y, e.x);
+    EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), vec3(0.5 + e.x, 0.4 + e.y, 0.3), 0.9 - 0.5 * e.y, e.x);
     result = vec4(engine_radiance(m, lobe_frame(normalize(vec3(e.xy - 0.5, 1.0)), vec3(1.0, 0.0, 0.0)), l, v).key, 0.0);
   }
   if (row == 5) result = vec4(gradient_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), lattice_point(lattice_of(lattice_for(e.x, vec4(0.1, 0.2, 0.3, 0.4), vec4(0.5, 0.6, 0.7, 9.0), 21)), 5, 3, e.y).x);
@@ -509,8 +509,14 @@ vec4 method_on_cpu(const MethodCase& given, int row) {
     case 3:
       return {response_coord(v), half_slopes(l, v)};
     case 4: {
-      const EngineMaterial m{color,      data.tint.w,       color * e.x, 0.1f + e.y, {0.1f + e.z, 0.1f + e.w},
-                             0.5f + e.x, 0.9f - 0.5f * e.y, e.x};
+      const EngineMaterial m{color,
+                             data.tint.w,
+                             color * e.x,
+                             0.1f + e.y,
+                             {0.1f + e.z, 0.1f + e.w},
+                             vec3(0.5f + e.x, 0.4f + e.y, 0.3f),
+                             0.9f - 0.5f * e.y,
+                             e.x};
       return {engine_radiance(m, lobe_frame(n, vec3(1, 0, 0)), l, v).key, 0};
     }
     case 5:

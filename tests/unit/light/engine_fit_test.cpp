@@ -39,8 +39,10 @@ Misses misses_of(const Measured& m, const EngineModel& model) {
   const EngineTexels texels = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
   EXPECT_FALSE(texels.texels.empty());
   const EngineFit fit = fit_engine(texels, m.cloth, m.response, model);
-  EXPECT_LE(fit.f0, model.most_f0);
-  EXPECT_LE(fit.f0, fit.f90);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_LE(fit.f0[c], model.most_f0);
+    EXPECT_LE(fit.f0[c], fit.f90);
+  }
   Misses most;
   for (const EngineScore& s : score_engine(texels, m.cloth, m.response, model, fit)) {
     if (s.view_deg > 75) continue;
@@ -97,7 +99,7 @@ TEST(EngineFit, GlossySatinKeepsItsHighlight) {
   expect_no_worse(m, kModels[0], {0.083, 0.226, 0.100, 0.325}, "satin, glTF");
   const EngineTexels texels = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
   const EngineFit fit = fit_engine(texels, m.cloth, m.response, kModels[0]);
-  const EngineLobe wide = engine_lobe(texels.texels[0], {1, 1}, 1), held = engine_lobe(texels.texels[0], fit.lobe, 1);
+  const EngineLobe wide = engine_lobe(texels.texels[0], {}, 1), held = engine_lobe(texels.texels[0], fit.lobe, 1);
   EXPECT_LT(held.roughness, 0.9f * wide.roughness) << "the spread of the normals is no highlight";
 }
 
@@ -112,9 +114,9 @@ TEST(EngineFit, WhatAnEngineCannotSetStays) {
   const Measured m = measured(twill({2, 2}, Lean::kRight, {4, 4}));
   const EngineFit fit = fit_engine(engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre), m.cloth, m.response,
                                    {formulas::kSheenNone, formulas::kEngineF0, false, false});
-  EXPECT_EQ(fit.f0, formulas::kEngineF0);
+  EXPECT_EQ(fit.f0, glm::vec3(formulas::kEngineF0));
   EXPECT_EQ(fit.f90, 1);
-  EXPECT_EQ(fit.sheen, 0);
+  EXPECT_FALSE(fit.has_sheen());
 }
 
 TEST(EngineFit, CloseViewsKeepTheYarnsOwnLobes) {
@@ -122,17 +124,21 @@ TEST(EngineFit, CloseViewsKeepTheYarnsOwnLobes) {
   const EngineTexels texels = engine_texels(m.cloth, m.maps, 0);
   EXPECT_EQ(texels.footprint_weight, 0);
   const EngineFit fit = fit_engine(texels, m.cloth, m.response, {});
-  EXPECT_EQ(fit.lobe, glm::vec2(1, 1));
+  EXPECT_EQ(fit.lobe.fibre, glm::vec2(1, 1));
+  EXPECT_EQ(fit.lobe.weft, 1);
 }
 
 TEST(EngineFit, AFootprintIsScaledAlongItsFibres) {
   const FootprintLobe warp{{0.3f, 0, 0.2f}, {0, 1}}, mixed{{0.3f, 0, 0.2f}, {0.5f, 0.5f}};
-  const glm::vec3 narrow = scaled_covariance(warp, {0.25f, 1});
+  const glm::vec3 narrow = scaled_covariance(warp, {{0.25f, 1}, 1});
   EXPECT_FLOAT_EQ(narrow.x, 0.3f);
   EXPECT_FLOAT_EQ(narrow.z, 0.05f);
-  const glm::vec3 even = scaled_covariance(mixed, {0.25f, 1});
+  const glm::vec3 even = scaled_covariance(mixed, {{0.25f, 1}, 1});
   EXPECT_FLOAT_EQ(even.x, 0.15f);
   EXPECT_FLOAT_EQ(even.z, 0.1f);
+  const glm::vec3 wide = scaled_covariance(mixed, {{1, 1}, 2});
+  EXPECT_FLOAT_EQ(wide.x, 0.6f);
+  EXPECT_FLOAT_EQ(wide.z, 0.1f);
 }
 
 /// Albedo over a hemisphere of lights, of a sheen alone.

@@ -39,7 +39,8 @@ void normalise(EngineDirections& out, const EngineView& mean) {
 
 /// Lights of a plane, from -80 to 80 degrees.
 void add_plane_lights(std::vector<glm::vec3>& lights, float azimuth_deg) {
-  for (float deg = -kLastLight; deg <= kLastLight; deg += kLightStep) lights.push_back(direction(deg, azimuth_deg));
+  constexpr int kHalf = static_cast<int>(kLastLight / kLightStep);
+  for (int i = -kHalf; i <= kHalf; ++i) lights.push_back(direction(static_cast<float>(i) * kLightStep, azimuth_deg));
 }
 
 /// Adds a view with the lights [first, last), each with this part of the mean.

@@ -268,12 +268,14 @@ bool improve(EngineFit& best, const Problem& p, size_t which, float by) {
 
 EngineFit descend(EngineFit best, const Problem& p, float first_step, float last_step) {
   const size_t count = searched(best, p).size();
-  for (float step = first_step; step > last_step; step /= 2) {
+  float step = first_step;
+  while (step > last_step) {
     for (bool better = true; better;) {
       better = false;
       for (size_t which = 0; which < count; ++which)
         better |= improve(best, p, which, -step) || improve(best, p, which, step);
     }
+    step /= 2;
   }
   return best;
 }

@@ -479,8 +479,7 @@ void Renderer::Parts::read_queries(bool wait) {
   const double ns = counted(timer.get()), passed = counted(samples.get());
   stats.gpu_ms = by_clock ? clock_ms : ns * 1e-6;
   // Four samples a pixel. Where none are counted, all: only the ratio of two such numbers is used.
-  const double all = static_cast<double>(last.frame.width) * last.frame.height;
-  stats.shaded_pixels = opengl::kHasCounters ? passed / 4 : all;
+  stats.shaded_pixels = opengl::kHasCounters ? passed / 4 : static_cast<double>(last.frame.width) * last.frame.height;
   queried = false;
   if (!flyaways_queried) return;
   stats.flyaway_ms = by_clock ? clock_flyaway_ms : counted(flyaway_timer.get()) * 1e-6;

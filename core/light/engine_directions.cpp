@@ -83,21 +83,25 @@ glm::vec3 FarRadiance::even(const glm::vec3& light, const glm::vec3& view) const
   return 0.5f * (at(light, view) + at(light * turned, view * turned));
 }
 
-EngineDirections fit_directions(const FarRadiance& cloth, float plane_weight) {
+EngineDirections fit_directions(const FarRadiance& cloth, float plane_weight, float ring_weight) {
   EngineDirections out;
   for (int p = 0; p < kPlanes; ++p) add_plane_lights(out.lights, 45.0f * static_cast<float>(p));
   const size_t in_planes = out.lights.size(), in_plane = in_planes / kPlanes;
   for (const float ring : kRingsAround)
     for (int a = 0; a < kAzimuthsAround; ++a)
       out.lights.push_back(direction(ring, (static_cast<float>(a) + 0.5f) * 360 / kAzimuthsAround));
-  for (size_t p = 0; p < kPlanes; ++p) {
-    for (const float deg : kFitViews) {
+  for (const float deg : kFitViews) {
+    const float weight = deg > kSteepView ? kSteepWeight : 1.0f;
+    const size_t first = out.pairs.size();
+    for (size_t p = 0; p < kPlanes; ++p) {
       out.views.push_back(direction(deg, 45.0f * static_cast<float>(p)));
-      const float weight = deg > kSteepView ? kSteepWeight : 1.0f, plane = p % 2 == 0 ? plane_weight : kBetweenWeight;
       const size_t view = out.views.size() - 1;
+      const float plane = p % 2 == 0 ? plane_weight : kBetweenWeight;
       add_view(out, cloth, {view, deg, 0, 0, weight * plane, weight}, p * in_plane, (p + 1) * in_plane, false);
       add_view(out, cloth, {view, deg, 0, 0, weight * kAroundWeight, weight}, in_planes, out.lights.size(), true);
     }
+    if (ring_weight > 0 && deg <= kSteepView)
+      out.means.push_back({out.views.size() - 1, deg, first, out.pairs.size() - first, weight * ring_weight, 0});
   }
   return out;
 }

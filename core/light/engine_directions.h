@@ -48,8 +48,9 @@ class FarRadiance {
 };
 
 /// For a fit: views to 75 degrees in the planes along warp and weft and between them, with lights in the plane of the
-/// view and around.
-EngineDirections fit_directions(const FarRadiance& cloth, float plane_weight);
+/// view and around. Weights of the squared relative errors of means: in the planes of the threads, and over all
+/// azimuths at an elevation (0: none).
+EngineDirections fit_directions(const FarRadiance& cloth, float plane_weight, float ring_weight);
 /// The plane along the warp (or weft): views at 0, 30, 60 and 75 degrees, with lights in it to 80 degrees.
 EngineDirections plane_directions(const FarRadiance& cloth, bool warp);
 /// The grid of the response: views and lights at 0, 43, 59, 71 and 79 degrees over all azimuths.

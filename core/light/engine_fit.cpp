@@ -28,6 +28,9 @@ constexpr std::array<float, 2> kStarts[] = {{0.15f, 1}, {1, 1}};
 constexpr float kSmoothestSheen = 0.2f, kRoughestSheen = 1.0f;
 // Weight of the pair itself in the scale of an error; the rest is the mean of the view.
 constexpr float kHighlightWeight = 0.2f;
+// Of the mean over all azimuths at an elevation. A round highlight is too bright in one plane of a satin and too dim in
+// the other: only that mean can be right.
+constexpr float kRoundWeight = 30;
 constexpr float kDarkChannel = 0.15f;  // of the brightest: below, errors are relative to this
 constexpr float kHue = 0.005f;         // pull of colour factors to their mean: a dark channel is poorly determined
 constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
@@ -285,8 +288,8 @@ EngineFit descend(EngineFit best, const Problem& p, float first_step, float last
 EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                      const EngineModel& model) {
   if (texels.texels.empty()) return {};
-  const Problem p{texels, fit_directions({cloth, response}, model.planes), model, layout_of(model),
-                  bounds_of(texels, model)};
+  const Problem p{texels, fit_directions({cloth, response}, model.planes, model.anisotropic ? 0 : kRoundWeight), model,
+                  layout_of(model), bounds_of(texels, model)};
   EngineFit best;
   best.error = std::numeric_limits<float>::max();
   for (const auto& [lobe, weft] : kStarts) {

@@ -215,7 +215,7 @@ TEST_F(DrawingTest, TheTiledViewRepeatsTheDrawdownAndOutlinesTheRepeat) {
   put(draft_, straight_draft(24, 8));
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  for (int i = 0; i < 4; ++i) display_.key("ctrl+minus");
+  ASSERT_NO_FATAL_FAILURE(shrink(w, 4));
   const auto below = [&] {
     const Point last = w.cell("drawdown", 20, 24), before = w.cell("drawdown", 20, 23);
     return display_.picture({last.x, last.y + 3 * (last.y - before.y)}, {30, 30});

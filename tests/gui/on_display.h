@@ -68,13 +68,15 @@ class OnDisplay : public testing::Test {
     display_.click(w.cell("threading", end, 3));
     ASSERT_TRUE(comes_true([&] { return w.live() != before; })) << "the click painted nothing";
   }
-  /// Makes the cells larger so many times; returns when they are.
-  void enlarge(const Window& w, int times) const {
-    const auto pitch = [&] { return w.cell("drawdown", 1, 1).x - w.cell("drawdown", 2, 1).x; };
+  /// Makes the cells larger, or smaller, so many times; returns when they are.
+  void enlarge(const Window& w, int times) const { zoom(w, "ctrl+plus", times, 1); }
+  void shrink(const Window& w, int times) const { zoom(w, "ctrl+minus", times, -1); }
+  void zoom(const Window& w, const std::string& key, int times, int sign) const {
+    const auto pitch = [&] { return std::abs(w.cell("drawdown", 1, 1).x - w.cell("drawdown", 2, 1).x); };
     for (int i = 0; i < times; ++i) {
       const double before = pitch();
-      display_.key("ctrl+plus");
-      ASSERT_TRUE(comes_true([&] { return std::abs(pitch()) > std::abs(before); })) << "the cells stay as they are";
+      display_.key(key);
+      ASSERT_TRUE(comes_true([&] { return sign * pitch() > sign * before; })) << "the cells stay as they are";
     }
   }
   /// Clicks a control once it is there.

@@ -157,7 +157,7 @@ TEST_P(PressTest, IsOneCrossingThoughTheWindowOrThePitchChangesMeanwhile) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   for (const char* meanwhile : {"key ctrl+plus", "keydown ctrl click 4 click 4 keyup ctrl", "click 5 click 5",
-                                "key End", "search --onlyvisible --class weftlight windowsize 1100 700 sleep 0.6"}) {
+                                "key End", "search --onlyvisible --class weftlight windowsize 1100 700"}) {
     if (HasFailure()) return;
     const design::Design now = design_of(w.live());
     const Point at = cell(w, "drawdown", 24, 24);

@@ -110,7 +110,6 @@ TEST_F(DeskTest, EscapeClosesTheListAndKeepsTheDialog) {
   ASSERT_TRUE(comes_true([&] { return w.has("weave.lean:left"); }));
   display_.key("Escape");
   ASSERT_TRUE(comes_true([&] { return !w.has("weave.lean:left"); })) << "the list stays";
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   ASSERT_TRUE(w.has("dialog:Create")) << "Escape threw the dialog away";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
@@ -156,7 +155,6 @@ TEST_F(DeskTest, ARatioThatCannotBeReadMakesNoDraft) {
   display_.type("3/x");
   ASSERT_TRUE(comes_true([&] { return w.has("weave.refused"); })) << "3/x was mended in silence";
   display_.click(w.middle_of("dialog:Create"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
   EXPECT_TRUE(w.has("dialog:Create"));
   EXPECT_EQ(w.live(), before);
   display_.click(w.middle_of("weave.ratio"));

@@ -25,7 +25,7 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto kPatience = 60s;  // on a machine that is busy with other things
 constexpr auto kPause = 20ms;
-constexpr const char* kPauseS = "0.07";  // between move, press and release; with less, clicks get lost
+constexpr const char* kPauseS = "0.005";  // between move, press and release
 
 std::string output_of(const std::string& command) {
   std::string text;
@@ -132,7 +132,9 @@ Display::Display(int width, int height) {
 }
 
 std::string Display::hand(const std::string& words) const {
-  return output_of("DISPLAY=" + name_ + " xdotool " + words + " 2>/dev/null");
+  std::string said = output_of("DISPLAY=" + name_ + " xdotool " + words + " 2>/dev/null");
+  wait_for_windows(name_);
+  return said;
 }
 
 void Display::move(Point to) const { hand("mousemove " + at(to)); }
@@ -163,13 +165,12 @@ void Display::click_holding(const std::string& key, Point where) const {
 
 void Display::focus() const { hand("windowfocus 1 sleep 0.2 search --onlyvisible --class weftlight windowfocus"); }
 
-void Display::type(const std::string& text) const { hand("type --delay 40 '" + text + "'"); }
+void Display::type(const std::string& text) const { hand("type --delay 5 '" + text + "'"); }
 
-void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 60 " + keys); }
+void Display::key(const std::string& keys) const { hand("key --clearmodifiers --delay 5 " + keys); }
 
 void Display::resize(int width, int height) const {
-  hand("search --onlyvisible --class weftlight windowsize " + std::to_string(width) + " " + std::to_string(height) +
-       " sleep 0.6");
+  hand("search --onlyvisible --class weftlight windowsize " + std::to_string(width) + " " + std::to_string(height));
 }
 
 std::string Display::picture(Point where, Point size) const {

@@ -45,6 +45,7 @@ struct Point {
   double x = 0, y = 0;
 };
 
+/// What it does with pointer and keys returns once the window has taken it and drawn what came of it.
 class Display {
  public:
   Display(int width, int height);
@@ -66,7 +67,6 @@ class Display {
   void type(const std::string& text) const;
   /// Gives the window the keyboard focus.
   void focus() const;
-  /// A screenshot of the window; waits until it is drawn.
   void resize(int width, int height) const;
   /// The pixels of a rectangle, as a PPM file.
   std::string picture(Point at, Point size) const;

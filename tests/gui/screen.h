@@ -8,4 +8,8 @@ namespace weftlight::gui {
 /// The pixels of a rectangle as a PPM file of 8 bits, as far as it is on the screen; empty if the display has gone.
 std::string screen_part(const std::string& display, int x, int y, int width, int height);
 
+/// Returns once every window of the display has taken all input sent so far and has drawn what came of it. A window
+/// that does not answer is waited for no longer than ten seconds.
+void wait_for_windows(const std::string& display);
+
 }  // namespace weftlight::gui

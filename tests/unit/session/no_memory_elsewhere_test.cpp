@@ -12,11 +12,13 @@
 
 #include "../scarce_memory.h"
 #include "../scratch_fixture.h"
+#include "../variable.h"
 #include "base/caught.h"
 #include "base/loops.h"
 #include "base/tasks.h"
 #include "cloth/cloth.h"
 #include "cloth/maps.h"
+#include "design/edits.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
 #include "paths.h"
@@ -30,7 +32,10 @@
 #include "session/recovery/journal.h"
 #include "session/recovery/recovery.h"
 #include "session/report.h"
+#include "session/saver.h"
+#include "session/session.h"
 #include "weaves/weaves.h"
+#include "wif/wif.h"
 
 namespace weftlight::session {
 namespace {
@@ -203,6 +208,78 @@ TEST_F(NoMemoryElsewhere, AThumbnailIsThereOrUnreadable) {
     }
     EXPECT_NE(made[0].second.state, DraftThumbnail::State::kMissing) << n;
   }
+}
+
+TEST_F(NoMemoryElsewhere, ASaveFailsOrWritesTheWholeFile) {
+  const std::string file = written("x.wif", wif::write_new_wif(*design_));
+  base::TaskRunner writing;
+  Session session(path("recovery"), Document(*design_));
+  Saver saver(session, writing);
+  const uint64_t id = session.add(std::move(*open_document(file).document), Origin::kOwn).id;
+  uint64_t stroke = 0;
+  for (const int n : numbers()) {
+    const std::string old = base::read_file(file).value_or("");
+    const bool up = ++stroke % 2 == 1;
+    session.commit({"Paint", [=](design::Design d) { return design::with_threading(std::move(d), 0, 1, up); }}, stroke);
+    session.settle();  // the journal has a test of its own
+    std::optional<bool> saved;
+    {
+      const NthFailsElsewhere fails(n);
+      saver.save(id, file, true, [&](const SaveResult& result) { saved = is_written(result); });
+      ASSERT_TRUE(comes_true([&] { return writing.take(), saved.has_value(); })) << n << ": nobody is told";
+    }
+    const std::string now = base::read_file(file).value_or("");
+    if (!*saved) {
+      EXPECT_EQ(now, old) << n;
+    }
+    EXPECT_TRUE(wif::read_wif(now).file) << n << ": half a file";
+    EXPECT_EQ(session.unsaved().empty(), *saved) << n;
+    EXPECT_EQ(session.active().document.now().draft.threading.get(0, 1), up) << n << ": a stroke is lost";
+  }
+  saver.save(id, file, true, {});
+  ASSERT_TRUE(comes_true([&] { return writing.take(), !saver.saving(0); }));
+  EXPECT_EQ(wif::read_wif(base::read_file(file).value_or("")).file->design, session.active().document.now());
+}
+
+TEST_F(NoMemoryElsewhere, ADrapeSaysSo) {
+  const Variable cache("XDG_CACHE_HOME", path("cache"));
+  design::Design cloth = *design_;
+  cloth.scene.mesh = "sphere", cloth.scene.simulated_drape = true;
+  const auto draped = std::make_shared<const design::Design>(std::move(cloth));
+  Draper draper([] {});
+  int failures = 0;
+  for (const int n : numbers()) {
+    const NthFailsElsewhere fails(n);
+    draper.again(draped);
+    // It begins to fall and is stopped, or it fails.
+    ASSERT_TRUE(comes_true([&] { return !draper.busy() || draper.state().share > 0; })) << n;
+    if (draper.state().stage == DrapeStage::kFailed) {
+      EXPECT_NE(draper.state().problem, "") << n;
+      EXPECT_NE(draper.take_update().message, "") << n;
+      ++failures;
+    }
+    draper.stop();
+  }
+  EXPECT_GT(failures, 5);
+  draper.again(draped);
+  EXPECT_TRUE(comes_true([&] { return draper.state().share > 0; })) << "it does not fall any more";
+  draper.stop();
+}
+
+TEST_F(NoMemoryElsewhere, ARayTracedPictureSaysSo) {
+  TraceJob job{design_, design_->scene, 0, {}, {}};
+  job.around = job.preview = files::Image{8, 8, 3, std::vector<float>(size_t{8} * 8 * 3)};
+  int failures = 0;
+  for (const int n : numbers()) {
+    std::optional<base::Result<PictureComparison>> made;
+    ReferenceTracer tracer;
+    const NthFailsElsewhere fails(n);
+    tracer.start(job);
+    ASSERT_TRUE(comes_true([&] { return (made = tracer.take()).has_value(); })) << n;
+    failures += *made ? 0 : 1;
+    tracer.stop();
+  }
+  EXPECT_GT(failures, 5);
 }
 
 TEST_F(NoMemoryElsewhere, ALoomIsCalledAgain) {

@@ -201,6 +201,28 @@ Plane<float> bake_field(Maps& maps, const Cloth& cloth, const SampleGrid& grid, 
   return height;
 }
 
+std::vector<Sweep> sweeps_of(const Cloth& cloth, int w, int h, int azimuths) {
+  std::vector<Sweep> sweeps;
+  for (int k = 0; k < azimuths; ++k) sweeps.push_back(sweep_of(cloth, w, h, azimuths, k));
+  return sweeps;
+}
+
+/// The horizons of a window from the heights of the field around it.
+void sweep_field(Maps& maps, const Plane<float>& height, const std::vector<Sweep>& sweeps, const TexelRect& field,
+                 const TexelRect& window, const MapsSize& whole) {
+  const Plane<float> turned = maps.azimuths > 0 ? transposed(height) : Plane<float>{};
+  for_each_job(maps.azimuths, whole.threads, [&](int k) {
+    Sweep s = sweeps[static_cast<size_t>(k)];
+    s.first = s.along_x ? field.x0 : field.y0, s.first_line = s.along_x ? field.y0 : field.x0;
+    maps.horizon[static_cast<size_t>(k)] =
+        cut_out(horizon(height, turned, s, window), field, window, whole.width, whole.height);
+  });
+}
+
+void bake_occlusion_rows(Maps& maps, int width, int height, int threads) {
+  for_each_row_band(height, threads, [&](int y0, int y1) { bake_occlusion(maps, {0, y0, width, y1}); });
+}
+
 TexelRect cut_to_period(const TexelRect& window, int w, int h) {
   const int x1 = window.x0 + std::clamp(width_of(window), 1, std::min(w, kLargestMap));
   const int y1 = window.y0 + std::clamp(height_of(window), 1, std::min(h, kLargestMap));
@@ -246,8 +268,10 @@ Maps bake(const Cloth& cloth, const MapsSize& size) {
   return bake(cloth, whole, {0, 0, whole.width, whole.height});
 }
 
-Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
-  const int w = std::clamp(whole.width, 1, kLargestWhole), h = std::clamp(whole.height, 1, kLargestWhole);
+Maps bake(const Cloth& cloth, const MapsSize& size, const TexelRect& window) {
+  MapsSize whole = size;
+  whole.width = std::clamp(size.width, 1, kLargestWhole), whole.height = std::clamp(size.height, 1, kLargestWhole);
+  const int w = whole.width, h = whole.height;
   const TexelRect shown = cut_to_period(window, w, h);
   Maps maps = empty_maps(width_of(shown), height_of(shown), whole);
   maps.width_mm = cloth.width_mm * (static_cast<float>(width_of(shown)) / static_cast<float>(w));
@@ -257,21 +281,35 @@ Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window) {
     for (auto& plane : maps.horizon) plane = Plane<uint8_t>(width_of(shown), height_of(shown));
     return maps;
   }
-  std::vector<Sweep> sweeps;
-  for (int k = 0; k < maps.azimuths; ++k) sweeps.push_back(sweep_of(cloth, w, h, maps.azimuths, k));
+  const std::vector<Sweep> sweeps = sweeps_of(cloth, w, h, maps.azimuths);
   const TexelRect field = field_around(shown, sweeps, w, h);
   Plane<float> height =
       bake_field(maps, cloth, sample_grid(cloth, w, h, whole.samples_a_thread), field, shown, whole.threads);
-  const Plane<float> turned = maps.azimuths > 0 ? transposed(height) : Plane<float>{};
-  for_each_job(maps.azimuths, whole.threads, [&](int k) {
-    Sweep s = sweeps[static_cast<size_t>(k)];
-    s.first = s.along_x ? field.x0 : field.y0, s.first_line = s.along_x ? field.y0 : field.x0;
-    maps.horizon[static_cast<size_t>(k)] = cut_out(horizon(height, turned, s, shown), field, shown, w, h);
-  });
+  sweep_field(maps, height, sweeps, field, shown, whole);
   maps.height_mm = cut_out(std::move(height), field, shown, w, h);
-  for_each_row_band(height_of(shown), whole.threads, [&](int y0, int y1) {
-    bake_occlusion(maps, {0, y0, width_of(shown), y1});
-  });
+  bake_occlusion_rows(maps, width_of(shown), height_of(shown), whole.threads);
+  return maps;
+}
+
+Maps bake_horizons(const Cloth& cloth, const MapsSize& size) {
+  MapsSize whole = size;
+  whole.width = std::clamp(size.width, 1, kLargestMap), whole.height = std::clamp(size.height, 1, kLargestMap);
+  const int w = whole.width, h = whole.height;
+  const TexelRect all{0, 0, w, h};
+  Maps maps;
+  maps.width_mm = cloth.width_mm, maps.depth_mm = cloth.depth_mm;
+  maps.azimuths = std::clamp(whole.azimuths, 0, kMaxAzimuths);
+  maps.horizon.resize(static_cast<size_t>(maps.azimuths));
+  maps.occlusion = Plane<float>(w, h, 1.0f);
+  if (is_empty(cloth)) {
+    for (auto& plane : maps.horizon) plane = Plane<uint8_t>(w, h);
+    return maps;
+  }
+  // No texel is in maps whose planes are empty, so that only heights are kept.
+  const Plane<float> height =
+      bake_field(maps, cloth, sample_grid(cloth, w, h, whole.samples_a_thread), all, all, whole.threads);
+  sweep_field(maps, height, sweeps_of(cloth, w, h, maps.azimuths), all, all, whole);
+  bake_occlusion_rows(maps, w, h, whole.threads);
   return maps;
 }
 

@@ -67,6 +67,10 @@ Maps bake(const Cloth& cloth, const MapsSize& size);
 /// one period and 16384 texels a side. width_mm and depth_mm are the window's.
 Maps bake(const Cloth& cloth, const MapsSize& whole, const TexelRect& window);
 
+/// Only the horizons and the occlusion that bake(cloth, size) would give, bit for bit, in a third of the memory; all
+/// other planes are empty.
+Maps bake_horizons(const Cloth& cloth, const MapsSize& size);
+
 /// Rebakes the part of `maps` (baked as a whole from `before`) that the changed cells of `after` can affect. Both
 /// cloths must have the same thread positions. The result equals bake(after, size) bit for bit. Returns disjoint
 /// rectangles that hold every changed texel.

@@ -26,9 +26,6 @@ enum class PixelType { kU8, kU16, kHalf, kFloat };
 /// caller encodes sRGB. `channels`: names for an .exr, one per channel or none; other formats do not store them.
 base::Result<void> write_image(const std::string& path, const Image& image, PixelType type,
                                const std::vector<std::string>& channels = {});
-/// Writes a tiled EXR with a mip chain; each level has half the size of the one before. `type`: kHalf or kFloat.
-base::Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                                       const std::vector<std::string>& channels = {});
 struct ImageSize {
   int width = 0, height = 0;  // pixels
 };

@@ -14,9 +14,13 @@ class ImageRows {
   /// Opens .png or .exr by extension. `names`: of the channels of an .exr, or none.
   static base::Result<std::unique_ptr<ImageRows>> open(const std::string& path, int width, int height, int channels,
                                                        PixelType type, const std::vector<std::string>& names);
+  /// Opens a tiled .exr of half floats with all mip levels: level k has max(width >> k, 1) x max(height >> k, 1)
+  /// texels, down to 1 x 1. Of the finest level a row of tiles is in memory, the others are as a whole.
+  static base::Result<std::unique_ptr<ImageRows>> open_mipmapped(const std::string& path, int width, int height,
+                                                                 const std::vector<std::string>& names);
   ~ImageRows();
-  /// Writes the next rows; they have the width and channels of the image.
-  base::Result<void> add(const Image& band);
+  /// Writes the next rows of a level; they have its width and the channels of the image.
+  base::Result<void> add(const Image& band, int level = 0);
   /// Call it after the last row. On the disk it is when it is put in place (platform/durable_file.h).
   base::Result<void> close();
 

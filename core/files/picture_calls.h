@@ -16,8 +16,6 @@ using Names = std::vector<std::string>;
 /// The functions of files.h, image_rows.h, scaled.h and environment.h.
 struct PictureCalls {
   base::Result<void> (*write_image)(const std::string& path, const Image&, PixelType, const Names&);
-  base::Result<void> (*write_mipmapped_exr)(const std::string& path, const std::vector<Image>&, PixelType,
-                                            const Names&);
   base::Result<ImageSize> (*read_image_size)(const std::string& path);
   base::Result<Image> (*read_image)(const std::string& path, int level);
   std::vector<unsigned char> (*encode_png)(const Image&, PixelType);
@@ -28,7 +26,8 @@ struct PictureCalls {
   // An ImageRows of the library, which alone knows what it is.
   base::Result<void*> (*open_rows)(const std::string& path, int width, int height, int channels, PixelType,
                                    const Names&);
-  base::Result<void> (*add_rows)(void*, const Image& band);
+  base::Result<void*> (*open_mipmapped_rows)(const std::string& path, int width, int height, const Names&);
+  base::Result<void> (*add_rows)(void*, const Image& band, int level);
   base::Result<void> (*close_rows)(void*);
   void (*end_rows)(void*);
 };

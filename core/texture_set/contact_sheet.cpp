@@ -18,6 +18,7 @@ namespace {
 
 // Pixels of the sheet.
 constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40;
+constexpr int kCell = kTile + kLabel + kGap, kBig = 2 * kTile + kGap, kBigHeight = 2 * kCell - kGap - kLabel;
 constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f, 0.17f}, kFaint{0.45f, 0.45f, 0.45f};
 
 std::vector<float> ink(const std::array<float, 3>& c) { return {c.begin(), c.end()}; }
@@ -154,25 +155,28 @@ Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repe
   return out;
 }
 
-Image contact_sheet(const std::string& title, const std::string& facts, const SurfaceTexels& front,
+Image sheet_swatch(const SurfaceTexels& front) {
+  // Enough repeats for about thirty threads across.
+  const float repeats = std::max(2.0f, std::ceil(24.0f / std::max(front.width_mm, 0.1f)));
+  return lit_swatch(front, kBig, kBigHeight, std::min(repeats, 40.0f));
+}
+
+Image contact_sheet(const std::string& title, const std::string& facts, const Image& swatch,
                     const std::vector<SheetEntry>& entries) {
-  const int cell = kTile + kLabel + kGap, columns = columns_for(entries.size());
+  const int columns = columns_for(entries.size());
   const int rows = std::max((static_cast<int>(entries.size()) + 4 + columns - 1) / columns, 2);
-  Image sheet{2 * kMargin + columns * (kTile + kGap) - kGap, kMargin + kHead + rows * cell, 3, {}};
+  Image sheet{2 * kMargin + columns * (kTile + kGap) - kGap, kMargin + kHead + rows * kCell, 3, {}};
   sheet.texels.resize(static_cast<size_t>(sheet.width) * static_cast<size_t>(sheet.height) * 3);
   for (size_t i = 0; i < sheet.texels.size(); ++i) sheet.texels[i] = kPaper[i % 3];
   draw_text(sheet, kMargin, kMargin + 30, 34, title, ink(kInk));
   draw_text(sheet, kMargin, kMargin + 62, 17, facts, ink(kFaint));
 
-  const int big = 2 * kTile + kGap, big_height = 2 * cell - kGap - kLabel;
-  // Enough repeats for about thirty threads across.
-  const float repeats = std::max(2.0f, std::ceil(24.0f / std::max(front.width_mm, 0.1f)));
-  paste(sheet, kMargin, kMargin + kHead, lit_swatch(front, big, big_height, std::min(repeats, 40.0f)));
-  draw_text(sheet, kMargin, kMargin + kHead + big_height + 22, 17, tr("lit, tiled"), ink(kInk));
+  paste(sheet, kMargin, kMargin + kHead, swatch);
+  draw_text(sheet, kMargin, kMargin + kHead + kBigHeight + 22, 17, tr("lit, tiled"), ink(kInk));
   int slot = 0;
   for (const SheetEntry& entry : entries) {
     while (slot / columns < 2 && slot % columns < 2) ++slot;
-    const int left = kMargin + (slot % columns) * (kTile + kGap), top = kMargin + kHead + (slot / columns) * cell;
+    const int left = kMargin + (slot % columns) * (kTile + kGap), top = kMargin + kHead + (slot / columns) * kCell;
     paste(sheet, left, top, entry.image);
     draw_text(sheet, left, top + kTile + 22, 17, entry.label, ink(kInk));
     ++slot;

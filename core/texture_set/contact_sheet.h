@@ -22,8 +22,10 @@ Image thumbnail(const Image& image);
 /// The same for thread indices (thread low, thread high, system), each in a different colour.
 Image thread_thumbnail(const Image& image);
 
-/// sRGB-encoded RGB.
-Image contact_sheet(const std::string& title, const std::string& facts, const SurfaceTexels& front,
+/// The large picture of the sheet: lit_swatch() of the front.
+Image sheet_swatch(const SurfaceTexels& front);
+/// sRGB-encoded RGB. `swatch`: a sheet_swatch().
+Image contact_sheet(const std::string& title, const std::string& facts, const Image& swatch,
                     const std::vector<SheetEntry>& entries);
 
 /// A flat swatch under one light from the upper left, with fibre highlights; sRGB-encoded RGB, `repeats_across` repeats

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "files/mip_file.h"
@@ -16,6 +17,10 @@ using files::MipContainer;
 using light::EngineModel;
 
 struct SetFacts;
+class FaceSource;
+
+/// PNG files within another file.
+using EmbeddedImages = std::vector<std::vector<unsigned char>>;
 
 /// Alpha mode of the gaps between threads.
 enum class Alpha { kAuto, kOpaque, kMask, kHashed, kBlend };
@@ -59,6 +64,9 @@ struct ExportTarget {
   base::Result<void> (*write_material)(const SetFacts&) = nullptr;  // all files but the images
   bool wears_mesh = false;                                          // the material comes on the chosen mesh
   bool embeds_images = false;                                       // and its file contains the images a second time
+
+  // Images that its material contains, made while the texels of a face are in memory.
+  EmbeddedImages (*embedded)(const FaceSource&) = nullptr;
 
   const char* note = "";  // sentence for the README of a set, after a blank; show tr(note)
 };

@@ -9,7 +9,7 @@
 namespace weftlight::texture_set {
 
 using base::for_each_job;
-using cloth::MapsSize, cloth::bake;
+using cloth::MapsSize, cloth::bake, cloth::bake_horizons;
 using light::ClothResponse, light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart,
     light::check_engine, light::engine_texels, light::fit_engine, light::footprint_lobe, light::grain_of,
     light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
@@ -23,6 +23,7 @@ constexpr int64_t kMaxCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
 constexpr int64_t kMaxRawTexels = int64_t{1} << 22;     // with the horizons of raw sets
 constexpr int64_t kMaxPieceTexels = int64_t{1} << 16;   // of the maps; about 5 MB
 constexpr int kMaxPieceSide = 16384;                    // of a window of the maps
+constexpr int64_t kMaxBandTexels = int64_t{1} << 18;    // of the maps of a raw set, made on all cores; about 14 MB
 constexpr int kSmallSide = 1024;
 constexpr int kSamplesPerThread = 4;
 // Texels per thread above which one sample per texel is enough, since samples hold the coverage of their thread. Error
@@ -49,7 +50,9 @@ int coarsening(const Cloth& cloth, TextureSize size, int factor, bool horizon) {
   const int64_t most = horizon ? kMaxRawTexels : kMaxCoarseTexels;
   const int width = size.width * factor, height = size.height * factor;
   int shrink = 1;
-  while (int64_t{width} / shrink * (int64_t{height} / shrink) > most) shrink *= 2;
+  while (int64_t{width} / shrink * (int64_t{height} / shrink) > most ||
+         std::max(width, height) / shrink > kMaxPieceSide)
+    shrink *= 2;
   const auto ample = [&](int by) {
     return std::max(width, height) / by >= kCoarseSide &&
            texels_per_thread(cloth, width / by, height / by) >= kCoarseTexels;
@@ -146,26 +149,66 @@ FaceSource::FaceSource(Tile tile, const FaceOptions& options)
   measure_range();
 }
 
-void FaceSource::make_whole() {
+void FaceSource::make_raw() {
   const Cloth& cloth = tile_.cloth;
   const int width = options_.size.width, height = options_.size.height;
-  const int shrink = coarsening(cloth, options_.size, factor_, options_.horizon);
+  const int shrink = coarsening(cloth, options_.size, factor_, true);
+  const int coarse_x = std::max(width * factor_ / shrink, 1), coarse_y = std::max(height * factor_ / shrink, 1);
+  const int small_x = std::min({width, kSmallSide, coarse_x}), small_y = std::min({height, kSmallSide, coarse_y});
+  Maps sky = bake_horizons(cloth, {coarse_x, coarse_y, kAzimuths});
+  horizons_ = std::move(sky.horizon);
+  small_ = {cloth.width_mm, cloth.depth_mm, Plane<SurfaceTexel>(small_x, small_y)};
+  const int block = coarse_y / small_y;
+  int band = small_y;
+  while (band > 1 && int64_t{coarse_x} * block * band > kMaxBandTexels) band /= 2;
+  for (int y = 0; y < small_y; y += band) {
+    Maps maps = bake(cloth, {coarse_x, coarse_y, 0}, {0, y * block, coarse_x, (y + band) * block});
+    std::copy_n(sky.occlusion.row(y * block), maps.occlusion.at_.size(), maps.occlusion.row(0));
+    const SurfaceTexels rows = make_surface(cloth, maps, small_x, band);
+    std::ranges::copy(rows.texels.at_, small_.texels.row(y));
+  }
+  if (whole() != nullptr) return;
+  (shrink == 1 ? sharp_occlusion_ : occlusion_) = std::move(sky.occlusion);
+  const int threads = static_cast<int>(std::max(cloth.ends.size(), cloth.picks.size()));
+  if (static_cast<float>(std::max(coarse_x, coarse_y)) < kOcclusionTexels * static_cast<float>(threads))
+    occlusion_ = {};
+}
+
+void FaceSource::make_whole() {
+  if (options_.horizon) return make_raw();
+  const Cloth& cloth = tile_.cloth;
+  const int width = options_.size.width, height = options_.size.height;
+  const int shrink = coarsening(cloth, options_.size, factor_, false);
   const int coarse_x = std::max(width * factor_ / shrink, 1), coarse_y = std::max(height * factor_ / shrink, 1);
   Maps maps = bake(cloth, {coarse_x, coarse_y, kAzimuths});
   if (options_.fitted) measure(cloth, maps);
   const int small_x = std::min({width, kSmallSide, coarse_x}), small_y = std::min({height, kSmallSide, coarse_y});
-  if (!options_.horizon) maps.horizon.clear();
+  maps.horizon.clear();
   small_ = make_surface(cloth, maps, small_x, small_y);
+  if (whole() != nullptr) return;
   if (shrink == 1 && small_x == width && small_y == height) {
-    whole_ = {small_.width_mm, small_.depth_mm, small_.texels, {}, {}};
+    whole_ = small_;
   } else if (shrink == 1) {
-    maps.horizon.clear();
     whole_ = make_surface(cloth, maps, width, height);
   } else {
     const float threads = static_cast<float>(std::max(cloth.ends.size(), cloth.picks.size()));
     if (static_cast<float>(std::max(coarse_x, coarse_y)) >= kOcclusionTexels * threads)
       occlusion_ = std::move(maps.occlusion);
   }
+}
+
+/// The unfitted face at its full size, if it is kept.
+const SurfaceTexels* FaceSource::whole() const {
+  if (whole_.texels.width > 0) return &whole_;
+  const bool is_small =
+      small_.texels.width == options_.size.width && small_.texels.height == options_.size.height && !options_.fitted;
+  return is_small ? &small_ : nullptr;
+}
+
+void FaceSource::release() {
+  small_.texels = {}, whole_.texels = {};
+  horizons_ = {};
+  occlusion_ = {}, sharp_occlusion_ = {}, footprints_ = {};
 }
 
 void FaceSource::make_from_part() {
@@ -185,13 +228,22 @@ void FaceSource::make_from_part() {
 
 void FaceSource::measure_range() {
   small_.low_mm = 1e9f, small_.high_mm = -1e9f;
-  double sum = 0;
+  double smoothness = 0;
+  FaceMeans sum;
   for (const SurfaceTexel& t : small_.texels.at_) {
     small_.low_mm = std::min(small_.low_mm, t.height_mm), small_.high_mm = std::max(small_.high_mm, t.height_mm);
     const GgxAlphas a = ggx_alphas(t);
-    sum += 1 - std::sqrt(std::sqrt(static_cast<double>(a.wide * a.narrow)));
+    const double roughness = std::sqrt(std::sqrt(static_cast<double>(a.wide * a.narrow)));
+    smoothness += 1 - roughness, sum.roughness += roughness;
+    sum.aspect += a.wide > 0 ? std::clamp((1 - static_cast<double>(a.narrow / a.wide)) / 0.9, 0.0, 1.0) : 0.0;
+    sum.sheen += static_cast<double>(std::max({t.sheen.r, t.sheen.g, t.sheen.b}));
+    sum.metal += static_cast<double>(t.metal);
+    sum.transmitted += static_cast<double>((t.transmitted.r + t.transmitted.g + t.transmitted.b) / 3);
   }
-  small_.smoothness = static_cast<float>(sum / static_cast<double>(small_.texels.at_.size()));
+  const auto texels = static_cast<double>(small_.texels.at_.size());
+  small_.smoothness = static_cast<float>(smoothness / texels);
+  means_ = {sum.roughness / texels, sum.aspect / texels, sum.sheen / texels, sum.metal / texels,
+            sum.transmitted / texels};
   small_.first_turn = axis_cut(small_.texels.at_);
 }
 
@@ -306,10 +358,12 @@ void FaceSource::measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) c
 }
 
 SurfaceTexels FaceSource::piece(int x0, int x1, int y0, int y1) const {
-  const MapsSize whole{options_.size.width * factor_, options_.size.height * factor_,
-                       occlusion_.width > 0 ? 0 : kAzimuths, 1};
-  Maps maps = bake(tile_.cloth, whole, {x0 * factor_, y0 * factor_, x1 * factor_, y1 * factor_});
+  const bool has_occlusion = occlusion_.width > 0 || sharp_occlusion_.width > 0;
+  const MapsSize all{options_.size.width * factor_, options_.size.height * factor_, has_occlusion ? 0 : kAzimuths, 1};
+  Maps maps = bake(tile_.cloth, all, {x0 * factor_, y0 * factor_, x1 * factor_, y1 * factor_});
   maps.horizon.clear();
+  for (int y = 0; sharp_occlusion_.width > 0 && y < maps.occlusion.height; ++y)
+    std::copy_n(sharp_occlusion_.row(y0 * factor_ + y) + x0 * factor_, maps.occlusion.width, maps.occlusion.row(y));
   return make_surface(tile_.cloth, maps, x1 - x0, y1 - y0, 1);
 }
 
@@ -322,12 +376,9 @@ SurfaceTexels FaceSource::finished(SurfaceTexels raw, int y0, int level_height) 
 
 SurfaceTexels FaceSource::raw_rows(int y0, int y1) const {
   const int width = options_.size.width;
-  SurfaceTexels out{small_.width_mm, small_.depth_mm, Plane<SurfaceTexel>(width, y1 - y0), {}, {}};
-  out.low_mm = small_.low_mm, out.high_mm = small_.high_mm, out.smoothness = small_.smoothness,
-  out.first_turn = small_.first_turn;
-  if (whole_.texels.width > 0) {
-    std::copy(whole_.texels.row(y0), whole_.texels.row(y0) + static_cast<ptrdiff_t>(width) * (y1 - y0),
-              out.texels.at_.begin());
+  SurfaceTexels out = blank_like(small_, width, y1 - y0);
+  if (const SurfaceTexels* all = whole()) {
+    std::copy_n(all->texels.row(y0), out.texels.at_.size(), out.texels.at_.begin());
     return out;
   }
   const int step = std::min(width, kMaxPieceSide / factor_);

@@ -1,6 +1,7 @@
 #pragma once
 // One face of a cloth at the size of its images, made band by band, so that memory does not grow with the size. The
-// whole face exists in few texels, for far-field properties; rows of the full size are supersampled on demand.
+// whole face exists in few texels, for far-field properties, until release(); rows of the full size are supersampled on
+// demand.
 
 #include <array>
 #include <memory>
@@ -29,11 +30,17 @@ int supersampling(const Cloth& cloth, TextureSize size);
 
 struct FaceOptions {
   TextureSize size;
-  bool horizon = false;  // kept in small()
+  bool horizon = false;  // there are horizons()
   bool fitted = true;    // colours, sheen and occlusion are fitted to an engine; false: those of the cloth
   EngineModel model;     // of the engine
   std::optional<EngineModel> older{};  // a second model, for older_fit()
   float footprint_mm = 0;              // of a pixel, whose microfacets the roughness includes; 0: those of a texel only
+};
+
+/// Means over the texels of small().
+struct FaceMeans {
+  double roughness = 0, aspect = 0;  // aspect: anisotropy, narrow / wide = 1 - 0.9 a
+  double sheen = 0, metal = 0, transmitted = 0;
 };
 
 /// Deterministic: the bits do not depend on the bands.
@@ -62,10 +69,18 @@ class FaceSource {
   const std::array<std::vector<EngineScore>, 2>& plane_scores() const { return plane_scores_; }
   float coverage() const { return coverage_; }  // mean, 0..1
   Linear mean_base() const { return mean_base_; }
+  const FaceMeans& means() const { return means_; }
   TextureSize size() const { return options_.size; }
+  /// Of the whole face, as in Maps, at most 2^22 texels each; size of an image of them.
+  const std::vector<Plane<uint8_t>>& horizons() const { return horizons_; }
+  TextureSize horizon_size() const { return {small_.texels.width, small_.texels.height}; }
+  /// Frees all texels: from here on there are no rows, no horizons and no texels in small(). All else stays.
+  void release();
 
  private:
   void make_whole();
+  void make_raw();
+  const SurfaceTexels* whole() const;
   void make_from_part();
   void measure(const Cloth& cloth, const Maps& maps);
   void measure_lean();
@@ -81,8 +96,9 @@ class FaceSource {
   FaceOptions options_;
   int factor_ = 1, band_ = 1;
   SurfaceTexels small_, whole_;  // whole_: empty where the face is too large for one piece
-  // Of the coarse maps, or the mean of a part's repeats; empty: each piece computes its own.
-  Plane<float> occlusion_;
+  std::vector<Plane<uint8_t>> horizons_;
+  // Of the coarse maps, or the mean of a part's repeats; empty: each piece computes its own, or has sharp_occlusion_.
+  Plane<float> occlusion_, sharp_occlusion_;
   int occlusion_across_ = 1, occlusion_up_ = 1;  // repetitions of it in the face
   Plane<glm::vec3> footprints_;                  // covariance of the microfacets, scaled by the fit
   float weight_ = 0;                             // weight of the lobe of the footprint in that of a texel
@@ -93,6 +109,7 @@ class FaceSource {
   glm::vec2 lean_{0};  // mean slope of the normals (light::straightened)
   float coverage_ = 1, occlusion_gain_ = 1;
   Linear mean_base_;
+  FaceMeans means_;
 };
 
 }  // namespace weftlight::texture_set

@@ -35,6 +35,7 @@ struct SetFacts {
   const FaceSource& back;
   const Mesh& mesh;
   const Constants& constants;
+  const std::array<EmbeddedImages, 2>& embedded;  // front, back
   MipChoice mips{};
   UvMapping uv{};
   const FaceSource& of(Face face) const { return face == Face::kFront ? front : back; }

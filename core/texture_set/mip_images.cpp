@@ -31,7 +31,7 @@ std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size) {
   for (int width = size.width, height = size.height; width > small.texels.width || height > small.texels.height;
        width /= 2, height /= 2)
     out.push_back(1);
-  SurfaceTexels level{small.width_mm, small.depth_mm, small.texels, {}, {}};
+  SurfaceTexels level{small.width_mm, small.depth_mm, small.texels};
   const std::vector<float> finest = coverages(level);
   const auto above = std::count_if(finest.begin(), finest.end(), [](float c) { return c >= kCut; });
   const double wanted = static_cast<double>(above) / static_cast<double>(finest.size());
@@ -58,7 +58,7 @@ bool has_mips(const ImageRow& row, const MipChoice& choice) {
 }
 
 MipImages::MipImages(std::span<const ImageRow> rows, const FaceSource& source, const MipChoice& choice, bool cut_out)
-    : source_(source), choice_(choice), all_rows_(rows) {
+    : source_(source), choice_(choice), all_rows_(rows), cascade_(source.size()) {
   if (choice.container && cut_out) scales_ = mask_scales(source.small(), source.size());
 }
 
@@ -105,29 +105,19 @@ Result<void> MipImages::write(int level, const std::vector<Image>& images) {
   return {};
 }
 
+RowCascade::Done MipImages::written() {
+  return [this](int level, int y, const SurfaceTexels& rows) { return write(level, packed_level(rows, level, y)); };
+}
+
 Result<void> MipImages::add(Band band) {
   for (size_t k = 0; k < band.levels.size(); ++k)
     if (Result<void> written = write(static_cast<int>(k), band.levels[k]); !written) return written;
-  first_rest_ = static_cast<int>(band.levels.size()) - 1;
-  rest_.push_back(std::move(band.rest));
-  return {};
+  return cascade_.add(static_cast<int>(band.levels.size()) - 1, std::move(band.rest), written());
 }
 
 Result<void> MipImages::close() {
   if (files_.empty()) return {};
-  SurfaceTexels level{rest_[0].width_mm,
-                      rest_[0].depth_mm,
-                      Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
-                      {},
-                      {}};
-  level.low_mm = rest_[0].low_mm, level.high_mm = rest_[0].high_mm, level.smoothness = rest_[0].smoothness,
-  level.first_turn = rest_[0].first_turn;
-  for (size_t y = 0; y < rest_.size(); ++y)
-    std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
-  for (int k = first_rest_ + 1; k < levels(); ++k) {
-    level = half_of(level, 1);
-    if (Result<void> written = write(k, packed_level(level, k, 0)); !written) return written;
-  }
+  if (Result<void> finished = cascade_.finish(written()); !finished) return finished;
   for (const std::unique_ptr<MipFile>& file : files_)
     if (Result<void> closed = file->close(); !closed) return closed;
   return {};

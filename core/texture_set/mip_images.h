@@ -12,6 +12,7 @@
 #include "texture_set/channels.h"
 #include "texture_set/export_target.h"
 #include "texture_set/face_source.h"
+#include "texture_set/row_cascade.h"
 
 namespace weftlight::texture_set {
 
@@ -55,6 +56,7 @@ class MipImages {
  private:
   std::vector<Image> packed_level(const SurfaceTexels& raw, int level, int y0) const;
   base::Result<void> write(int level, const std::vector<Image>& images);
+  RowCascade::Done written();
 
   const FaceSource& source_;
   MipChoice choice_;
@@ -63,8 +65,7 @@ class MipImages {
   std::vector<std::unique_ptr<MipFile>> files_;
   std::vector<std::string> names_;
   std::vector<float> scales_;  // factors on the coverage, by level
-  std::vector<SurfaceTexels> rest_;
-  int first_rest_ = 0;  // the level of `rest_`
+  RowCascade cascade_;
 };
 
 }  // namespace weftlight::texture_set

@@ -1,6 +1,8 @@
 #include "texture_set/set_images.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -9,14 +11,13 @@
 #include "base/loops.h"
 #include "files/image_rows.h"
 #include "texture_set/material_files.h"
+#include "texture_set/row_cascade.h"
 #include "texture_set/texture_set.h"
 
 namespace weftlight::texture_set {
 
 using base::core_count, base::for_each_job;
-using cloth::Plane;
-using files::Image, files::ImageRows, files::PixelType, files::extension_of, files::write_image,
-    files::write_mipmapped_exr;
+using files::Image, files::ImageRows, files::PixelType, files::extension_of, files::write_image;
 
 namespace {
 
@@ -85,90 +86,103 @@ void for_all(size_t count, const Job& job) {
   for_each_job(static_cast<int>(count), [&](int i) { job(static_cast<size_t>(i)); });
 }
 
-/// The mip levels of a raw set below the finest: normals and roughness, which belong together.
+/// The mip levels of a raw set below the finest: normals and roughness, which belong together. Level 0 of their file is
+/// half as large as the face.
 class RawMips {
  public:
-  explicit RawMips(bool wanted) : wanted_(wanted) {}
-  bool wanted() const { return wanted_; }
-  void add(const SurfaceTexels& band) {
-    if (!wanted_) return;
-    SurfaceTexels level = band;
-    for (size_t k = 0; level.texels.height > 1; ++k) {
-      level = half_of(level);
-      if (levels_.size() <= k) levels_.emplace_back();
-      append(levels_[k], level);
-    }
-    rest_.push_back(std::move(level));
+  explicit RawMips(TextureSize face)
+      : size_{std::max(face.width / 2, 1), std::max(face.height / 2, 1)}, cascade_(face) {}
+  base::Result<void> open(const SetImages& set, Face face) {
+    file_ = set.name + face_suffix(set.target, face) + "_mips.exr";
+    auto rows = ImageRows::open_mipmapped(set.folder + "/" + file_, size_.width, size_.height, names());
+    if (!rows) return failed(rows);
+    rows_ = std::move(*rows);
+    return {};
   }
-  /// The levels, complete to one texel.
-  std::vector<Image> finished() {
-    if (!wanted_ || rest_.empty()) return {};
-    SurfaceTexels level{rest_[0].width_mm,
-                        rest_[0].depth_mm,
-                        Plane<SurfaceTexel>(rest_[0].texels.width, static_cast<int>(rest_.size())),
-                        {},
-                        {}};
-    for (size_t y = 0; y < rest_.size(); ++y)
-      std::copy_n(rest_[y].texels.row(0), level.texels.width, level.texels.row(static_cast<int>(y)));
-    while (level.texels.width > 1 || level.texels.height > 1) {
-      level = half_of(level);
-      levels_.emplace_back();
-      append(levels_.back(), level);
+  bool wanted() const { return rows_ != nullptr; }
+  base::Result<void> add(SurfaceTexels band) {
+    int level = 0;
+    for (; band.texels.height > 1; ++level) {
+      band = half_of(band);
+      if (base::Result<void> written = write(level + 1, band); !written) return written;
     }
-    return std::move(levels_);
+    return cascade_.add(level, std::move(band), done());
+  }
+  /// The last levels, and the record of the file.
+  base::Result<void> close(SetImages& set, Face face) {
+    base::Result<void> closed = cascade_.finish(done()).and_then([this] { return rows_->close(); });
+    json channels;
+    for (const Channel c : kChannels) channels[exr_name(c)] = channel_description(c);
+    record(set, file_, face, false, PixelType::kHalf, size_, std::move(channels));
+    set.maps.back()["mip_levels"] = std::bit_width(static_cast<unsigned>(std::max(size_.width, size_.height)));
+    return closed;
   }
 
  private:
-  static void append(Image& to, const SurfaceTexels& level) {
-    constexpr std::array kNormal{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kNone};
-    constexpr std::array kRough{Channel::kRoughnessAlong, Channel::kRoughnessAcross, Channel::kNone, Channel::kNone};
-    const Image a = pack({"", "", "", PixelType::kHalf, false, kNormal}, level);
-    const Image b = pack({"", "", "", PixelType::kHalf, false, kRough}, level);
-    to.width = a.width, to.height += a.height, to.channels = 5;
+  static constexpr std::array kChannels{Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ,
+                                        Channel::kRoughnessAlong, Channel::kRoughnessAcross};
+  static std::vector<std::string> names() {
+    std::vector<std::string> out;
+    for (const Channel c : kChannels) out.emplace_back(exr_name(c));
+    return out;
+  }
+  RowCascade::Done done() {
+    return [this](int level, int, const SurfaceTexels& rows) { return write(level, rows); };
+  }
+  /// level: of the face.
+  base::Result<void> write(int level, const SurfaceTexels& rows) {
+    constexpr std::array kNormal{kChannels[0], kChannels[1], kChannels[2], Channel::kNone};
+    constexpr std::array kRough{kChannels[3], kChannels[4], Channel::kNone, Channel::kNone};
+    const Image a = pack({"", "", "", PixelType::kHalf, false, kNormal}, rows);
+    const Image b = pack({"", "", "", PixelType::kHalf, false, kRough}, rows);
+    Image both{a.width, a.height, 5, {}};
     for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
-      to.texels.insert(to.texels.end(), {a.texels[3 * i], a.texels[3 * i + 1], a.texels[3 * i + 2], b.texels[2 * i],
-                                         b.texels[2 * i + 1]});
+      both.texels.insert(both.texels.end(), {a.texels[3 * i], a.texels[3 * i + 1], a.texels[3 * i + 2], b.texels[2 * i],
+                                             b.texels[2 * i + 1]});
     }
+    return rows_->add(both, level - 1);
   }
 
-  bool wanted_;
-  std::vector<Image> levels_;
-  std::vector<SurfaceTexels> rest_;
+  TextureSize size_;
+  RowCascade cascade_;
+  std::string file_;
+  std::unique_ptr<ImageRows> rows_;
 };
 
-base::Result<void> write_mips(SetImages& set, std::vector<Image> levels, Face face) {
-  if (levels.empty()) return {};
-  const std::string file = set.name + face_suffix(set.target, face) + "_mips.exr";
-  std::vector<std::string> names;
-  json channels;
-  for (const Channel c :
-       {Channel::kNormalX, Channel::kNormalY, Channel::kNormalZ, Channel::kRoughnessAlong, Channel::kRoughnessAcross}) {
-    names.emplace_back(exr_name(c));
-    channels[names.back()] = channel_description(c);
-  }
-  base::Result<void> done = write_mipmapped_exr(set.folder + "/" + file, levels, PixelType::kHalf, names);
-  record(set, file, face, false, PixelType::kHalf, {levels[0].width, levels[0].height}, std::move(channels));
-  set.maps.back()["mip_levels"] = levels.size();
-  return done;
+/// The horizons of a face in rows of an image. `spread`: their standard deviations; otherwise their means.
+Image horizon_band(const FaceSource& source, bool spread, int y0, int y1) {
+  const TextureSize size = source.horizon_size();
+  const HorizonTexels rows = horizon_rows(source.horizons(), size.width, size.height, y0, y1);
+  return pack_planes(spread ? rows.spread : rows.mean);
 }
 
-base::Result<void> write_horizon(SetImages& set, const std::vector<Plane<float>>& planes, const std::string& what,
-                                 Face face) {
-  if (planes.empty()) return {};
+base::Result<void> write_horizon(SetImages& set, const FaceSource& source, bool spread, Face face) {
+  if (source.horizons().empty()) return {};
+  const std::string what = spread ? "spread" : "mean";
   const std::string file = set.name + face_suffix(set.target, face) + "_horizon_" + what + ".exr";
-  const Image image = pack_planes(planes);
+  const int count = static_cast<int>(source.horizons().size());
   json channels = json::object();
   std::vector<std::string> names;
-  for (int k = 0; k < image.channels; ++k) {
+  for (int k = 0; k < count; ++k) {
     char name[32];
-    std::snprintf(name, sizeof name, "azimuth.%05.1f", 360.0 * k / image.channels);
+    std::snprintf(name, sizeof name, "azimuth.%05.1f", 360.0 * k / count);
     names.emplace_back(name);
     channels[name] = "sine of the horizon's elevation, " + what + ", towards this azimuth in degrees, from right to up";
   }
-  base::Result<void> done = write_image(set.folder + "/" + file, image, PixelType::kHalf, names);
-  record(set, file, face, false, PixelType::kHalf, {image.width, image.height}, std::move(channels));
-  set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(image)});
-  return done;
+  const TextureSize size = source.horizon_size();
+  auto out = ImageRows::open(set.folder + "/" + file, size.width, size.height, count, PixelType::kHalf, names);
+  if (!out) return failed(out);
+  constexpr int kBandRows = 64;
+  Image all{size.width, size.height, count, {}};  // for the thumbnail
+  all.texels.reserve(static_cast<size_t>(size.width) * static_cast<size_t>(size.height) * names.size());
+  for (int y = 0; y < size.height; y += kBandRows) {
+    const Image band = horizon_band(source, spread, y, std::min(y + kBandRows, size.height));
+    if (base::Result<void> added = (*out)->add(band); !added) return added;
+    all.texels.insert(all.texels.end(), band.texels.begin(), band.texels.end());
+  }
+  record(set, file, face, false, PixelType::kHalf, size, std::move(channels));
+  set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(all)});
+  return (*out)->close();
 }
 
 /// Rows of the face in every image, and the surface itself if it is needed later.
@@ -278,7 +292,8 @@ base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureS
       return stopped();
     if (base::Result<void> all = all_done(); !all) return all;
     for (PackedBand& band : bands) {
-      mips.add(band.surface);
+      if (mips.wanted())
+        if (base::Result<void> added = mips.add(std::move(band.surface)); !added) return added;
       if (!own.wanted()) continue;
       if (base::Result<void> added = own.add(std::move(band.mips)); !added) return added;
     }
@@ -315,7 +330,9 @@ void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face fa
 
 base::Result<void> write_face(SetImages& set, const FaceSource& source, Face face) {
   const TextureSize size = source.size();
-  RawMips mips(set.target.raw);
+  RawMips mips(size);
+  if (set.target.raw)
+    if (base::Result<void> opened = mips.open(set, face); !opened) return opened;
   const bool cut_out = alpha_for(set.target, set.alpha, source.coverage()) == Alpha::kMask;
   MipImages own(set.target.images, source, set.mips, cut_out);
   if (base::Result<void> opened = own.open(stems_of(set, face)); !opened) return opened;
@@ -329,9 +346,9 @@ base::Result<void> write_face(SetImages& set, const FaceSource& source, Face fac
     set.sheet.push_back(
         {std::string(row.suffix + 1) + face_suffix(set.target, face), thumbnail_of(row, source.small())});
   }
-  base::Result<void> done = write_horizon(set, source.small().horizon_mean, "mean", face);
-  if (done) done = write_horizon(set, source.small().horizon_spread, "spread", face);
-  if (done) done = write_mips(set, mips.finished(), face);
+  base::Result<void> done = write_horizon(set, source, false, face);
+  if (done) done = write_horizon(set, source, true, face);
+  if (done && mips.wanted()) done = mips.close(set, face);
   return done;
 }
 

@@ -29,6 +29,8 @@ struct SetImages {
   Alpha alpha = Alpha::kAuto;  // as requested
   Constants constants{};       // of the images that turned out to be constant
   nlohmann::json factors = nlohmann::json::array();
+  Image swatch{};                            // of the contact sheet
+  std::array<EmbeddedImages, 2> embedded{};  // by face, of targets that have them
 };
 
 /// Writes all images of a face. kCancelled if keep_going() stopped it.

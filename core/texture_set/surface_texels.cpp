@@ -94,16 +94,28 @@ SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, con
   return out;
 }
 
-void reduce_horizon(SurfaceTexels& out, const Maps& maps, int block_x, int block_y) {
-  const int width = out.texels.width, height = out.texels.height;
-  const float weight = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
-  for (const Plane<uint8_t>& sharp : maps.horizon) {
-    Plane<float> mean(width, height), spread(width, height);
-    for_each_job(height, [&](int y) {
+float alpha_of(float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); }
+
+}  // namespace
+
+SurfaceTexels blank_like(const SurfaceTexels& face, int width, int height) {
+  SurfaceTexels out{face.width_mm, face.depth_mm, Plane<SurfaceTexel>(width, height)};
+  out.low_mm = face.low_mm, out.high_mm = face.high_mm, out.smoothness = face.smoothness,
+  out.first_turn = face.first_turn;
+  return out;
+}
+
+HorizonTexels horizon_rows(const std::vector<Plane<uint8_t>>& planes, int width, int height, int y0, int y1) {
+  HorizonTexels out;
+  for (const Plane<uint8_t>& sharp : planes) {
+    const int block_x = sharp.width / width, block_y = sharp.height / height;
+    const float weight = 1.0f / (255.0f * static_cast<float>(block_x * block_y));
+    Plane<float> mean(width, y1 - y0), spread(width, y1 - y0);
+    for_each_job(y1 - y0, [&](int y) {
       for (int x = 0; x < width; ++x) {
         int64_t sum = 0, squares = 0;
         for (int j = 0; j < block_y; ++j) {
-          const uint8_t* row = sharp.row(y * block_y + j) + static_cast<ptrdiff_t>(x) * block_x;
+          const uint8_t* row = sharp.row((y0 + y) * block_y + j) + static_cast<ptrdiff_t>(x) * block_x;
           for (int i = 0; i < block_x; ++i) sum += row[i], squares += row[i] * row[i];
         }
         const float m = static_cast<float>(sum) * weight;
@@ -111,40 +123,11 @@ void reduce_horizon(SurfaceTexels& out, const Maps& maps, int block_x, int block
         spread.at(x, y) = std::sqrt(std::max(static_cast<float>(squares) * weight / 255.0f - m * m, 0.0f));
       }
     });
-    out.horizon_mean.push_back(std::move(mean));
-    out.horizon_spread.push_back(std::move(spread));
+    out.mean.push_back(std::move(mean));
+    out.spread.push_back(std::move(spread));
   }
+  return out;
 }
-
-void halve_horizon(SurfaceTexels& out, const SurfaceTexels& fine) {
-  const int width = out.texels.width, height = out.texels.height;
-  const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
-  const float weight = 1.0f / static_cast<float>(step_x * step_y);
-  for (size_t k = 0; k < fine.horizon_mean.size(); ++k) {
-    Plane<float> mean(width, height), spread(width, height);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        float sum = 0, squares = 0;
-        for (int j = 0; j < step_y; ++j) {
-          for (int i = 0; i < step_x; ++i) {
-            const float m = fine.horizon_mean[k].at(x * step_x + i, y * step_y + j);
-            const float s = fine.horizon_spread[k].at(x * step_x + i, y * step_y + j);
-            sum += m * weight;
-            squares += (m * m + s * s) * weight;
-          }
-        }
-        mean.at(x, y) = sum;
-        spread.at(x, y) = std::sqrt(std::max(squares - sum * sum, 0.0f));
-      }
-    }
-    out.horizon_mean.push_back(std::move(mean));
-    out.horizon_spread.push_back(std::move(spread));
-  }
-}
-
-float alpha_of(float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); }
-
-}  // namespace
 
 SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
   SurfaceTexel out = parts.front();
@@ -186,7 +169,7 @@ SurfaceTexel merged(std::span<const SurfaceTexel> parts) {
 SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads) {
   const int block_x = maps.colour.width / width, block_y = maps.colour.height / height;
   assert(block_x * width == maps.colour.width && block_y * height == maps.colour.height);
-  SurfaceTexels out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
+  SurfaceTexels out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height)};
   const std::vector<YarnFacts> yarns = yarn_facts(cloth.yarns);
   for_each_job(height, threads, [&](int y) {
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
@@ -202,16 +185,13 @@ SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int 
       out.texels.at(x, y) = merged(parts);
     }
   });
-  reduce_horizon(out, maps, block_x, block_y);
   return out;
 }
 
 SurfaceTexels half_of(const SurfaceTexels& fine, int threads) {
   const int width = std::max(fine.texels.width / 2, 1), height = std::max(fine.texels.height / 2, 1);
   const int step_x = fine.texels.width / width, step_y = fine.texels.height / height;
-  SurfaceTexels out{fine.width_mm, fine.depth_mm, Plane<SurfaceTexel>(width, height), {}, {}};
-  out.low_mm = fine.low_mm, out.high_mm = fine.high_mm, out.smoothness = fine.smoothness,
-  out.first_turn = fine.first_turn;
+  SurfaceTexels out = blank_like(fine, width, height);
   for_each_job(height, threads, [&](int y) {
     std::array<SurfaceTexel, 4> parts;
     for (int x = 0; x < width; ++x) {
@@ -222,7 +202,6 @@ SurfaceTexels half_of(const SurfaceTexels& fine, int threads) {
       out.texels.at(x, y) = merged({parts.data(), n});
     }
   });
-  halve_horizon(out, fine);
   return out;
 }
 

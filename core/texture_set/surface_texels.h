@@ -34,12 +34,20 @@ struct SurfaceTexel {
 struct SurfaceTexels {
   float width_mm = 0, depth_mm = 0;
   Plane<SurfaceTexel> texels;
-  // One plane for each azimuth, as in Maps: mean and standard deviation of the sine of the horizon.
-  std::vector<Plane<float>> horizon_mean, horizon_spread;
   float low_mm = 0, high_mm = 1;  // heights in the whole face
   float smoothness = 0.5f;        // mean of the whole face
   float first_turn = 0;           // where angles of axes begin, in turns (axis_cut)
 };
+
+/// Texels without values, of the same face.
+SurfaceTexels blank_like(const SurfaceTexels& face, int width, int height);
+
+/// Mean and standard deviation of the sines of the horizons; one plane for each azimuth, as in Maps.
+struct HorizonTexels {
+  std::vector<Plane<float>> mean, spread;
+};
+/// Rows [y0, y1) of a face with width x height texels, which divide the size of the planes.
+HorizonTexels horizon_rows(const std::vector<Plane<uint8_t>>& planes, int width, int height, int y0, int y1);
 
 /// Averages blocks of map texels; the sizes of `maps` must be multiples of `width` and `height`.
 SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int height, int threads = 0);

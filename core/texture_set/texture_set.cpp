@@ -162,7 +162,7 @@ base::Result<void> write_sheet(const SetImages& images, const SetFacts& set) {
                                  arg("target", set.target.id), arg("size", size_text(set.front.small())),
                                  arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size()),
                                  arg("width", set.front.size().width), arg("height", set.front.size().height));
-  return write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, set.front.small(), images.sheet),
+  return write_image(set.folder + "/contact_sheet.png", contact_sheet(title, facts, images.swatch, images.sheet),
                      PixelType::kU8);
 }
 
@@ -211,11 +211,15 @@ std::function<bool(float)> face_progress(const ExportProgress& progress, float f
   };
 }
 
-/// All images of a face.
-base::Result<void> write_images(SetImages& images, const FaceSource& source, const Design& design, Face face,
+/// All that needs the texels of a face, which are released.
+base::Result<void> write_images(SetImages& images, FaceSource& source, const Design& design, Face face,
                                 const TextureSetOptions& options) {
   base::Result<void> done = write_face(images, source, face);
   if (done && options.masks) done = write_recolour_images(images, source, colors_of(design, source.cloth()), face);
+  const bool is_front = face == Face::kFront;
+  if (done && is_front) images.swatch = sheet_swatch(source.small());
+  if (done && images.target.embedded != nullptr) images.embedded[is_front ? 0 : 1] = images.target.embedded(source);
+  source.release();
   return done;
 }
 
@@ -225,7 +229,7 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1)
     return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
-  const FaceSource front = face_of(design, cells, Face::kFront, options);
+  FaceSource front = face_of(design, cells, Face::kFront, options);
   SetImages images{folder,
                    options.name,
                    *options.target,
@@ -235,7 +239,7 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                    mips_for(*options.target, options.mips),
                    options.alpha};
   if (base::Result<void> written = write_images(images, front, design, Face::kFront, options); !written) return written;
-  const FaceSource back = face_of(design, cells, Face::kBack, options);
+  FaceSource back = face_of(design, cells, Face::kBack, options);
   images.keep_going = face_progress(progress, kFaceDone);
   if (base::Result<void> written = write_images(images, back, design, Face::kBack, options); !written) return written;
   const SetFacts set{folder,
@@ -248,6 +252,7 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                      back,
                      mesh,
                      images.constants,
+                     images.embedded,
                      images.mips,
                      options.uv};
   base::Result<void> done = set.target.write_material ? set.target.write_material(set) : base::Result<void>();

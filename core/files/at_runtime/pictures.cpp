@@ -62,20 +62,24 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int 
   return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
 }
 
-Result<void> ImageRows::add(const Image& band) { return (*calls())->add_rows(file_->rows, band); }
+Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& path, int width, int height,
+                                                             const Names& names) {
+  const auto library = calls();
+  if (!library) return failed(library);
+  auto file = std::make_unique<File>();
+  const Result<void*> rows = (*library)->open_mipmapped_rows(path, width, height, names);
+  if (!rows) return failed(rows);
+  file->rows = *rows;
+  return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+}
+
+Result<void> ImageRows::add(const Image& band, int level) { return (*calls())->add_rows(file_->rows, band, level); }
 Result<void> ImageRows::close() { return (*calls())->close_rows(file_->rows); }
 
 Result<void> write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
   const auto library = calls();
   if (!library) return failed(library);
   return (*library)->write_image(path, image, type, channels);
-}
-
-Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                                 const Names& channels) {
-  const auto library = calls();
-  if (!library) return failed(library);
-  return (*library)->write_mipmapped_exr(path, levels, type, channels);
 }
 
 Result<ImageSize> read_image_size(const std::string& path) {

@@ -125,26 +125,6 @@ Result<void> write_to(const std::string& path, const Image& image, PixelType typ
   return {};
 }
 
-Result<void> write_levels(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                          const Names& names) {
-  std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
-  if (!out) return failure(ErrorKind::kOutput, OIIO::geterror());
-  for (size_t i = 0; i < levels.size(); ++i) {
-    OIIO::ImageSpec spec = spec_for(levels[i], type, names);
-    spec.tile_width = spec.tile_height = 64;
-    spec.tile_depth = 1;
-    spec.attribute("compression", "piz");
-    spec.attribute("DateTime", kNoDate);
-    spec.attribute("textureformat", "Plain Texture");  // OpenImageIO's value for files with mip levels
-    spec.attribute("openexr:roundingmode", 0);         // odd sizes are rounded down
-    const auto mode = i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
-    if (!out->open(path, spec, mode) || !write_texels(*out, levels[i], type))
-      return failure(ErrorKind::kOutput, out->geterror());
-  }
-  if (!out->close()) return failure(ErrorKind::kOutput, out->geterror());
-  return {};
-}
-
 /// A PNG is written by this program, since OpenImageIO does not notice a full disk.
 bool is_png(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -219,12 +199,53 @@ Result<Image> read_from(const std::string& path, int level) {
 
 }  // namespace
 
+namespace {
+
+/// A file with mip levels has tiles of this side.
+constexpr int kTileSide = 64;
+
+/// A mip level; `halves` has its rows so far, except of the finest.
+struct Level {
+  int width = 0, height = 0, next = 0;
+  std::vector<uint16_t> halves;
+};
+
+/// The chain down to 1 x 1.
+std::vector<Level> levels_of(int width, int height) {
+  std::vector<Level> out;
+  while (out.empty() || out.back().width > 1 || out.back().height > 1) {
+    const size_t k = out.size();
+    out.push_back({std::max(width >> k, 1), std::max(height >> k, 1), 0, {}});
+  }
+  return out;
+}
+
+}  // namespace
+
 struct ImageRows::File {
   std::string path;
   std::unique_ptr<DiskFile> disk;  // PNG only
   std::unique_ptr<OIIO::ImageOutput> out;
   int width = 0, height = 0, channels = 0, next = 0;
   PixelType type = PixelType::kU8;
+  // With mip levels only.
+  Names names;
+  std::vector<Level> levels;
+  std::vector<float> tiles;  // rows of the finest level that do not fill their tiles yet
+
+  OIIO::ImageSpec spec_of(const Level& level) const {
+    OIIO::ImageSpec spec = spec_for({level.width, level.height, channels, {}}, type, names);
+    spec.tile_width = spec.tile_height = kTileSide;
+    spec.tile_depth = 1;
+    spec.attribute("compression", "piz");
+    spec.attribute("DateTime", kNoDate);
+    spec.attribute("textureformat", "Plain Texture");  // OpenImageIO's value for files with mip levels
+    spec.attribute("openexr:roundingmode", 0);         // odd sizes are rounded down
+    return spec;
+  }
+  bool add_to_level(size_t k, const Image& band);
+  bool write_full_tiles();
+  bool write_coarser_levels();
 
   /// libpng prints an error on the console if a file ends before its first texels are written, which are buffered at
   /// first. Noise rows flush that buffer.
@@ -241,6 +262,42 @@ struct ImageRows::File {
     }
   }
 };
+
+bool ImageRows::File::add_to_level(size_t k, const Image& band) {
+  Level& level = levels[k];
+  level.next += band.height;
+  const std::vector<float> values = within_half(band.texels);
+  if (k == 0) {
+    tiles.insert(tiles.end(), values.begin(), values.end());
+    return write_full_tiles();
+  }
+  const size_t before = level.halves.size();
+  level.halves.resize(before + values.size());
+  return OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT, values.data(), OIIO::TypeDesc::HALF,
+                                    level.halves.data() + before, static_cast<int>(values.size()));
+}
+
+bool ImageRows::File::write_full_tiles() {
+  const Level& finest = levels.front();
+  const size_t row = static_cast<size_t>(finest.width) * static_cast<size_t>(channels);
+  const int held = static_cast<int>(tiles.size() / row), first = finest.next - held;
+  const int whole = finest.next == finest.height ? held : held / kTileSide * kTileSide;
+  if (whole == 0) return true;
+  const bool written =
+      out->write_tiles(0, finest.width, first, first + whole, 0, 1, OIIO::TypeDesc::FLOAT, tiles.data());
+  tiles.erase(tiles.begin(), tiles.begin() + static_cast<ptrdiff_t>(row) * whole);
+  return written;
+}
+
+bool ImageRows::File::write_coarser_levels() {
+  for (size_t k = 1; k < levels.size(); ++k) {
+    if (!out->open(path, spec_of(levels[k]), OIIO::ImageOutput::AppendMIPLevel) ||
+        !out->write_image(OIIO::TypeDesc::HALF, levels[k].halves.data()))
+      return false;
+    levels[k].halves = {};
+  }
+  return true;
+}
 
 ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
@@ -268,10 +325,34 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int 
   }
 }
 
-Result<void> ImageRows::add(const Image& band) {
+Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& path, int width, int height,
+                                                             const Names& names) {
+  auto file = std::make_unique<File>();
+  file->path = path, file->width = width, file->height = height, file->channels = static_cast<int>(names.size());
+  file->type = PixelType::kHalf, file->names = names;
+  try {
+    file->levels = levels_of(width, height);
+    file->out = OIIO::ImageOutput::create(path);
+    if (file->out && file->out->open(path, file->spec_of(file->levels.front())))
+      return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+    return failure(ErrorKind::kOutput, file->out ? file->out->geterror() : OIIO::geterror(), path);
+  } catch (...) {
+    return base::thrown(ErrorKind::kOutput, path);
+  }
+}
+
+Result<void> ImageRows::add(const Image& band, int level) {
   File& f = *file_;
-  if (band.width != f.width || band.channels != f.channels || f.next + band.height > f.height)
+  const auto k = static_cast<size_t>(level);
+  const Level whole = f.levels.empty()      ? Level{f.width, f.height, f.next, {}}
+                      : k < f.levels.size() ? Level{f.levels[k].width, f.levels[k].height, f.levels[k].next, {}}
+                                            : Level{};
+  if (band.width != whole.width || band.channels != f.channels || whole.next + band.height > whole.height)
     return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
+  if (!f.levels.empty()) {
+    if (f.add_to_level(k, band)) return {};
+    return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
+  }
   const int end = f.next + band.height;
   bool written = false;
   switch (f.type) {
@@ -294,7 +375,11 @@ Result<void> ImageRows::add(const Image& band) {
 
 Result<void> ImageRows::close() {
   File& f = *file_;
-  if (f.next != f.height) return failure(ErrorKind::kOutput, tr("rows of the image are missing"), f.path);
+  const bool complete = f.levels.empty()
+                            ? f.next == f.height
+                            : std::ranges::all_of(f.levels, [](const Level& l) { return l.next == l.height; });
+  if (!complete) return failure(ErrorKind::kOutput, tr("rows of the image are missing"), f.path);
+  if (!f.levels.empty() && !f.write_coarser_levels()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
   if (!f.out->close()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
   if (!f.disk) return {};
   f.disk->close();
@@ -313,22 +398,6 @@ Result<void> write_image(const std::string& path, const Image& image, PixelType 
     return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
   return write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
-}
-
-Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& levels, PixelType type,
-                                 const Names& channels) {
-  if (levels.empty()) return failure(ErrorKind::kOutput, tr("there is no mip level to write"), path);
-  for (size_t i = 0; i < levels.size(); ++i) {
-    if (Result<void> shape = check_shape(levels[i], kMaxChannels, kMaxValues, path); !shape) return shape;
-    const Image& above = levels[i > 0 ? i - 1 : 0];
-    const bool halves =
-        i == 0 || (levels[i].width == std::max(above.width / 2, 1) &&
-                   levels[i].height == std::max(above.height / 2, 1) && levels[i].channels == above.channels);
-    if (!halves)
-      return failure(ErrorKind::kOutput, tr("a mip level does not have half the size of the one before"), path);
-  }
-  return write_through(path,
-                       [&](const std::string& temporary) { return write_levels(temporary, levels, type, channels); });
 }
 
 Result<ImageSize> read_image_size(const std::string& path) {

@@ -13,7 +13,14 @@ base::Result<void*> open_rows(const std::string& path, int width, int height, in
   if (!rows) return base::failed(rows);
   return static_cast<void*>(rows->release());
 }
-base::Result<void> add_rows(void* rows, const Image& band) { return static_cast<ImageRows*>(rows)->add(band); }
+base::Result<void*> open_mipmapped_rows(const std::string& path, int width, int height, const Names& names) {
+  auto rows = ImageRows::open_mipmapped(path, width, height, names);
+  if (!rows) return base::failed(rows);
+  return static_cast<void*>(rows->release());
+}
+base::Result<void> add_rows(void* rows, const Image& band, int level) {
+  return static_cast<ImageRows*>(rows)->add(band, level);
+}
 base::Result<void> close_rows(void* rows) { return static_cast<ImageRows*>(rows)->close(); }
 void end_rows(void* rows) { delete static_cast<ImageRows*>(rows); }
 
@@ -21,8 +28,8 @@ void end_rows(void* rows) { delete static_cast<ImageRows*>(rows); }
 
 extern "C" const PictureCalls* weftlight_picture_calls() {
   static constexpr PictureCalls kCalls{
-      write_image,      write_mipmapped_exr, read_image_size, read_image, encode_png, draw_text, scaled,
-      read_environment, check_environment,   open_rows,       add_rows,   close_rows, end_rows};
+      write_image,       read_image_size, read_image,          encode_png, draw_text,  scaled,  read_environment,
+      check_environment, open_rows,       open_mipmapped_rows, add_rows,   close_rows, end_rows};
   return &kCalls;
 }
 

@@ -150,7 +150,11 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int 
   file->rows = std::make_unique<PngRows>(width, height, channels, type);
   return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
 }
-Result<void> ImageRows::add(const Image& band) {
+Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& path, int /*width*/, int /*height*/,
+                                                             const std::vector<std::string>& /*names*/) {
+  return other_format(ErrorKind::kOutput, path);
+}
+Result<void> ImageRows::add(const Image& band, int /*level*/) {
   File& f = *file_;
   if (band.width != f.width || band.channels != f.channels || f.next + band.height > f.height)
     return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
@@ -171,11 +175,6 @@ Result<void> write_image(const std::string& path, const Image& image, PixelType 
   if (Result<void> shape = check_shape(image, kMaxChannels, kMaxValues, path); !shape) return shape;
   const std::vector<unsigned char> bytes = encode_png(image, type);
   return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
-Result<void> write_mipmapped_exr(const std::string& path, const std::vector<Image>& /*levels*/, PixelType /*type*/,
-                                 const std::vector<std::string>& /*channels*/) {
-  return other_format(ErrorKind::kOutput, path);
 }
 
 Result<ImageSize> read_image_size(const std::string& path) {

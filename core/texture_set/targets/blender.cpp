@@ -219,6 +219,7 @@ const ExportTarget targets::kBlender{
     .material = ".py",
     .write_material = write_material,
     .wears_mesh = true,
+    .embedded = embedded_images,
 };
 
 }  // namespace weftlight::texture_set

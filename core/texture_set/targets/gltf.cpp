@@ -44,14 +44,10 @@ GltfMaterial material_of(const SetFacts& set, Face face, GltfImages images) {
   const FaceSource& source = set.of(face);
   GltfMaterial m;
   m.name = material_name(set, face);
-  const bool whole = source.band() == source.size().height;
   const bool beside = images == GltfImages::kBeside;
-  const SurfaceTexels embedded = beside  ? SurfaceTexels{}
-                                 : whole ? source.rows(0, source.size().height)
-                                         : source.small();
   const auto set_image = [&](GltfImage& image, size_t row) {
     if (beside) image.file = image_named(set, kImages[row].suffix, face);
-    else image.png = encode_png(pack(kImages[row], embedded));
+    else image.png = set.embedded[face == Face::kFront ? 0 : 1][row];
   };
   set_image(m.base_color, 0);
   set_image(m.orm, 1);
@@ -85,6 +81,15 @@ base::Result<void> write_material(const SetFacts& set) {
 }
 
 }  // namespace
+
+EmbeddedImages embedded_images(const FaceSource& source) {
+  const bool whole = source.band() == source.size().height;
+  const SurfaceTexels all = whole ? source.rows(0, source.size().height) : SurfaceTexels{};
+  EmbeddedImages out;
+  for (const ImageRow& row : std::span(kImages).first(4))  // without sheen
+    out.push_back(encode_png(pack(row, whole ? all : source.small())));
+  return out;
+}
 
 base::Result<void> write_gltf(const SetFacts& set, const std::string& extension, GltfImages images) {
   const GltfMaterial front = material_of(set, Face::kFront, images), back = material_of(set, Face::kBack, images);

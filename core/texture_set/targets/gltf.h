@@ -11,6 +11,9 @@ namespace weftlight::texture_set {
 /// side and without sheen, for a set whose own images are for something else.
 enum class GltfImages { kBeside, kEmbedded };
 
+/// The images of kEmbedded, for ExportTarget::embedded.
+EmbeddedImages embedded_images(const FaceSource& source);
+
 /// extension: ".glb" or ".gltf".
 base::Result<void> write_gltf(const SetFacts& set, const std::string& extension, GltfImages images);
 

@@ -175,12 +175,6 @@ json scalar(const SetFacts& set, const std::string& suffix, Face face, double me
   return {{"constant", mean}, {"texture", {{"factor", factor}, {"offset", 0}, {"image", image(set, suffix, face)}}}};
 }
 
-double mean_of(const SurfaceTexels& surface, double (*value)(const SurfaceTexel&)) {
-  double sum = 0;
-  for (const SurfaceTexel& t : surface.texels.at_) sum += value(t);
-  return sum / static_cast<double>(surface.texels.at_.size());
-}
-
 json color(double r, double g, double b) { return {{"r", r}, {"g", g}, {"b", b}}; }
 
 json normal_of(const json& texture) { return {{"constant", {{"x", 0}, {"y", 0}, {"z", 1}}}, {"texture", texture}}; }
@@ -189,21 +183,7 @@ json visual(const SetFacts& set, Face face) {
   const FaceSource& source = set.of(face);
   const SurfaceTexels& s = source.small();
   const Rgb mean = srgb_from_linear(source.mean_base());
-  const double roughness = mean_of(s, [](const SurfaceTexel& t) {
-    const GgxAlphas a = ggx_alphas(t);
-    return std::sqrt(std::sqrt(static_cast<double>(a.wide * a.narrow)));
-  });
-  const double aspect = mean_of(s, [](const SurfaceTexel& t) {
-    const GgxAlphas a = ggx_alphas(t);
-    return a.wide > 0 ? std::clamp((1 - static_cast<double>(a.narrow / a.wide)) / 0.9, 0.0, 1.0) : 0.0;
-  });
-  const double sheen = mean_of(s, [](const SurfaceTexel& t) {
-    return static_cast<double>(std::max({t.sheen.r, t.sheen.g, t.sheen.b}));
-  });
-  const double metal = mean_of(s, [](const SurfaceTexel& t) { return static_cast<double>(t.metal); });
-  const double transmitted = mean_of(s, [](const SurfaceTexel& t) {
-    return static_cast<double>((t.transmitted.r + t.transmitted.g + t.transmitted.b) / 3);
-  });
+  const FaceMeans& means = source.means();
   const double range = static_cast<double>(s.high_mm - s.low_mm);
   const json base = color(static_cast<double>(mean.r), static_cast<double>(mean.g), static_cast<double>(mean.b));
   return {
@@ -214,16 +194,16 @@ json visual(const SetFacts& set, Face face) {
       {"alpha",
        set.alpha == Alpha::kOpaque ? constant(1) : scalar(set, "_alpha", face, static_cast<double>(source.coverage()))},
       {"normal", normal_of({{"scale", 1}, {"image", image(set, "_normal", face)}})},
-      {"roughness", scalar(set, "_roughness", face, roughness)},
-      {"metalness", scalar(set, "_metalness", face, metal)},
-      {"anisotropy_value", scalar(set, "_anisotropy", face, aspect)},
+      {"roughness", scalar(set, "_roughness", face, means.roughness)},
+      {"metalness", scalar(set, "_metalness", face, means.metal)},
+      {"anisotropy_value", scalar(set, "_anisotropy", face, means.aspect)},
       {"anisotropy_rotation", scalar(set, "_rotation", face, 0)},
-      {"sheen_value", scalar(set, "_sheen", face, sheen)},
+      {"sheen_value", scalar(set, "_sheen", face, means.sheen)},
       {"sheen_tint", constant(1)},
       {"displacement", scalar(set, "_displacement", face, 0, range)},
       {"specular_value", constant(static_cast<double>(source.fit().specular()))},
       {"specular_tint", constant(0)},
-      {"transmission", constant(std::clamp(transmitted, 0.0, 1.0))},
+      {"transmission", constant(std::clamp(means.transmitted, 0.0, 1.0))},
       {"ior", constant(1.5)},
       {"clearcoat_value", constant(0)},
       {"clearcoat_normal", normal_of(nullptr)},

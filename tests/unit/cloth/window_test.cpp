@@ -58,6 +58,18 @@ TEST(BakeWindow, IsAtMostOnePeriodAndAtLeastATexel) {
   EXPECT_EQ(bake(Cloth{}, {64, 32, 4, 1}, {0, 0, 8, 8}).horizon.front().height, 8);
 }
 
+TEST(BakeHorizons, AreThoseOfTheWholeBake) {
+  const Cloth c = lay_out(design_of(6, 4, 0.5f, 0.45f), plain(6, 4), Face::kFront, Period::kWholeDraft);
+  const MapsSize size{96, 64, 8, 2};
+  const Maps all = bake(c, size), sky = bake_horizons(c, size);
+  ASSERT_EQ(sky.horizon.size(), 8u);
+  for (size_t k = 0; k < 8; ++k) EXPECT_EQ(sky.horizon[k].at_, all.horizon[k].at_);
+  EXPECT_EQ(sky.occlusion.at_, all.occlusion.at_);
+  EXPECT_EQ(sky.width_mm, all.width_mm);
+  EXPECT_TRUE(sky.colour.at_.empty());
+  EXPECT_EQ(bake_horizons(Cloth{}, size).horizon.front().height, 64);
+}
+
 TEST(BakeWindow, OfALargeDraftCostsOnlyItself) {
   // 20,000 x 40,000 texels as a whole.
   const int ends = 1250, picks = 2500;

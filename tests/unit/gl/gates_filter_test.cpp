@@ -124,7 +124,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
   };
   constexpr std::array kSlants{0.0f, 60.0f, 80.0f};
   // Goal: 0.02 for repeat and auto too.
-  constexpr double kRepeatHolds = 0.2, kAutoHolds = 0.08;
+  constexpr double kRepeatHolds = 0.17, kAutoHolds = 0.08, kTo60 = 0.08;
   std::array<Held, 3> methods{
       Held{Method::kCloth, 0.02, 0}, {Method::kRepeat, kRepeatHolds, 0}, {Method::kAuto, kAutoHolds, 0}};
   Held averaged{Method::kEngine, 0, 0};  // one averaged normal, as engines have it
@@ -153,6 +153,7 @@ TEST_F(Gate, EnergyHoldsAtSlantedViewsAndLights) {
            averaged.worst, held.worst);
     for (size_t v = 0; v < 3; ++v) figure("  at " + text(kSlants[v]), averaged.by_view[v], held.by_view[v]);
     EXPECT_LT(held.worst, held.holds) << method_name(held.method);
+    EXPECT_LT(std::max(held.by_view[0], held.by_view[1]), kTo60) << method_name(held.method);
   }
 }
 

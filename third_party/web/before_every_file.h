@@ -1,6 +1,6 @@
 #pragma once
 // What the build for browsers includes before every file, compiled once (dependencies.cmake): what libc++ lacks, and
-// the headers of other people that most files include.
+// the headers of other people that most files include; not JSON, which base/json.h must precede.
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include <fstream>
 #include <glm/glm.hpp>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>

@@ -127,7 +127,7 @@ bool Editor::turn() {
     window_.set_wants_close(false);
     tabs_.quit();
   }
-  frame();
+  if (window_.can_draw()) frame();
   return !tabs_.leaving();
 }
 

@@ -16,9 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kAgainS = 1;  // delay before a failed picture is drawn again
-// A context that was lost is made anew, unless that happens time after time within a minute.
-constexpr double kLastsS = 60;
-constexpr int kMaxLost = 4;
 
 double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -110,13 +107,11 @@ void PreviewPane::work() {
 }
 
 void PreviewPane::weave_and_draw() {
-  int lost = 0;
+  gl::LostContexts lost;
   for (double begun = seconds(); draw_in_context(); begun = seconds()) {
-    lost = seconds() - begun < kLastsS ? lost + 1 : 1;
     context_->release();
     lost_.push_back(std::move(context_));
-    if (lost == kMaxLost)
-      return fail({base::ErrorKind::kGraphics, tr("the graphics driver is reset again and again; update it")});
+    if (!lost.may_begin_again(seconds() - begun)) return fail(gl::LostContexts::problem());
     const std::lock_guard lock(mutex_);
     new_design_ = true;
     new_request_ = request_.has_value();

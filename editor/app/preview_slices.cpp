@@ -17,12 +17,12 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 }  // namespace
 
-PreviewSlices::PreviewSlices(const std::function<void()>& /*wake*/) {}
+PreviewSlices::PreviewSlices(const std::function<void()>& /*wake*/) : begun_s_(seconds()) { pipeline_.emplace(); }
 
 void PreviewSlices::submit(std::shared_ptr<const Design> design, const ClothSubject& subject) {
   shown_.submit(design, subject);
   // The cloth is computed while the first frames are drawn.
-  if (!maker_) pipeline_.submit(design);
+  if (!maker_) pipeline_->submit(design);
   design_ = std::move(design);
   new_design_ = true;
 }
@@ -34,7 +34,24 @@ void PreviewSlices::ask(const PictureRequest& request, bool moving) {
   new_request_ = true;
 }
 
+bool PreviewSlices::begin_anew() {
+  maker_.reset();
+  pipeline_.emplace();
+  given_up_ = !lost_.may_begin_again(seconds() - begun_s_);
+  if (given_up_) return false;
+  watch_ = gl::ResetWatch();
+  begun_s_ = seconds();
+  if (design_) pipeline_->submit(design_);
+  new_request_ = request_.has_value();
+  return true;
+}
+
 bool PreviewSlices::poll() {
+  if (given_up_) return false;
+  if (watch_.is_lost() && !begin_anew()) {
+    shown_.take(undrawn_picture(gl::LostContexts::problem()));
+    return true;
+  }
   // The first request comes with the first frame: the window is seen before shaders are compiled.
   if (!design_ || !request_) return false;
   if (!new_design_ && !new_request_ && (next_s_ < 0 || seconds() < next_s_)) return false;
@@ -50,7 +67,7 @@ bool PreviewSlices::poll() {
 /// True if there is something to show.
 bool PreviewSlices::make() {
   if (!maker_) {
-    maker_ = std::make_unique<PictureMaker>(pipeline_);
+    maker_ = std::make_unique<PictureMaker>(*pipeline_);
     maker_->follow(design_);
     new_design_ = false;
   }

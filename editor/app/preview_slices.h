@@ -1,7 +1,7 @@
 #pragma once
 // The preview of the cloth where there is one GL context and one thread that may use it, as in a browser: the same
 // pictures as PreviewPane's, drawn by poll() in the window's own context, a pass at a time. Maps are computed on the
-// pipeline's thread as ever.
+// pipeline's thread as ever. Where the context was lost and is there again, the next poll() begins anew.
 
 #include <functional>
 #include <memory>
@@ -10,12 +10,13 @@
 #include "app/drawn_picture.h"
 #include "app/picture_maker.h"
 #include "gl/pipeline.h"
+#include "gl/reset_watch.h"
 
 namespace weftlight::app {
 
 class PreviewSlices {
  public:
-  /// `wake` is not needed: the window asks poll() before each frame.
+  /// `wake` is not needed: the window asks poll() before each frame. Needs the window's GL context.
   explicit PreviewSlices(const std::function<void()>& wake);
   PreviewSlices(const PreviewSlices&) = delete;
   PreviewSlices& operator=(const PreviewSlices&) = delete;
@@ -29,8 +30,14 @@ class PreviewSlices {
 
  private:
   bool make();
+  /// False if the context is lost again and again.
+  bool begin_anew();
 
-  gl::Pipeline pipeline_;
+  gl::ResetWatch watch_;
+  gl::LostContexts lost_;
+  double begun_s_;
+  bool given_up_ = false;
+  std::optional<gl::Pipeline> pipeline_;
   std::unique_ptr<PictureMaker> maker_;  // once the window has shown itself
   std::shared_ptr<const Design> design_;
   bool new_design_ = false, new_request_ = false, moving_ = false, failed_ = false;

@@ -21,6 +21,7 @@
 #include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
+#include "ui/pixel_texture.h"
 
 namespace weftlight::app {
 
@@ -414,6 +415,19 @@ void Window::use_style(Style& style, int percent) {
   }
   apply(style);
   redraw_->invalidate();
+}
+
+bool Window::can_draw() {
+  if (!watch_->is_lost()) return true;
+  if (!watch_->is_back()) return false;
+  watch_.emplace();
+  redraw_ = std::make_unique<ui::Redraw>();
+  // The next frame makes its objects; it remembers the sizes of the old ones.
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplOpenGL3_Init(opengl::kImGuiShaderHead);
+  ui::PixelTexture::upload_all();
+  inbox_->happened = true;
+  return true;
 }
 
 void Window::begin_frame() {

@@ -46,6 +46,9 @@ class Window {
   /// Updates fonts and the style of ImGui after the theme, the display scale or the user's own size changed; that is in
   /// percent of what the screen asks for.
   void use_style(Style& style, int percent);
+  /// False while a browser has taken the window's GL context. All that ImGui draws with is made anew when it is back;
+  /// the rest is the business of its owners.
+  bool can_draw();
   void begin_frame();
   void end_frame(ImU32 background);
   /// Ends a frame without drawing it.

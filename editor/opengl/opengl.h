@@ -9,6 +9,12 @@
 #include <epoxy/gl.h>
 #endif
 
+#if WEFTLIGHT_GLES
+// third_party/web/glfw_rest.js
+extern "C" int weftlight_lost_contexts(void);
+extern "C" int weftlight_context_is_lost(void);
+#endif
+
 namespace weftlight::opengl {
 
 #if WEFTLIGHT_GLES
@@ -25,9 +31,13 @@ inline constexpr GLint kSmoothRgb = GL_RGB16F, kSmoothRgba = GL_RGBA16F, kSmooth
 inline constexpr GLenum kWindowLayout = GL_RGBA, kWindowType = GL_UNSIGNED_BYTE;
 
 inline bool is_new_enough() { return true; }  // it is ES 3.0 or there is no context at all
-/// A page learns of it by an event of its canvas.
-inline bool can_tell_reset() { return false; }
-inline bool was_reset() { return false; }
+// A browser takes the context of a page, and gives it back empty.
+inline constexpr bool kComesBack = true;
+inline bool can_tell_reset() { return true; }
+/// Whether it is away.
+inline bool was_reset() { return weftlight_context_is_lost() != 0; }
+/// How often it went away and may have come back since.
+inline int resets() { return weftlight_lost_contexts(); }
 inline const char* renderer_name() {
   // WEBGL_debug_renderer_info, where the page could ask for it; else a name that tells nothing.
   constexpr GLenum kUnmaskedRenderer = 0x9246;
@@ -108,6 +118,9 @@ inline bool is_new_enough() { return epoxy_gl_version() >= 33; }
 // libepoxy ends the program where a function is called that the driver does not have.
 inline bool can_tell_reset() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness"); }
 inline bool was_reset() { return glGetGraphicsResetStatus() != GL_NO_ERROR; }
+// One that was reset does not come back: another is made.
+inline constexpr bool kComesBack = false;
+inline int resets() { return 0; }
 inline const char* renderer_name() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
 
 /// Whether what is drawn into sRGB is encoded.

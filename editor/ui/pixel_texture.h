@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "ui/imgui_compat.h"
 
@@ -24,9 +25,18 @@ class PixelTexture {
   unsigned name() const { return names_[shown_]; }
   ImTextureID id() const { return texture_of(name()); }
 
+  /// After a GL context came back empty, as in a browser: fills all of them anew.
+  static void upload_all();
+
  private:
+  void upload(int width, int height, const ImU32* pixels, bool smooth);
+
   unsigned names_[2] = {0, 0};
   int shown_ = 0;
+  // Where contexts come back: what was set.
+  int width_ = 0, height_ = 0;
+  bool smooth_ = false;
+  std::vector<ImU32> pixels_;
 };
 
 }  // namespace weftlight::ui

@@ -5,7 +5,7 @@
 (() => {
   const canvas = document.getElementById('canvas'), notice = document.getElementById('notice');
   const words = document.getElementById('words'), bar = document.querySelector('#bar div');
-  const toast = document.getElementById('toast');
+  const toast = document.getElementById('toast'), reload = document.getElementById('reload');
 
   function stop(text) {
     words.textContent = text;
@@ -159,6 +159,28 @@
     window.dispatchEvent(new KeyboardEvent(kind, {keyCode: 17, key: 'Control', code: 'ControlLeft'}));
   }
 
+  // The graphics driver was reset, or the browser needs its memory. The window stands still until the context is back, and
+  // makes all anew in it (Window::can_draw); who does not want to wait loads the page again.
+  const kPatienceMs = 8000;
+  let patience;
+  function loseContext(event) {
+    event.preventDefault();  // else it does not come back
+    program.lostContexts = (program.lostContexts || 0) + 1;
+    Kept.keep();
+    stop('The graphics driver was reset. Your work is kept, and the window comes back with the driver.');
+    patience = setTimeout(() => {
+      words.textContent = 'The graphics driver was reset and has not come back. Reload the page; unsaved work comes back.';
+      reload.hidden = false;
+    }, kPatienceMs);
+  }
+  function takeContextBack() {
+    clearTimeout(patience);
+    const context = canvas.getContext('webgl2');
+    for (const name of context.getSupportedExtensions()) context.getExtension(name);  // as when it was made
+    reload.hidden = notice.hidden = true;
+    canvas.focus();
+  }
+
   async function start() {
     if (await isolate()) return;
     if (!window.crossOriginIsolated)
@@ -176,11 +198,8 @@
       const draft = await draftOfLink();
       if (draft) Files.open(keepDraftOfLink(program.FS, draft));
     });
-    canvas.addEventListener('webglcontextlost', async () => {
-      await Kept.keep();
-      stop('The graphics driver was reset. Weftlight begins again; unsaved work comes back.');
-      setTimeout(() => location.reload(), 1000);
-    });
+    canvas.addEventListener('webglcontextlost', loseContext);
+    canvas.addEventListener('webglcontextrestored', takeContextBack);
     const handbook = fetch('handbook/index.html', {method: 'HEAD'}).then(answer => answer.ok, () => false);
     Touch.begin(canvas);
     await weftlight(program);
@@ -189,6 +208,7 @@
       program.FS.mkdirTree('/weftlight/handbook');
       program.FS.writeFile('/weftlight/handbook/index.html', '');
     });
+    reload.onclick = () => location.reload();
     fit();
     new ResizeObserver(fit).observe(canvas);
     canvas.focus();

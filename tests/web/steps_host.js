@@ -1,12 +1,15 @@
-// What belongs to the page and its host: the handbook beside it, and a host that sends no headers.
+// What belongs to the page and its host: the handbook beside it, a host that sends no headers, and a graphics driver
+// that is reset.
 'use strict';
 
 const fs = require('fs');
 const http = require('http');
 const path = require('path');
 const {comesTrue} = require('./browser.js');
+const {at_rest, difference, open_file} = require('./looking.js');
 
 const kPage = 'build/web/page';
+const kAll = {x: 0, y: 0, w: 1280, h: 800};
 
 async function handbook(t) {
   if (!fs.existsSync(path.join(kPage, 'handbook/index.html')))
@@ -42,4 +45,31 @@ async function without_headers(t) {
   server.closeAllConnections?.();
 }
 
-module.exports = {handbook, without_headers};
+/// The page loses its GL context, as where a driver is reset; it is given back, and the window goes on where it was.
+async function lost_context(t) {
+  const page = await t.at_page();
+  await open_file(page, t.mine);
+  await page.click(...await page.cell('tieup', 1, 1));
+  await page.unsaved();
+  const before = await at_rest(page), window_before = await page.pixels(kAll);
+  await t.show('before_loss');
+  const notice = () => page.ask('document.getElementById("notice").hidden ? "" : document.getElementById("words").textContent');
+  await page.ask(`window.lost = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+                  window.stays = true;
+                  lost.loseContext();`);
+  const says = await comesTrue('the page says that the context is lost', notice);
+  t.check('a lost context is a sentence', /driver was reset/.test(says), says);
+  await page.ask('lost.restoreContext()');
+  await comesTrue('the window is back', async () => !await notice());
+  const after = await at_rest(page), window_after = await page.pixels(kAll);
+  await t.show('after_loss');
+  t.check('the cloth is drawn anew', difference(before, after) < 0.5, difference(before, after).toFixed(2) + ' of 255 a channel');
+  t.check('and all of the window', difference(window_before, window_after) < 0.5,
+          difference(window_before, window_after).toFixed(2) + ' of 255 a channel');
+  t.check('in the same page', await page.ask('window.stays === true'));
+  await page.key('Ctrl+Z');
+  await page.title('mine.wif');
+  t.check('undo goes on where it was', true);
+}
+
+module.exports = {handbook, without_headers, lost_context};

@@ -1,6 +1,10 @@
-// What Emscripten's GLFW 3 lacks, or leaves empty, of the functions that the window asks for. The page notes the last
-// key and what was pasted (editor/web/page.js).
+// What Emscripten's GLFW 3 lacks, or leaves empty, of the functions that the window asks for; and what a page knows of its
+// GL context. The page notes the last key, what was pasted, and how often its context was lost (editor/web/page.js).
 mergeInto(LibraryManager.library, {
+  weftlight_lost_contexts: function() { return Module['lostContexts'] | 0; },
+  weftlight_context_is_lost__deps: ['$GL'],
+  weftlight_context_is_lost: function() { return GL.currentContext && GL.currentContext.GLctx.isContextLost() ? 1 : 0; },
+
   glfwGetError: function(description) {
     if (description) {
       if (!Module['glfwProblem']) Module['glfwProblem'] = allocateUTF8('the browser gives no WebGL 2');

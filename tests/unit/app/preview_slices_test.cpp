@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <optional>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -53,6 +55,52 @@ TEST(PreviewSlicesTest, DrawsInTheContextThatIsThere) {
   pane.submit(std::make_shared<const design::Design>(straight_draft(6)), {2, false});
   EXPECT_EQ(pane.picture().texture, 0u);
   EXPECT_TRUE(comes_true(pane, [](const PreviewPicture& p) { return p.texture != 0 && !p.busy; }));
+}
+
+/// What the driver says when it is asked so many times more.
+struct Driver {
+  static inline int resets = 0;
+  static GLenum status() { return resets > 0 && resets-- > 0 ? GL_GUILTY_CONTEXT_RESET : GL_NO_ERROR; }
+  Driver() { epoxy_glGetGraphicsResetStatus = status; }
+  ~Driver() { epoxy_glGetGraphicsResetStatus = before_; }
+  decltype(epoxy_glGetGraphicsResetStatus) before_ = epoxy_glGetGraphicsResetStatus;
+};
+
+/// A pane that has drawn a picture, and the driver under it.
+class LostContextOfSlices : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    context_ = gl::HeadlessContext::create();
+    if (!context_) GTEST_SKIP() << "no graphics: " << context_.error().text;
+    PictureRequest request;
+    request.width = 96, request.height = 64;
+    pane_.emplace([] {});
+    pane_->submit(std::make_shared<const design::Design>(straight_draft(8)), {1, false});
+    pane_->ask(request, false);
+    ASSERT_TRUE(is_drawn()) << pane_->picture().problem;
+  }
+  bool is_drawn() {
+    return comes_true(*pane_, [](const PreviewPicture& p) { return p.texture != 0 && !p.busy; });
+  }
+  gl::HeadlessContext::Opened context_;
+  std::optional<PreviewSlices> pane_;
+  Driver driver_;
+};
+
+TEST_F(LostContextOfSlices, ThatIsBackIsDrawnInAnew) {
+  Driver::resets = 1;
+  // Nothing else is asked for.
+  ASSERT_TRUE(comes_true(*pane_, [](const PreviewPicture& p) { return p.busy; })) << "nothing is computed again";
+  ASSERT_TRUE(is_drawn()) << pane_->picture().problem;
+  EXPECT_GT(colors(pane_->picture().texture, 96, 64), 50u);
+}
+
+TEST_F(LostContextOfSlices, AgainAndAgainIsLeftAtThat) {
+  Driver::resets = 4;
+  ASSERT_TRUE(comes_true(*pane_, [](const PreviewPicture& p) {
+    return p.problem.find("reset again and again") != std::string::npos;
+  })) << pane_->picture().problem;
+  EXPECT_FALSE(pane_->poll());
 }
 
 }  // namespace

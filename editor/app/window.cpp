@@ -356,6 +356,11 @@ bool Window::wait(double seconds) {
   else if (seconds == 0) glfwPollEvents();
   else glfwWaitEventsTimeout(seconds);
   if (platform::is_display_lost()) platform::display_lost();
+  // Files that the system gives, without an event of the window: a page's links and drops.
+  for (std::string& file : platform::take_opened_files()) {
+    inbox_->dropped.push_back(std::move(file));
+    inbox_->happened = true;
+  }
   return std::exchange(inbox_->happened, false);
 }
 
@@ -450,11 +455,7 @@ void Window::drop_frame() { ImGui::EndFrame(); }
 
 std::vector<std::string> Window::take_keys() { return std::exchange(inbox_->shortcuts, {}); }
 
-std::vector<std::string> Window::take_dropped_files() {
-  std::vector<std::string> files = std::exchange(inbox_->dropped, {});
-  for (std::string& file : platform::take_opened_files()) files.push_back(std::move(file));
-  return files;
-}
+std::vector<std::string> Window::take_dropped_files() { return std::exchange(inbox_->dropped, {}); }
 double Window::seconds() { return glfwGetTime(); }
 void Window::wake() { glfwPostEmptyEvent(); }
 

@@ -83,6 +83,10 @@ class Browser {
     const {targetInfos} = await this.call('Target.getTargets');
     return targetInfos.filter(one => one.type === 'page').map(one => one.url);
   }
+  async close_address(address) {
+    const {targetInfos} = await this.call('Target.getTargets');
+    for (const {targetId, url} of targetInfos) if (url === address) await this.call('Target.closeTarget', {targetId});
+  }
   /// A file that was downloaded, once it is whole.
   async download(name, seconds = 30) {
     const file = path.join(this.downloads, name);

@@ -20,6 +20,7 @@ async function handbook(t) {
   const found = await comesTrue('the handbook', async () =>
     (await t.browser.addresses()).find(one => one.endsWith('/handbook/index.html')));
   t.check('Shift+F1 opens the handbook beside the page', true, found);
+  await t.browser.close_address(found);  // and the page has the front again
 }
 
 /// Serves the page as a host does that knows nothing of threads.
@@ -72,4 +73,4 @@ async function lost_context(t) {
   t.check('undo goes on where it was', true);
 }
 
-module.exports = {handbook, without_headers, lost_context};
+module.exports = {lost_context, handbook, without_headers};

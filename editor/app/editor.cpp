@@ -9,6 +9,7 @@
 #include "app/file_filters.h"
 #include "app/handbook.h"
 #include "base/text.h"
+#include "platform/page.h"
 #include "session/library/gallery.h"
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
@@ -195,6 +196,7 @@ void Editor::frame() {
   if (const double at = panels_.changes_at_s(); at >= 0 && now >= at) schedule_.draw(2);
   if (!schedule_.is_due() && !changed && !schedule_.is_tip_due(now) && !ImGui::GetIO().WantTextInput) return;
   schedule_.drawn(now);
+  restyle_ |= platform::is_touched() != (style_.finger > 0);
   if (restyle_ || styled_percent_ != settings_.interface_percent) {
     window_.use_style(style_, settings_.interface_percent);
     styled_percent_ = settings_.interface_percent;

@@ -1,6 +1,7 @@
 #include "app/panels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/fixed_window.h"
@@ -23,7 +24,20 @@ using session::DocumentView;
 using ui::hit_area, ui::segmented, ui::tooltip;
 using views::draw_accuracy, views::draw_closest_weave_notice, views::draw_draft, views::draw_draft_header,
     views::draw_palette, views::draw_scene, views::draw_status_bar, views::draw_threads, views::draw_yarns,
-    views::fitting_width, views::lay_out_window, views::shared_width;
+    views::fitting_width, views::is_stacked, views::lay_out_window, views::shared_width;
+
+namespace {
+
+/// Of a splitter that a finger drags.
+void draw_handle(const PanelContext& c, ImVec2 middle, bool stacked, bool active) {
+  const float along = c.style.px(22), across = c.style.px(3);
+  const ImVec2 half = stacked ? ImVec2{along, across} : ImVec2{across, along};
+  ImGui::GetWindowDrawList()->AddRectFilled({middle.x - half.x, middle.y - half.y},
+                                            {middle.x + half.x, middle.y + half.y},
+                                            active ? c.style.color.accent : c.style.color.line_strong, across);
+}
+
+}  // namespace
 
 Panels::Panels(Editing& editing, const Settings& settings, ClothPane& cloth, LoomWindow& loom, Reports& reports,
                BackgroundTasks& tasks, Messages& messages)
@@ -40,19 +54,19 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
-  const float room = shared_width(c.style, size.x, settings_.inspector);
-  const WindowLayout l = lay_out_window(c.style, at, size, split_of(c.style, room, size.y),
+  const WindowLayout l = lay_out_window(c.style, at, size, split_of(c.style, size),
                                         {.cloth = settings_.cloth, .inspector = settings_.inspector});
   if (editing_.view().at_loom.open) {
     loom_.draw(c, l);
     return draw_status(c, l, status);
   }
   // The draft is fitted to its new room.
-  if (std::exchange(cloth_shown_, settings_.cloth) != settings_.cloth)
+  if ((std::exchange(cloth_shown_, settings_.cloth) != settings_.cloth) |
+      (std::exchange(stacked_, l.stacked) != l.stacked))
     c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
   draw_draft_pane(c, l, items);
+  if (l.cloth.shown() || (l.stacked && l.inspector.shown())) draw_splitter(c, l);
   if (l.cloth.shown()) {
-    draw_splitter(c, l);
     begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
     cloth_.draw(c);
     ImGui::End();
@@ -73,7 +87,9 @@ void Panels::draw_draft_pane(PanelContext& c, const WindowLayout& l, std::span<c
 
 void Panels::draw_status(PanelContext& c, const WindowLayout& l, const StatusTexts& status) {
   const DocumentView& v = editing_.view();
-  begin_fixed("Status", l.status, {c.style.px(14), c.style.px(6)}, kFixed);
+  const bool touched = c.style.finger > 0;  // its buttons are as high as the bar
+  begin_fixed("Status", l.status, {c.style.px(14), touched ? 0 : c.style.px(6)}, kFixed);
+  if (touched) ImGui::AlignTextToFramePadding();
   tasks_.draw(c, status.awaits);
   if (draw_status_bar(c, v.select, v.drawing, status.trouble, messages_.shown(), messages_.remarks()))
     messages_.toggle_remarks();
@@ -106,13 +122,15 @@ void Panels::draw_inspector(PanelContext& c, const WindowLayout& l) {
   ImGui::End();
 }
 
-float Panels::split_of(const Style& style, float room, float height) {
+float Panels::split_of(const Style& style, ImVec2 size) {
   constexpr float kMin = 0.42f, kMax = 0.6f, kAround = 76;  // header and status line, pixels at 96 dpi
   if (settings_.split > 0) return settings_.split;
+  if (is_stacked(style, size)) return fitted_split_ = 0.5f;
+  const float room = shared_width(style, size.x, settings_.inspector);
   // Computed with the first pitch, and kept while threads are added.
   if (editing_.view().draft.pitch <= 0)
     fitted_split_ = fitting_width(editing_.document().now().draft, settings_, style, room * kMin, room * kMax,
-                                  std::max(1.0f, height - style.px(kAround))) /
+                                  std::max(1.0f, size.y - style.px(kAround))) /
                     room;
   return fitted_split_;
 }
@@ -122,9 +140,11 @@ void Panels::draw_splitter(PanelContext& c, const WindowLayout& l) const {
   begin_fixed("Splitter", l.splitter, {0, 0}, kFixed);
   hit_area("split", size);
   c.map.add_item("split");
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+    ImGui::SetMouseCursor(l.stacked ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive()) {
-    const float moved = ImGui::GetIO().MouseDelta.x / l.room,
+    const ImVec2 by = ImGui::GetIO().MouseDelta;
+    const float moved = (l.stacked ? by.y : by.x) / l.room,
                 now = std::clamp((c.settings.split > 0 ? c.settings.split : fitted_split_) + moved, 0.2f, 0.8f);
     if (moved != 0) c.wanted.change_settings([now](Settings& s) { s.split = now; });
   }
@@ -133,9 +153,13 @@ void Panels::draw_splitter(PanelContext& c, const WindowLayout& l) const {
     c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
   }
   tooltip(c, tr("Drag to resize the draft. Double-click to fit it."));
-  const ImU32 color = ImGui::IsItemActive() ? c.style.color.accent : c.style.color.line;
-  const float middle = at.x + static_cast<float>(static_cast<int>(size.x / 2));
-  ImGui::GetWindowDrawList()->AddRectFilled({middle, at.y}, {middle + 1, at.y + size.y}, color);
+  const bool active = ImGui::IsItemActive();
+  const ImU32 color = active ? c.style.color.accent : c.style.color.line;
+  const ImVec2 middle{at.x + std::floor(size.x / 2), at.y + std::floor(size.y / 2)};
+  ImDrawList* dl = ImGui::GetWindowDrawList();
+  if (l.stacked) dl->AddRectFilled({at.x, middle.y}, {at.x + size.x, middle.y + 1}, color);
+  else dl->AddRectFilled({middle.x, at.y}, {middle.x + 1, at.y + size.y}, color);
+  if (c.style.finger > 0) draw_handle(c, middle, l.stacked, active);
   ImGui::End();
 }
 

@@ -44,7 +44,7 @@ class Panels {
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
   void draw_status(PanelContext& c, const WindowLayout& layout, const StatusTexts& status);
   /// Fraction of the width for the pane of the draft.
-  float split_of(const Style& style, float room, float height);
+  float split_of(const Style& style, ImVec2 size);
 
   Editing& editing_;
   const Settings& settings_;
@@ -56,7 +56,8 @@ class Panels {
   DraftPictures draft_pictures_;
   YarnStrip strip_;
   std::string typed_threads_;
-  bool cloth_shown_;           // in the last frame
+  bool cloth_shown_;  // in the last frame
+  bool stacked_ = false;
   float fitted_split_ = 0.5f;  // used until the user moves the splitter
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "platform/clipboard.h"
 #include "platform/display.h"
 #include "platform/opened_files.h"
+#include "platform/page.h"
 #include "session/jobs/input_queue.h"
 #include "ui/fonts.h"
 #include "ui/imgui_compat.h"
@@ -410,8 +412,10 @@ void Window::size(int& width, int& height) const { glfwGetWindowSize(window_, &w
 
 void Window::use_style(Style& style, int percent) {
   constexpr float kSmallest = 0.6f, kLargest = 4;  // of legible letters, and of what a texture of them can hold
+  constexpr float kFinger = 44;                    // points
   const float scale = std::clamp(display_scale() * static_cast<float>(percent) / 100, kSmallest, kLargest);
   style.scale = scale / pixel_ratio();
+  style.finger = platform::is_touched() ? std::ceil(kFinger * display_scale() / pixel_ratio()) : 0;
   style.color = style.dark ? dark_colors() : light_colors();
   if (fonts_for_ != scale) {
     style.font = load_fonts(scale, pixel_ratio());

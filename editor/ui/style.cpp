@@ -102,6 +102,10 @@ void apply(const Style& style) {
   s.ScrollbarRounding = 5;
   s.WindowMenuButtonPosition = ImGuiDir_None;
   s.ScaleAllSizes(style.scale);
+  if (style.finger <= 0) return;
+  // Frames of the smallest letters are as high as a finger needs.
+  s.FramePadding.y = std::max(s.FramePadding.y, std::ceil((style.finger - font_size(style.font.small)) / 2));
+  s.ScrollbarSize = style.px(16);
 }
 
 ImU32 blend(ImU32 from, ImU32 to, float t) {

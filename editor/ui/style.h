@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace weftlight::ui {
 
 struct Colors {
@@ -29,10 +31,13 @@ struct Style {
   Colors color{};
   Fonts font;
   bool dark = false;
-  float scale = 1;  // of the display: 1 at 96 dpi
+  float scale = 1;   // of the display: 1 at 96 dpi
+  float finger = 0;  // least height of what a finger presses, in pixels; 0 for a mouse
 
   /// A length of the design (96 dpi) in whole pixels.
   float px(float v) const { return static_cast<float>(static_cast<int>(v * scale + 0.5f)); }
+  /// The same for the height of something that is pressed.
+  float pressed_px(float v) const { return std::max(px(v), finger); }
 };
 
 Colors light_colors();

@@ -107,7 +107,8 @@ bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign al
 /// In the column of figures, `room_after` pixels before the end.
 bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), c.style.px(4)});
+  const float pad = c.style.finger > 0 ? ImGui::GetStyle().FramePadding.y : c.style.px(4);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), pad});
   ImGui::SetNextItemWidth(span.room_after > 0 ? -span.room_after : -FLT_MIN);
   const bool mixed = span.low != span.high;
   const ImU32 color = mixed || span.inherited ? c.style.color.muted : c.style.color.text;
@@ -195,9 +196,18 @@ void buttons_row(const Context& c, std::span<const char* const> labels) {
   if (width <= ImGui::GetContentRegionAvail().x - c.style.px(kLabelColumn)) row_label(c, "", "");
 }
 
+void begin_rows(const Context& c) {
+  ImVec2 spacing = ImGui::GetStyle().ItemSpacing;  // between rows, which ImGui adds to their height
+  spacing.y = std::max(spacing.y, c.style.finger - ImGui::GetFontSize());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
+}
+
+void end_rows() { ImGui::PopStyleVar(); }
+
 bool begin_combo(const Context& c, const char* id, const char* shown) {
   ImGui::PushID(id);
-  const bool open = ImGui::BeginCombo("##combo", shown, ImGuiComboFlags_NoArrowButton);
+  const ImGuiComboFlags tall = c.style.finger > 0 ? ImGuiComboFlags_HeightLarge : ImGuiComboFlags_None;
+  const bool open = ImGui::BeginCombo("##combo", shown, ImGuiComboFlags_NoArrowButton | tall);
   if (!open) {
     c.map.add_item(id);
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
@@ -207,11 +217,14 @@ bool begin_combo(const Context& c, const char* id, const char* shown) {
     dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // covers the end of a long name
     dl->AddTriangleFilled({x - r, y - r / 2}, {x + r, y - r / 2}, {x, y + r * 0.7f}, c.style.color.muted);
     ImGui::PopID();
+    return false;
   }
-  return open;
+  begin_rows(c);
+  return true;
 }
 
 void end_combo() {
+  end_rows();
   ImGui::EndCombo();
   ImGui::PopID();
 }
@@ -337,7 +350,9 @@ bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
 
 bool list_row(const Context& c, const char* id, const char* label, bool chosen, float height) {
   ImGui::PushID(id);
+  begin_rows(c);
   const bool pressed = ImGui::Selectable(label, chosen, ImGuiSelectableFlags_SelectOnNav, {0, height});
+  end_rows();
   ImGui::PopID();
   if (chosen && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
   c.map.add_row(id, chosen);

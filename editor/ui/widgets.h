@@ -38,6 +38,9 @@ bool number_field(const Context& c, const SliderSpec& spec, bool mixed, float wi
 /// A row of choices, one of them selected. True if another was clicked. The labels are marked texts: they are
 /// translated when drawn, and the map has them in English, as ID:LABEL.
 bool segmented(const Context& c, const char* id, std::span<const char* const> labels, int& chosen, float width = 0);
+/// Between these, rows of menus and lists are as high as a finger needs.
+void begin_rows(const Context& c);
+void end_rows();
 /// A drop-down list. If true, fill it and call end_combo.
 bool begin_combo(const Context& c, const char* id, const char* shown);
 void end_combo();

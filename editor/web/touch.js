@@ -6,7 +6,7 @@
 const Touch = (() => {
   const kPressMs = 120, kHoldMs = 550, kStill = 9;  // pixels of the page
   const kMoveStep = 28, kPinch = 1.19;              // a step of the wheel makes the cells so much larger
-  let canvas;
+  let canvas, seen = matchMedia('(pointer: coarse)').matches;
   const fingers = new Map();
   let state = 'none';  // none, waits, one, two, done
   let waits, held, from, middle, apart, left = [0, 0];
@@ -96,6 +96,7 @@ const Touch = (() => {
     canvas = on;
     const taken = handle => event => {
       if (event.pointerType === 'mouse') return;
+      seen ||= event.pointerType === 'touch';
       event.preventDefault();
       handle(event);
     };
@@ -115,5 +116,5 @@ const Touch = (() => {
       }, {capture: true, passive: false});
   }
 
-  return {begin};
+  return {begin, isSeen: () => seen};
 })();

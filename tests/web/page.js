@@ -9,7 +9,8 @@ const {Browser} = require('./browser.js');
 
 const [address, program, folder] = process.argv.slice(2);
 const {first_picture, ...seen} = require('./steps_pictures.js');
-const kSteps = {first_picture, ...require('./steps_files.js'), ...seen, ...require('./steps_host.js')};
+const kSteps = {first_picture, ...require('./steps_files.js'), ...seen, ...require('./steps_touch.js'),
+                ...require('./steps_host.js')};
 const kPictures = 'build/web/pictures';  // for whoever wants to look
 
 async function main() {

@@ -1,10 +1,9 @@
-// What is seen: the first picture, finished pictures beside the desktop's, other shapes, and what fingers do.
+// What is seen: the first picture, finished pictures beside the desktop's, and other shapes.
 'use strict';
 
 const fs = require('fs');
 const path = require('path');
 const {execFileSync} = require('child_process');
-const {comesTrue, sleep} = require('./browser.js');
 const {at_rest, difference, open_file, pixels_of} = require('./looking.js');
 
 async function first_picture(t) {
@@ -75,49 +74,4 @@ async function other_shape(t) {
   await page.key('Ctrl+Z');
 }
 
-async function fingers(t) {
-  const page = await t.browser.open(t.address, 1180, 820, true);
-  await open_file(page, t.mine);
-  await at_rest(page);
-  const cell = await page.cell('tieup', 1, 1);
-  await page.touch('touchStart', [cell]);
-  await page.touch('touchEnd', []);
-  await page.unsaved();
-  await page.key('Ctrl+S');
-  const saved = await t.browser.download('mine.wif');
-  t.check('a finger paints a cell', saved.equals(fs.readFileSync(path.join(t.folder, 'painted.wif'))));
-
-  await page.touch('touchStart', [await page.cell('tieup', 3, 8)]);
-  await sleep(800);
-  await page.touch('touchEnd', []);
-  await page.unsaved();
-  t.check('a finger held still is the right button, which clears', true);
-  await page.key('Ctrl+Z');
-  await page.title('mine.wif');
-
-  const pitch = async () => Math.abs((await page.map()).grids.find(one => one.name === 'drawdown').step_a[0]);
-  const start = await pitch(), [x, y] = await page.cell('drawdown', 4, 4);
-  const apart = by => [[x - by, y], [x + by, y]];
-  await page.touch('touchStart', apart(20));
-  for (let by = 25; by <= 80; by += 5) await page.touch('touchMove', apart(by));
-  await page.touch('touchEnd', []);
-  const wide = await comesTrue('the cells are larger', async () => await pitch() > start * 1.2 && pitch());
-  t.check('a pinch enlarges the cells', true, start + ' to ' + wide + ' pixels');
-  t.check('and paints nothing', !(await page.ask('document.title')).startsWith('\u25CF'));
-
-  const at = async () => (await page.map()).grids.find(one => one.name === 'drawdown').origin;
-  const [left, top] = await at(), both = d => [[x - 20 + d, y + d], [x + 20 + d, y + d]];
-  await page.touch('touchStart', both(0));
-  for (let d = 10; d <= 120; d += 10) await page.touch('touchMove', both(d));
-  await page.touch('touchEnd', []);
-  const moved = await comesTrue('the grid moved', async () => {
-    const [a, b] = await at();
-    return Math.hypot(a - left, b - top) > 20 && [a - left, b - top];
-  });
-  t.check('two fingers move the grid', true, moved.map(Math.round).join(', ') + ' pixels');
-
-  await page.picture('build/web/pictures/tablet.png');
-  await t.browser.close_page(page);
-}
-
-module.exports = {first_picture, pictures, other_shape, fingers};
+module.exports = {first_picture, pictures, other_shape};

@@ -19,7 +19,7 @@ using design::Design;
 using draft::BitGrid, draft::Draft, draft::Face, draft::System, draft::clipped;
 using session::Cell, session::DocumentView, session::MaybeEdit, session::scroll_to, session::select_cells,
     session::selection_between;
-using ui::blend, ui::muted_text, ui::row_label, ui::section, ui::slider;
+using ui::begin_rows, ui::blend, ui::end_rows, ui::muted_text, ui::row_label, ui::section, ui::slider;
 
 namespace {
 
@@ -54,6 +54,7 @@ void show_float(PanelContext& c, const analysis::Float& f) {
 void draw_float_list(PanelContext& c, const Report& r) {
   if (r.floats.listed.empty()) return;
   ImGui::BeginChild("floats", {0, c.style.px(kListHeight)});
+  begin_rows(c);
   ImGuiListClipper rows;
   rows.Begin(static_cast<int>(r.floats.listed.size()));
   while (rows.Step()) {
@@ -66,6 +67,7 @@ void draw_float_list(PanelContext& c, const Report& r) {
       c.map.add_item("float:" + std::to_string(i + 1));
     }
   }
+  end_rows();
   ImGui::EndChild();
 }
 

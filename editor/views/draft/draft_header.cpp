@@ -51,7 +51,7 @@ void draw_buttons(PanelContext& c, const char* id, std::span<const ToolButton> b
   const Style& s = c.style;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float w = s.px(kIconCell), h = ImGui::GetFrameHeight(), r = ImGui::GetStyle().FrameRounding;
+  const float w = s.pressed_px(kIconCell), h = ImGui::GetFrameHeight(), r = ImGui::GetStyle().FrameRounding;
   dl->AddRectFilled(at, {at.x + w * static_cast<float>(buttons.size()), at.y + h},
                     blend(s.color.panel, s.color.text, 0.08f), r);
   ImGui::PushID(id);
@@ -78,7 +78,7 @@ void draw_tool_buttons(PanelContext& c, std::span<const ActionItem> items) {
   draw_buttons(c, "tool", kTools, items, [](ImDrawList* dl, size_t i, ImVec2 middle, float size, ImU32 color) {
     draw_tool_icon(dl, static_cast<Tool>(i), middle, size, color);
   });
-  ImGui::SetCursorPos({at.x + c.style.px(kIconCell) * kTools.size() + c.style.px(kGap), at.y});
+  ImGui::SetCursorPos({at.x + c.style.pressed_px(kIconCell) * kTools.size() + c.style.px(kGap), at.y});
   draw_buttons(c, "mirror", kMirrors, items, [](ImDrawList* dl, size_t i, ImVec2 middle, float size, ImU32 color) {
     draw_mirror_icon(dl, i == 0, middle, size, color);
   });
@@ -134,7 +134,8 @@ void draw_draft_header(PanelContext& c, const std::string& name, Tool tool, std:
   const Style& s = c.style;
   const ImVec2 at = ImGui::GetCursorPos();
   const float gap = s.px(kGap), margin = s.px(kMargin), room = ImGui::GetWindowWidth() - 2 * margin;
-  const float buttons = s.px(kIconCell) * (kTools.size() + kMirrors.size()) + gap, title = s.px(kMinTitle) + gap;
+  const float buttons = s.pressed_px(kIconCell) * (kTools.size() + kMirrors.size()) + gap,
+              title = s.px(kMinTitle) + gap;
   const bool list_styles = room < title + buttons + gap + s.px(kStyles);
   const bool list_tools = room < buttons + gap + s.px(kStyleList);
   const float tools = list_tools ? s.px(kToolList) : buttons, styles = s.px(list_styles ? kStyleList : kStyles);

@@ -51,7 +51,7 @@ void draw_lock(ImDrawList* dl, DraftContext& c, const DraftLayout& l, const Grid
   const float x = lock_x(l, pane, c.style), area = c.style.px(kArea), y = pane.min().y + c.style.px(2);
   const std::string id = std::string("lock:") + grid_name(pane.id);
   ImGui::SetCursorScreenPos({x - area / 2, y});
-  if (hit_area(id.c_str(), {area, area})) c.wanted.add_action("rules.lock");
+  if (hit_area(id.c_str(), {area, c.style.pressed_px(kArea)})) c.wanted.add_action("rules.lock");
   c.map.add_item(id);
   const bool hovered = ImGui::IsItemHovered();
   tooltip(c, locked ? tr("This grid follows the framed ones and is locked. Click to unlock the grids that follow.")

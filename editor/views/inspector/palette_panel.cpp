@@ -45,7 +45,7 @@ void draw_swatch_menu(Panel& c, int color) {
 /// All swatches in rows. A click makes a colour active. Large palettes scroll.
 void draw_swatches(Panel& c) {
   const auto& palette = c.design.draft.palette;
-  const float side = c.style.px(24), gap = c.style.px(6);
+  const float side = c.style.pressed_px(24), gap = c.style.px(6);
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap - 4) / (side + gap)));
   const int rows = (static_cast<int>(palette.size()) + columns - 1) / columns;
   const float height = std::min(static_cast<float>(rows), 5.0f) * (side + gap) + gap;

@@ -225,7 +225,7 @@ void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 
 
 MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
   const auto& palette = c.design.draft.palette;
-  const float side = c.style.px(24), gap = c.style.px(6);
+  const float side = c.style.pressed_px(24), gap = c.style.px(6);
   MaybeEdit edit;
   for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
     if (i % 6 != 0) ImGui::SameLine(0, gap);

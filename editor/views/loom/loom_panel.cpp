@@ -234,7 +234,8 @@ const char* first_label(LoomWork work) {
 void draw_steps(Panel& c) {
   const char* const kWorks[] = {mark("Thread"), mark("Sley"), tr_in("at the loom", "Weave")};
   const LoomWork work = c.view.at_loom.work;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(18), c.style.px(10)});
+  const float pad = std::max(c.style.px(10), ImGui::GetStyle().FramePadding.y);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(18), pad});
   int chosen = static_cast<int>(work);
   if (segmented(c, "loom.work", kWorks, chosen, c.style.px(230)))
     c.wanted.change_view([chosen](DocumentView& v) {

@@ -14,8 +14,8 @@ namespace weftlight::views {
 
 using base::tr;
 using session::ActionItem, session::shown_keys;
-using ui::begin_at_first_item, ui::icon_button, ui::key_pressed, ui::open_popups, ui::show_keyboard_frame,
-    ui::use_up_arrow;
+using ui::begin_at_first_item, ui::begin_rows, ui::end_rows, ui::icon_button, ui::key_pressed, ui::open_popups,
+    ui::show_keyboard_frame, ui::use_up_arrow;
 
 namespace {
 
@@ -115,6 +115,7 @@ void draw_title(const PanelContext& c, const std::string& title, float left) {
 
 std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> items, const std::string& prefix) {
   std::string chosen;
+  begin_rows(c);
   for (size_t i = 0; i < items.size();) {
     const std::string& submenu = items[i].submenu;
     if (items[i].group && i > 0) ImGui::Separator();
@@ -126,15 +127,19 @@ std::string draw_menu_items(const PanelContext& c, std::span<const ActionItem> i
       if (open && draw_menu_item(c, items[i], prefix)) chosen = items[i].id;
     if (open && !submenu.empty()) ImGui::EndMenu();
   }
+  end_rows();
   return chosen;
 }
 
 std::string draw_menu_bar(const PanelContext& c, std::span<const ActionItem> items, const std::string& title,
                           int& opens) {
   std::string chosen;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(8), c.style.px(9)});
+  const float pad = c.style.finger > 0 ? ImGui::GetStyle().FramePadding.y : c.style.px(9);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(8), pad});
   if (ImGui::BeginMainMenuBar()) {
+    begin_rows(c);
     chosen = draw_menus(c, items, opens);
+    end_rows();
     ImGui::Dummy({c.style.px(12), 0});
     if (std::string id = draw_toolbar(c, items); !id.empty()) chosen = id;
     draw_title(c, title, ImGui::GetCursorPosX());

@@ -36,7 +36,8 @@ bool draw_remark_button(const PanelContext& c, std::span<const Diagnostic> remar
                             fill(tr_n("{count} message", "{count} messages", count), arg("count", count));
   ImGui::PushStyleColor(ImGuiCol_Text, bad ? c.style.color.warn : c.style.color.muted);
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(6), c.style.px(1)});
+  const float pad = c.style.finger > 0 ? ImGui::GetStyle().FramePadding.y : c.style.px(1);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(6), pad});
   const bool pressed =
       text_button(c, "remarks", label.c_str(), tr("Problems found in the opened file, and how they were handled"));
   ImGui::PopStyleVar();

@@ -23,7 +23,7 @@ constexpr float kHeight = 34, kLead = 14, kCross = 22, kMin = 84, kMax = 230, kR
 
 float preferred_width(const PanelContext& c, const Tab& tab) {
   const float text = ImGui::CalcTextSize(tab.name.c_str()).x;
-  return std::clamp(text + c.style.px(2 * kLead + kCross), c.style.px(kMin), c.style.px(kMax));
+  return std::clamp(text + c.style.px(2 * kLead) + c.style.pressed_px(kCross), c.style.px(kMin), c.style.px(kMax));
 }
 
 /// A cross, or a dot for unsaved changes while the pointer is elsewhere.
@@ -72,7 +72,7 @@ TabRequest dragged(const Tab& tab, const TabRect& p, std::span<const float> edge
 TabRequest draw_tab(PanelContext& c, const Tab& tab, const TabRect& p, bool shown, std::span<const float> edges,
                     float left) {
   const std::string number = std::to_string(p.index + 1);
-  const float cross = c.style.px(kCross), height = p.b.y - p.a.y;
+  const float cross = c.style.pressed_px(kCross), height = p.b.y - p.a.y;
   const ImVec2 mark{p.b.x - cross / 2 - c.style.px(6), (p.a.y + p.b.y) / 2};
   TabRequest requested;
   ImGui::PushID(static_cast<int>(tab.id));
@@ -122,7 +122,9 @@ void follow(TabStrip& strip, std::span<const Tab> tabs, uint64_t shown, std::spa
 
 }  // namespace
 
-float tab_strip_height(const Style& style, size_t tabs) { return tabs > 1 ? style.px(kHeight) : 0; }
+float tab_strip_height(const Style& style, size_t tabs) {
+  return tabs > 1 ? style.pressed_px(kHeight - kAbove) + style.px(kAbove) : 0;
+}
 
 std::vector<float> tab_edges(std::span<const float> preferred, float room, float min_width) {
   const float all = std::accumulate(preferred.begin(), preferred.end(), 0.0f);

@@ -32,7 +32,8 @@ bool draw_task_line(PanelContext& c, const base::ShownTask& task, const std::str
   if (task.can_stop) {
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(6), c.style.px(1)});
+    const float pad = c.style.finger > 0 ? ImGui::GetStyle().FramePadding.y : c.style.px(1);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(6), pad});
     cancelled =
         text_button(c, "task.cancel", tr("Cancel"), task.sentence.empty() ? task.name.c_str() : task.sentence.c_str());
     ImGui::PopStyleVar();

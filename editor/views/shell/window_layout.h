@@ -1,7 +1,7 @@
 #pragma once
 // The layout of the window: draft and cloth side by side, or the draft alone; the inspector at the right, the status
-// bar below. Works for any window size: a narrow one has the inspector in the place of the cloth, and the narrowest
-// leave it out.
+// bar below. On a tablet held upright the draft has the upper part, cloth and inspector the lower. Works for any window
+// size: a narrow one has the inspector in the place of the cloth, and the narrowest leave it out.
 
 #include <imgui.h>
 
@@ -18,7 +18,8 @@ struct PaneRect {
 
 struct WindowLayout {
   PaneRect draft, splitter, cloth, inspector, status;
-  float room = 1;  // total width of draft and cloth
+  float room = 1;        // total width of draft and cloth, or their height
+  bool stacked = false;  // one above the other
 };
 
 /// Panes that the user wants beside the draft.
@@ -26,9 +27,11 @@ struct WantedPanes {
   bool cloth = true, inspector = true;
 };
 
-/// Total width of draft and cloth in a window of that width.
+/// Whether a window of that size has the draft above the cloth.
+bool is_stacked(const Style& style, ImVec2 size);
+/// Total width of draft and cloth, side by side, in a window of that width.
 float shared_width(const Style& style, float width, bool inspector);
-/// `split`: fraction of that width for the draft, beside the cloth.
+/// `split`: fraction of that width for the draft, beside the cloth; or of the height, above it.
 WindowLayout lay_out_window(const Style& style, ImVec2 at, ImVec2 size, float split, WantedPanes wanted);
 
 }  // namespace weftlight::views

@@ -10,7 +10,6 @@
 namespace weftlight::texture_set {
 
 using base::Result;
-using cloth::Plane;
 using files::MipContainer, files::PixelType, files::extension_of;
 
 namespace {

@@ -64,8 +64,8 @@ void draw_remark(const PanelContext& c, const Diagnostic& d) {
 /// By priority: the shape being drawn, the active block or drag; with the select tool the selection; then the cell
 /// under the pointer.
 std::string status_text(const PanelContext& c, const SelectState& s, const DrawingState& drawing) {
-  const std::string selected = selection_text(s),
-                    hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
+  std::string selected = selection_text(s);
+  const std::string hover = describe(c.design, c.cells, c.frame.hover.grid, c.frame.hover.cell);
   if (drawing.shape) return shape_text(*drawing.shape);
   if (s.tool == Tool::kType) return typing_text(drawing.cursor, c.design, c.cells);
   if (s.held || s.drag != SelectDrag::kNone) return selected;

@@ -1,6 +1,7 @@
 #include "ui/pixel_texture.h"
 
 #include <set>
+#include <vector>
 
 #include "opengl/opengl.h"
 
@@ -13,26 +14,33 @@ std::set<PixelTexture*>& filled() {
   return all;
 }
 
+std::vector<unsigned>& replaced() {
+  static std::vector<unsigned> names;
+  return names;
+}
+
 }  // namespace
 
 PixelTexture::~PixelTexture() {
   if constexpr (opengl::kComesBack) filled().erase(this);
-  for (const unsigned name : names_)
-    if (name != 0) glDeleteTextures(1, &name);
+  if (name_ != 0) glDeleteTextures(1, &name_);
+}
+
+void PixelTexture::delete_replaced() {
+  if (!replaced().empty()) glDeleteTextures(static_cast<GLsizei>(replaced().size()), replaced().data());
+  replaced().clear();
 }
 
 void PixelTexture::upload_all() {
+  delete_replaced();
   for (PixelTexture* const one : filled()) {
-    for (unsigned& name : one->names_) {
-      if (name != 0) glDeleteTextures(1, &name);
-      name = 0;
-    }
+    if (one->name_ != 0) glDeleteTextures(1, &one->name_);
     one->upload(one->width_, one->height_, one->pixels_.data(), one->smooth_);
   }
 }
 
 void PixelTexture::set(int width, int height, std::span<const ImU32> pixels, bool smooth) {
-  shown_ = 1 - shown_;
+  if (name_ != 0) replaced().push_back(name_);
   upload(width, height, pixels.data(), smooth);
   if constexpr (opengl::kComesBack) {
     width_ = width, height_ = height, smooth_ = smooth;
@@ -42,8 +50,8 @@ void PixelTexture::set(int width, int height, std::span<const ImU32> pixels, boo
 }
 
 void PixelTexture::upload(int width, int height, const ImU32* pixels, bool smooth) {
-  if (name() == 0) glGenTextures(1, &names_[shown_]);
-  glBindTexture(GL_TEXTURE_2D, name());
+  glGenTextures(1, &name_);
+  glBindTexture(GL_TEXTURE_2D, name_);
   const GLint filter = smooth ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "opengl/opengl.h"
+#include "ui/pixel_texture.h"
 
 namespace weftlight::ui {
 
@@ -60,11 +61,15 @@ bool Redraw::draw(ImDrawData& data, int width, int height, ImU32 background, boo
   if (background != background_) damage_.invalidate();
   background_ = background;
   const std::vector<Area> areas = damage_.changed_areas(data);
-  if (areas.empty() && !show) return false;
+  if (areas.empty() && !show) {
+    PixelTexture::delete_replaced();
+    return false;
+  }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glViewport(0, 0, width, height);
   for (const Area& area : areas) draw_area(data, area);
+  PixelTexture::delete_replaced();
   glDisable(GL_SCISSOR_TEST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

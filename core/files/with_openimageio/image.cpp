@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "base/files.h"
 #include "base/text.h"
@@ -197,14 +198,10 @@ Result<Image> read_from(const std::string& path, int level) {
   return image;
 }
 
-}  // namespace
-
-namespace {
-
 /// A file with mip levels has tiles of this side.
 constexpr int kTileSide = 64;
 
-/// A mip level; `halves` has its rows so far, except of the finest.
+/// A mip level; `next`: rows so far, which `halves` has, except of the finest.
 struct Level {
   int width = 0, height = 0, next = 0;
   std::vector<uint16_t> halves;
@@ -226,11 +223,12 @@ struct ImageRows::File {
   std::string path;
   std::unique_ptr<DiskFile> disk;  // PNG only
   std::unique_ptr<OIIO::ImageOutput> out;
-  int width = 0, height = 0, channels = 0, next = 0;
+  int channels = 0;
   PixelType type = PixelType::kU8;
+  std::vector<Level> levels;  // the image alone, or with all its mip levels
   // With mip levels only.
+  bool has_tiles = false;
   Names names;
-  std::vector<Level> levels;
   std::vector<float> tiles;  // rows of the finest level that do not fill their tiles yet
 
   OIIO::ImageSpec spec_of(const Level& level) const {
@@ -243,6 +241,7 @@ struct ImageRows::File {
     spec.attribute("openexr:roundingmode", 0);         // odd sizes are rounded down
     return spec;
   }
+  bool add_scanlines(int first, const Image& band) const;
   bool add_to_level(size_t k, const Image& band);
   bool write_full_tiles();
   bool write_coarser_levels();
@@ -251,8 +250,9 @@ struct ImageRows::File {
   /// first. Noise rows flush that buffer.
   void flush_unfinished() const {
     constexpr size_t kOut = size_t{1} << 18;  // bytes of noise that are enough
-    if (!out || !disk || next >= height) return;
-    std::vector<uint16_t> row(static_cast<size_t>(width) * static_cast<size_t>(channels));
+    if (!out || !disk || levels.empty() || levels[0].next >= levels[0].height) return;
+    const int next = levels[0].next, height = levels[0].height;
+    std::vector<uint16_t> row(static_cast<size_t>(levels[0].width) * static_cast<size_t>(channels));
     const bool bytes_each = type == PixelType::kU8;
     const size_t bytes = row.size() * (bytes_each ? 1 : 2);
     uint32_t noise = 1;
@@ -263,9 +263,23 @@ struct ImageRows::File {
   }
 };
 
+bool ImageRows::File::add_scanlines(int first, const Image& band) const {
+  const int end = first + band.height;
+  switch (type) {
+    case PixelType::kU8:
+      return out->write_scanlines(first, end, 0, OIIO::TypeDesc::UINT8, quantised<uint8_t>(band.texels).data());
+    case PixelType::kU16:
+      return out->write_scanlines(first, end, 0, OIIO::TypeDesc::UINT16, quantised<uint16_t>(band.texels).data());
+    case PixelType::kHalf:
+      return out->write_scanlines(first, end, 0, OIIO::TypeDesc::FLOAT, within_half(band.texels).data());
+    case PixelType::kFloat:
+      return out->write_scanlines(first, end, 0, OIIO::TypeDesc::FLOAT, band.texels.data());
+  }
+  return false;
+}
+
 bool ImageRows::File::add_to_level(size_t k, const Image& band) {
   Level& level = levels[k];
-  level.next += band.height;
   const std::vector<float> values = within_half(band.texels);
   if (k == 0) {
     tiles.insert(tiles.end(), values.begin(), values.end());
@@ -311,8 +325,9 @@ ImageRows::~ImageRows() {
 Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int width, int height, int channels,
                                                    PixelType type, const Names& names) {
   auto file = std::make_unique<File>();
-  file->path = path, file->width = width, file->height = height, file->channels = channels, file->type = type;
+  file->path = path, file->channels = channels, file->type = type;
   try {
+    file->levels = {{width, height, 0, {}}};
     if (is_png(path)) file->disk = std::make_unique<DiskFile>(path);
     file->out = OIIO::ImageOutput::create(path, file->disk.get());
     const bool exr = file->out && std::string_view(file->out->format_name()) == "openexr";
@@ -328,8 +343,8 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int 
 Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& path, int width, int height,
                                                              const Names& names) {
   auto file = std::make_unique<File>();
-  file->path = path, file->width = width, file->height = height, file->channels = static_cast<int>(names.size());
-  file->type = PixelType::kHalf, file->names = names;
+  file->path = path, file->channels = static_cast<int>(names.size()), file->type = PixelType::kHalf;
+  file->has_tiles = true, file->names = names;
   try {
     file->levels = levels_of(width, height);
     file->out = OIIO::ImageOutput::create(path);
@@ -344,42 +359,20 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& 
 Result<void> ImageRows::add(const Image& band, int level) {
   File& f = *file_;
   const auto k = static_cast<size_t>(level);
-  const Level whole = f.levels.empty()      ? Level{f.width, f.height, f.next, {}}
-                      : k < f.levels.size() ? Level{f.levels[k].width, f.levels[k].height, f.levels[k].next, {}}
-                                            : Level{};
-  if (band.width != whole.width || band.channels != f.channels || whole.next + band.height > whole.height)
+  if (k >= f.levels.size()) return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
+  Level& to = f.levels[k];
+  if (band.width != to.width || band.channels != f.channels || to.next + band.height > to.height)
     return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
-  if (!f.levels.empty()) {
-    if (f.add_to_level(k, band)) return {};
-    return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
-  }
-  const int end = f.next + band.height;
-  bool written = false;
-  switch (f.type) {
-    case PixelType::kU8:
-      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::UINT8, quantised<uint8_t>(band.texels).data());
-      break;
-    case PixelType::kU16:
-      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::UINT16, quantised<uint16_t>(band.texels).data());
-      break;
-    case PixelType::kHalf:
-      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::FLOAT, within_half(band.texels).data());
-      break;
-    case PixelType::kFloat:
-      written = f.out->write_scanlines(f.next, end, 0, OIIO::TypeDesc::FLOAT, band.texels.data());
-  }
-  f.next = end;
-  if (!written) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
-  return {};
+  const int first = std::exchange(to.next, to.next + band.height);
+  if (f.has_tiles ? f.add_to_level(k, band) : f.add_scanlines(first, band)) return {};
+  return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
 }
 
 Result<void> ImageRows::close() {
   File& f = *file_;
-  const bool complete = f.levels.empty()
-                            ? f.next == f.height
-                            : std::ranges::all_of(f.levels, [](const Level& l) { return l.next == l.height; });
+  const bool complete = std::ranges::all_of(f.levels, [](const Level& l) { return l.next == l.height; });
   if (!complete) return failure(ErrorKind::kOutput, tr("rows of the image are missing"), f.path);
-  if (!f.levels.empty() && !f.write_coarser_levels()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
+  if (!f.write_coarser_levels()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
   if (!f.out->close()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
   if (!f.disk) return {};
   f.disk->close();

@@ -14,6 +14,7 @@ std::set<PixelTexture*>& filled() {
   return all;
 }
 
+/// Names that are given back once a frame has been drawn.
 std::vector<unsigned>& replaced() {
   static std::vector<unsigned> names;
   return names;
@@ -23,7 +24,7 @@ std::vector<unsigned>& replaced() {
 
 PixelTexture::~PixelTexture() {
   if constexpr (opengl::kComesBack) filled().erase(this);
-  if (name_ != 0) glDeleteTextures(1, &name_);
+  if (name_ != 0) replaced().push_back(name_);
 }
 
 void PixelTexture::delete_replaced() {

@@ -25,8 +25,8 @@ class PixelTexture {
   unsigned name() const { return name_; }
   ImTextureID id() const { return texture_of(name()); }
 
-  /// Deletes what set() has replaced. Of the window, once a frame has been drawn: until then no new name is one that
-  /// the last drawn frame had, however many frames of input are dropped in between.
+  /// Deletes what set() has replaced, and those that are gone. Of the window, once a frame has been drawn: until then
+  /// no new name is one that the last drawn frame had, however many frames of input are dropped in between.
   static void delete_replaced();
   /// After a GL context came back empty, as in a browser: fills all of them anew.
   static void upload_all();

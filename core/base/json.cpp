@@ -1,5 +1,6 @@
 #include "base/json.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <mutex>
@@ -51,6 +52,35 @@ void* take_json_memory(size_t bytes) {
 
 void give_json_memory_back(void* piece) noexcept {
   if (!g_store.give_back(piece)) ::operator delete(piece);
+}
+
+JsonExtent json_extent(std::string_view text) {
+  JsonExtent extent;
+  int depth = 0;
+  bool in_text = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_text) {
+      if (c == '\\') ++i;
+      else in_text = c != '"';
+    } else if (c == '"') {
+      in_text = true;
+    } else if (c == '[' || c == '{') {
+      extent.depth = std::max(extent.depth, ++depth);
+      ++extent.values;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    } else if (c == ',') {
+      ++extent.values;
+    }
+  }
+  return extent;
+}
+
+nlohmann::json read_json(std::string_view text) {
+  const JsonExtent extent = json_extent(text);
+  if (extent.depth > kMaxJsonDepth || extent.values > kMaxJsonValues) return nlohmann::json::value_t::discarded;
+  return nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
 }
 
 }  // namespace weftlight::base

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <string_view>
 #include <type_traits>
 
 namespace weftlight::base {
@@ -13,6 +14,19 @@ namespace weftlight::base {
 /// Throws std::bad_alloc where the store is used up, too.
 void* take_json_memory(size_t bytes);
 void give_json_memory_back(void* piece) noexcept;
+
+/// How deep a text of JSON is nested, and of how many values it is at least; found before any of them takes memory.
+struct JsonExtent {
+  int depth = 0;
+  size_t values = 1;
+};
+JsonExtent json_extent(std::string_view text);
+
+inline constexpr int kMaxJsonDepth = 64;
+inline constexpr size_t kMaxJsonValues = 500'000;  // up to 200 bytes of memory each
+
+/// The value; discarded where the text is no JSON, nested deeper than kMaxJsonDepth, or of more than kMaxJsonValues.
+nlohmann::json read_json(std::string_view text);
 
 }  // namespace weftlight::base
 

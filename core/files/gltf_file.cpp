@@ -10,14 +10,13 @@
 
 namespace weftlight::files {
 
-using base::arg, base::fill, base::message, base::read_file, base::tr;
+using base::arg, base::fill, base::kMaxJsonDepth, base::message, base::read_file, base::tr;
 
 namespace {
 
 using nlohmann::json;
 
-constexpr int kMaxJsonDepth = 64;
-constexpr size_t kMaxJsonValues = 2'000'000;  // about 100 bytes of memory each
+constexpr size_t kMaxMeshValues = 2'000'000;  // about 100 bytes of memory each
 constexpr size_t kMaxNodes = 100'000;
 constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
@@ -122,32 +121,15 @@ Chunks split(const std::string& bytes) {
   return chunks;
 }
 
-/// Before a value of the JSON takes memory: how deep it is nested, and how many values there are. nlohmann's own
-/// callback for this takes a time that grows with the square of a list of objects.
+/// Before a value of the JSON takes memory. nlohmann's own callback for this takes a time that grows with the square of
+/// a list of objects.
 void check_nesting(std::string_view text) {
-  int depth = 0;
-  size_t values = 1;
-  bool in_text = false;
-  for (size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_text) {
-      if (c == '\\') ++i;
-      else in_text = c != '"';
-    } else if (c == '"') {
-      in_text = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kMaxJsonDepth)
-        refuse(fill(tr("its JSON is nested deeper than {most}"), arg("most", kMaxJsonDepth)));
-      ++values;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    } else if (c == ',') {
-      ++values;
-    }
-  }
-  if (values > kMaxJsonValues)
+  const base::JsonExtent extent = base::json_extent(text);
+  if (extent.depth > kMaxJsonDepth)
+    refuse(fill(tr("its JSON is nested deeper than {most}"), arg("most", int{kMaxJsonDepth})));
+  if (extent.values > kMaxMeshValues)
     refuse(fill(tr("its JSON has {count} values; at most {most} are read; export a lighter mesh as .glb"),
-                arg("count", values), arg("most", kMaxJsonValues)));
+                arg("count", extent.values), arg("most", kMaxMeshValues)));
 }
 
 json parse(std::string_view text) {

@@ -71,7 +71,24 @@ struct Lines {
 
 using nlohmann::json;
 
+/// An invalid value; caught where the file is read.
+struct InvalidValue {
+  std::string what;
+};
+
+/// Before a value takes memory; the callback of parse() takes a time that grows with the square of a list of objects.
+void check_extent(std::string_view text) {
+  constexpr size_t kMaxValues = 10'000;
+  const base::JsonExtent extent = base::json_extent(text);
+  if (extent.depth > base::kMaxJsonDepth)
+    throw InvalidValue{fill(tr("its JSON is nested deeper than {most}"), arg("most", int{base::kMaxJsonDepth}))};
+  if (extent.values > kMaxValues)
+    throw InvalidValue{
+        fill(tr("has {count} values; at most {most} are read"), arg("count", extent.values), arg("most", kMaxValues))};
+}
+
 json parse(std::string_view text, Lines& lines) {
+  check_extent(text);
   std::string key;
   const auto note = [&](int depth, json::parse_event_t event, json& value) {
     if (event == json::parse_event_t::key && depth == 1) lines.keys[key = value.get<std::string>()] = lines.now;
@@ -81,11 +98,6 @@ json parse(std::string_view text, Lines& lines) {
   const char* end = text.data() + text.size();
   return json::parse(LineCounter{text.data(), &lines.now}, LineCounter{end, &lines.now}, note);
 }
-
-/// An invalid value; caught where the file is read.
-struct InvalidValue {
-  std::string what;
-};
 
 InvalidValue missing(const char* name) { return {fill(tr("{name} is missing"), arg("name", name))}; }
 

@@ -53,9 +53,8 @@ std::string text_of(const json& root, const char* key) {
 std::optional<json> list_in(const fs::path& folder) {
   std::error_code ec;
   const fs::path path = folder / kList;
-  if (!fs::is_regular_file(path, ec) || fs::file_size(path, ec) > kLongestList) return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  const json root = json::parse(in, nullptr, false);
+  if (!fs::is_regular_file(path, ec)) return std::nullopt;
+  json root = base::read_json(base::read_file(path.string(), kLongestList).value_or(""));
   if (!root.is_object() || text_of(root, "format") != kFormat) return std::nullopt;
   return root;
 }
@@ -309,7 +308,8 @@ bool is_complete(const fs::path& folder, const std::string& key) {
 
 bool lists_archive(const fs::path& folder) {
   const std::optional<json> root = list_in(folder);
-  return root && root->value("archived", false);
+  const json archived = root ? root->value("archived", json()) : json();
+  return archived.is_boolean() && archived.get<bool>();
 }
 
 }  // namespace weftlight::texture_set

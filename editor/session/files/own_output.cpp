@@ -31,6 +31,7 @@ base::Failure refused(const std::string& path, std::string why) {
   return base::failure(base::ErrorKind::kUsage, std::move(why), path);
 }
 
+constexpr uint64_t kLongestMap = uint64_t{16} << 20;  // bytes
 constexpr const char* kIsTheDraft = mark("it is the draft to open; give another file");
 
 /// The hashes in a record; empty if there is no record.
@@ -79,7 +80,7 @@ base::Result<void> LiveExport::write(std::string_view bytes) {
 base::Result<void> check_ui_map(const std::string& path, const std::string& draft) {
   if (same_file(path, draft)) return refused(path, tr(kIsTheDraft));
   if (is_free(path)) return {};
-  const nlohmann::json json = nlohmann::json::parse(read_file(path).value_or(""), nullptr, false);
+  const nlohmann::json json = base::read_json(read_file(path, kLongestMap).value_or(""));
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};
   return refused(path, tr("the file there is no map of the window; remove it or give another name"));
 }

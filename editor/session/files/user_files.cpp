@@ -107,7 +107,7 @@ Settings load_settings() { return settings_from(read_file(settings_path().string
 
 Settings settings_from(std::string_view text) {
   Settings s;
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json json = base::read_json(text);
   if (!json.is_object()) return s;
   take(json, "dark", s.dark);
   take(json, "end1_right", s.end1_right);

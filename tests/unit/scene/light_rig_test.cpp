@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "../memory_taken.h"
 #include "design/lights.h"
 
 namespace weftlight::scene {
@@ -49,6 +50,15 @@ TEST(LightRigs, SayWhichLineIsWrong) {
   EXPECT_EQ(problem_in(second), "7: is not JSON from here on");
   second.replace(second.rfind("nul"), 3, "1e5");
   EXPECT_EQ(problem_in(second), "7: lamp 2: strength is 100000; give 0 to 10000");
+}
+
+TEST(LightRigs, BombsAreRefusedWithTheFigure) {
+  const auto rig = [](const std::string& text) { return [text] { return problem_in(text); }; };
+  const std::string head = R"({"key": [1, 1, 1], "lamps": [)";
+  expect_harmless(rig(head + std::string(500'000, '[')), "nested deeper than 64");
+  std::string lamps = head;
+  for (int i = 0; i < 300'000; ++i) lamps += "{},";
+  expect_harmless(rig(lamps + "{}]}"), "has 600008 values; at most 10000 are read");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "session/files/own_output.h"
 
+#include "../memory_taken.h"
 #include "../scratch_fixture.h"
 
 namespace weftlight::session {
@@ -75,6 +76,16 @@ TEST_F(OwnOutput, UiMapIsRecognisedByItsContent) {
   }
   EXPECT_FALSE(check_ui_map(draft, draft));
   EXPECT_FALSE(check_ui_map(dir_.string(), draft));
+}
+
+TEST_F(OwnOutput, UiMapsThatAreBombsAreRefused) {
+  const auto says = [this](const std::string& text) {
+    written("map.json", text);
+    return [this] { return problem_of(check_ui_map(path("map.json"), "")); };
+  };
+  const std::string head = R"({"frame": 3, "controls": [], "grids": )";
+  expect_harmless(says(head + std::string(5'000'000, '[')), "is no map of the window");
+  expect_harmless(says(head + "[]}" + std::string(40'000'000, ' ')), "is no map of the window");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../memory_taken.h"
 #include "base/utf8.h"
 #include "session/files/user_files.h"
 
@@ -112,6 +113,21 @@ TEST(Settings, InvalidValuesAreAsIfMissing) {
   EXPECT_EQ(far.width, 16384);
   EXPECT_EQ(far.height, 240);
   EXPECT_EQ(far.split, 0);
+}
+
+TEST(Settings, BombsAreAsIfMissing) {
+  const auto width = [](const std::string& text) {
+    return [text] { return std::to_string(settings_from(text).width); };
+  };
+  const std::string usual = std::to_string(Settings{}.width), head = R"({"width": 999, "recent": )";
+  expect_harmless(width(head + std::string(1'000'000, '[')), usual);
+  std::string lists = head + "[";
+  for (int i = 0; i < 200'000; ++i) lists += "[],";
+  expect_harmless(width(lists + "0]}"), "999");
+  std::string keys = R"({"width": 999, "keys": {)";
+  for (int i = 0; i < 60'000; ++i) keys += '"' + std::to_string(i) + R"(":"a",)";
+  expect_harmless(width(keys + R"("z":"a"}})"), "999");
+  EXPECT_EQ(settings_from(keys + R"("z":"a"}})").keys.size(), 1000u);
 }
 
 }  // namespace

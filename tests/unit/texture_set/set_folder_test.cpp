@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "../heir.h"
+#include "../memory_taken.h"
 #include "../no_locks.h"
 #include "../scratch.h"
 
@@ -142,6 +143,24 @@ TEST(SetFolder, AnothersSetThatCameMeanwhileIsNotReplaced) {
   ASSERT_EQ(write_set(scratch / "set", "mine"), "");
   EXPECT_FALSE(put_in_place(std::move(late), scratch / "set", {"y.wif", "y.wif", "gltf"}, false));
   EXPECT_EQ(text_in(scratch / "set/a.png"), "mine");
+}
+
+TEST(SetFolder, AListThatIsABombIsNoSet) {
+  const Scratch scratch("bomb");
+  fs::create_directories(scratch / "set");
+  const auto set = [&](const std::string& rest) {
+    std::ofstream(scratch / "set/texture_set.json") << R"({"format": "weftlight texture set", "key": "k", )" << rest;
+    return [folder = scratch / "set"] {
+      return std::to_string(listed_files(folder).size()) + (is_complete(folder, "k") ? " whole" : " not whole") +
+             (lists_archive(folder) ? " archived" : "");
+    };
+  };
+  expect_harmless(set(R"("files": )" + std::string(16'000'000, '[')), "0 not whole");
+  std::string names = R"("files": ["a")";
+  for (int i = 0; i < 5'000'000; ++i) names += ",[]";
+  expect_harmless(set(names + "]}"), "0 not whole");
+  expect_harmless(set(R"("files": [], "about": ")" + std::string(20'000'000, 'a') + "\"}"), "0 not whole");
+  expect_harmless(set(R"("files": ["a"], "archived": "yes"})"), "2 not whole");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "wif/foreign.h"
 #include "wif/numbers.h"
+#include "wif/text.h"
 
 namespace weftlight::wif {
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kSpacingStepMm = 0.53;  // of warp and weft spacing
 constexpr int kDefaultSteps = 4;
+constexpr size_t kMaxSections = 1000;
 
 struct DtxLine {
   int line = 0;  // 0-based
@@ -37,9 +39,22 @@ struct DtxSection {
   }
 };
 
-std::vector<DtxSection> sections_of_dtx(std::string_view bytes) {
+/// The file up to the first line or section that is too much; why it is, if it is.
+struct DtxText {
   std::vector<DtxSection> sections;
+  std::string too_large;
+};
+
+DtxText text_of_dtx(std::string_view bytes) {
+  DtxText file;
+  std::vector<DtxSection>& sections = file.sections;
   for (int line = 0; !bytes.empty(); ++line) {
+    if (static_cast<size_t>(line) == kMaxLines || sections.size() > kMaxSections) {
+      file.too_large = sections.size() > kMaxSections
+                           ? fill(tr("the file has more than {most} sections"), arg("most", kMaxSections))
+                           : fill(tr("the file has more than {most} lines"), arg("most", kMaxLines));
+      break;
+    }
     const size_t end = std::min(bytes.find('\n'), bytes.size());
     std::string_view text = trimmed(bytes.substr(0, end));
     while (!text.empty() && (text.back() == '\r' || is_blank(text.back()))) text.remove_suffix(1);
@@ -51,7 +66,7 @@ std::vector<DtxSection> sections_of_dtx(std::string_view bytes) {
       else sections.back().data.push_back({line, text});
     }
   }
-  return sections;
+  return file;
 }
 
 struct Dtx {
@@ -62,8 +77,8 @@ struct Dtx {
     const auto found = std::ranges::find(sections, name, &DtxSection::name);
     return found == sections.end() ? nullptr : &*found;
   }
-  std::nullopt_t refuse(int line, std::string what, std::string remedy) const {
-    diagnostics.add(Severity::kError, line, {}, std::move(what), std::move(remedy));
+  std::nullopt_t refuse(int line, const std::string& what, const std::string& remedy) const {
+    diagnostics.add(Severity::kError, line, {}, what, remedy);
     return std::nullopt;
   }
 };
@@ -89,6 +104,7 @@ std::vector<Word> words_of(const DtxSection& section, bool commas = false) {
       at = end;
       if (commas && (continues || word.front() == ',') && !words.empty()) words.back().text += word;
       else words.push_back({line.line, std::string(word)});
+      if (words.size() > static_cast<size_t>(kMaxThreads)) return words;  // one too many: refused, or without a thread
       continues = commas && word.back() == ',';
     }
   }
@@ -343,9 +359,12 @@ std::optional<WifFile> read_sections(const Dtx& dtx) {
 WifRead read_dtx(std::string_view bytes) {
   Diagnostics diagnostics;
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const Dtx dtx{sections_of_dtx(bytes), diagnostics};
+  const bool too_large = bytes.size() > kMaxForeignBytes;
+  DtxText text = too_large ? DtxText{} : text_of_dtx(bytes);
+  const Dtx dtx{std::move(text.sections), diagnostics};
   std::optional<WifFile> file;
-  if (bytes.size() > kMaxForeignBytes) dtx.refuse(-1, tr("the file is larger than 64 MB"), tr("choose a .dtx file"));
+  if (too_large) dtx.refuse(-1, tr("the file is larger than 64 MB"), tr("choose a .dtx file"));
+  else if (!text.too_large.empty()) dtx.refuse(-1, text.too_large, tr("choose a .dtx file"));
   else if (dtx.sections.empty() || dtx.sections.front().name != "STARTDTX")
     dtx.refuse(0, tr("the file does not begin with @@StartDTX"), tr("choose a .dtx file"));
   else file = read_sections(dtx);

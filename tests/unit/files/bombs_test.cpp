@@ -1,4 +1,5 @@
-// Small files that claim to be large are refused, with the figure, before memory is taken for it.
+// Small files that claim to be large are refused, with the figure, before memory is taken for it. Others than pictures,
+// meshes and drafts: unit/base/json_test, and Bombs in unit/scene, unit/session and unit/texture_set.
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -17,7 +18,6 @@
 namespace weftlight::files {
 namespace {
 
-constexpr long kMaxMb = 300;
 std::string big_endian(uint32_t v) {
   std::string out;
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(v >> shift & 0xff);
@@ -98,18 +98,11 @@ class Bombs : public ScratchTest {
     std::ofstream(path(name), std::ios::binary) << bytes;
     return path(name);
   }
-  /// `wanted`: what the answer names.
-  static void expect_refused(const std::function<std::string()>& read, const std::string& wanted) {
-    const Taken taken = taken_by(read);
-    EXPECT_NE(taken.said.find(wanted), std::string::npos) << taken.said;
-    EXPECT_GE(taken.mb, 0);
-    EXPECT_LT(taken.mb, kMaxMb) << taken.said;
-  }
   void expect_no_picture(const std::string& name, const std::string& bytes, const std::string& wanted) const {
     const std::string at = file(name, bytes);
     SCOPED_TRACE(name + ", " + std::to_string(bytes.size()) + " bytes");
-    expect_refused([&] { return said(read_picture_draft(at)); }, wanted);
-    expect_refused(
+    expect_harmless([&] { return said(read_picture_draft(at)); }, wanted);
+    expect_harmless(
         [&] {
           const base::Result<Image> read = read_image(at);
           return read ? "it was read" : message(read.error());
@@ -119,7 +112,7 @@ class Bombs : public ScratchTest {
   void expect_no_mesh(const std::string& name, const std::string& bytes, const std::string& wanted) const {
     const std::string at = file(name, bytes);
     SCOPED_TRACE(name + ", " + std::to_string(bytes.size()) + " bytes");
-    expect_refused(
+    expect_harmless(
         [&] {
           const base::Result<drape::Mesh> read = read_mesh(at);
           return read ? "it was read" : message(read.error());
@@ -148,11 +141,11 @@ TEST_F(Bombs, EnvironmentsOfAThousandLayersOrOfNoEnd) {
       return read ? std::string("it was read") : message(read.error());
     };
   };
-  expect_refused(light(file("layers.exr", exr(2048, 1024, 1000))), "1000 channels");
-  expect_refused(
+  expect_harmless(light(file("layers.exr", exr(2048, 1024, 1000))), "1000 channels");
+  expect_harmless(
       light(file("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 60000\n" + std::string(400, '\2'))),
       "60000 x 30000");
-  expect_refused(light(file("short.exr", exr(8192, 4096, 3))), "short.exr");
+  expect_harmless(light(file("short.exr", exr(8192, 4096, 3))), "short.exr");
 }
 
 const std::string kParts =
@@ -191,17 +184,37 @@ TEST_F(Bombs, DeepJson) {
 
 TEST_F(Bombs, DraftsWithLyingCounts) {
   const auto draft = [](const std::string& bytes) { return [bytes] { return said(wif::read_draft(bytes)); }; };
-  expect_refused(draft("@@StartDTX\n@@Info\n%%ends 2000000000\n%%picks 2000000000\n%%shafts 2000000000\n@@Threading\n"
-                       "1 2 3\n@@Tieup\n1\n@@Treadling\n1\n"),
-                 "2000000000");
+  expect_harmless(draft("@@StartDTX\n@@Info\n%%ends 2000000000\n%%picks 2000000000\n%%shafts 2000000000\n@@Threading\n"
+                        "1 2 3\n@@Tieup\n1\n@@Treadling\n1\n"),
+                  "2000000000");
   const std::string head = std::string("\x7b\x07\x64\0\xff\xff\0\0\0\x0a\x0a", 11) + std::string(13, '\xff');
-  expect_refused(draft(head + "\xff\xff" + "\1"), "ends within its threading");
-  expect_refused(draft(head + std::string("\0\1\1\0\1\1\0\1\1\xff\xff\1", 12)), "ends within its liftplan");
+  expect_harmless(draft(head + "\xff\xff" + "\1"), "ends within its threading");
+  expect_harmless(draft(head + std::string("\0\1\1\0\1\1\0\1\1\xff\xff\1", 12)), "ends within its liftplan");
   const std::string counts =
       "[WIF]\nVersion=1.1\n[WEAVING]\nShafts=2000000000\nTreadles=2000000000\n[WARP]\n"
       "Threads=2000000000\n[WEFT]\nThreads=2000000000\n[THREADING]\n2000000000=1\n"
       "[TIEUP]\n1=1\n[TREADLING]\n1=1\n";
-  expect_refused(draft(counts), "2000000000");
+  expect_harmless(draft(counts), "2000000000");
+}
+
+TEST_F(Bombs, DraftsOfMillionsOfLines) {
+  const auto draft = [](const std::string& bytes) { return [&bytes] { return said(wif::read_draft(bytes)); }; };
+  const std::string wif = "[WIF]\nVersion=1.1\n[WEAVING]\nShafts=4\nTreadles=4\n[WARP]\nThreads=8\n[WEFT]\nThreads=8\n";
+  // The same key again and again, sections again and again, one line without end, lists without end.
+  const std::string keys = wif + "[THREADING]\n" + repeated("1=1\n", 4'000'000);
+  expect_harmless(draft(keys), "more than 4000000 lines");
+  const std::string sections = wif + repeated("[A]\n", 4'000'000);
+  expect_harmless(draft(sections), "more than 4000000 lines");
+  const std::string brackets = wif + repeated("[", 16'000'000);
+  expect_harmless(draft(brackets), "");
+  const std::string list = wif + "[TIEUP]\n1=" + repeated("1,", 8'000'000);
+  expect_harmless(draft(list), "");
+  const std::string dtx = "@@StartDTX\n@@Info\n%%ends 4\n%%picks 4\n@@Threading\n" + repeated("1 ", 8'000'000);
+  expect_harmless(draft(dtx), "too many ends");
+  const std::string data = "@@StartDTX\n@@Threading\n" + repeated("1\n", 5'000'000);
+  expect_harmless(draft(data), "more than 4000000 lines");
+  const std::string names = "@@StartDTX\n" + repeated("@@A\n", 4'000'000);
+  expect_harmless(draft(names), "more than 1000 sections");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The finished picture is reproducible except for its noise.
+// The finished picture is reproducible except for its noise, also after one for which there was no memory.
 
 #include "app/picture_maker.h"
 
@@ -6,7 +6,10 @@
 
 #include <cmath>
 
+#include "../scarce_memory.h"
 #include "../straight_draft.h"
+#include "app/drawn_picture.h"
+#include "base/caught.h"
 #include "gl/context.h"
 
 namespace weftlight::app {
@@ -68,6 +71,52 @@ TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
   ASSERT_EQ(first.size(), again.size());
   // Bit by bit on a quiet machine; up to 0.038 on a busy one, where the same samples fall into passes of 2 to 8.
   EXPECT_LT(apart(first, again), 0.04);
+}
+
+TEST(PictureMakerTest, WhereverMemoryEndsTheNextPictureIsWhole) {
+  const auto context = HeadlessContext::create();
+  if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
+  gl::Pipeline pipeline;
+  PictureMaker maker(pipeline, 1);
+  Design design = straight_draft(4);
+  design.scene.mesh = "plane";
+  const auto cloth = std::make_shared<const Design>(design);
+  PictureRequest request{design.scene, design.look, 32, 24, false, Compare::kOff, 0};
+  request.scene.view_distance = 0.1f;
+  double now_s = 0;
+  // While a cloth is handed to the driver.
+  maker.submit(cloth);
+  const base::Result<void> handed_over = base::caught([&] {
+    do {
+      const NthFails fails(1);
+      maker.poll();
+    } while (maker.busy());
+  });
+  EXPECT_FALSE(handed_over);
+  maker.submit(cloth);
+  const std::vector<uint32_t> whole = at_rest(maker, request, now_s);
+  EXPECT_EQ(maker.problem(), "");
+  // While it draws, what the driver has compiled before: it may not do without memory.
+  PictureRequest another = request;
+  another.show_methods = true;
+  const auto draw_another = [&] {
+    maker.draw(another, false, now_s += 0.5);
+    drawn_picture(maker, another, true);
+  };
+  draw_another();
+  at_rest(maker, request, now_s);
+  int failures = 0;
+  for (int n = 1; n <= 500; n += 1 + n / 3) {
+    {
+      const NthFails fails(n);
+      failures += base::caught(draw_another) ? 0 : 1;
+    }
+    const std::vector<uint32_t> next = at_rest(maker, request, now_s);
+    EXPECT_EQ(maker.problem(), "") << n;
+    ASSERT_EQ(next.size(), whole.size()) << n;
+    EXPECT_LT(apart(next, whole), 0.06) << n << ": another picture";
+  }
+  EXPECT_GT(failures, 5);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "../scarce_memory.h"
 #include "../straight_draft.h"
 #include "../variable.h"
 
@@ -81,6 +82,32 @@ TEST(PreviewPaneTest, AnExceptionIsShownAndTheThreadContinues) {
   EXPECT_TRUE(says("the line broke"));
   EXPECT_TRUE(comes_true([&] { return pane.poll() && pane.picture().problem == "Weaving the cloth\xE2\x80\xA6"; }))
       << pane.picture().problem;
+}
+
+TEST(PreviewPaneTest, WhereverMemoryEndsBesideTheWindowTheNextPictureComes) {
+  PreviewPane pane([] {});
+  const std::string no_size = "Weaving the cloth\xE2\x80\xA6";
+  const auto is_made = [&] {
+    pane.poll();
+    return !pane.picture().busy && pane.picture().problem == no_size;
+  };
+  PictureRequest request;
+  pane.submit(std::make_shared<const Design>(straight_draft(8)));
+  pane.ask(request, false);
+  ASSERT_TRUE(comes_true([&] { return is_made() || pane.picture().problem != no_size; }));
+  if (pane.picture().problem != no_size) GTEST_SKIP() << "no graphics: " << pane.picture().problem;
+  int failures = 0;
+  for (int n = 1; n <= 500; n += 1 + n / 8) {
+    const NthFailsElsewhere fails(n);
+    pane.submit(std::make_shared<const Design>(straight_draft(n % 2 == 0 ? 4 : 6)));
+    request.budget_ms = static_cast<float>(n);
+    pane.ask(request, false);
+    ASSERT_TRUE(comes_true([&] { return is_made() || NthFailsElsewhere::failed(); })) << n;
+    failures += NthFailsElsewhere::failed() ? 1 : 0;
+  }
+  pane.submit(std::make_shared<const Design>(straight_draft(8)));
+  EXPECT_TRUE(comes_true(is_made)) << pane.picture().problem;
+  EXPECT_GT(failures, 10);
 }
 
 /// What the driver says of a context: those in `lost` were dropped.

@@ -85,7 +85,7 @@ class Editor {
   Session session_;
   BackgroundTasks tasks_;  // ends before the session, which its tasks may use
   FrameSchedule schedule_;
-  Messages messages_;
+  Messages messages_{Window::seconds};
   Editing editing_;
   Dialogs dialogs_;
   LiveExportWriter live_export_;

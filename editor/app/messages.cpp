@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/window.h"
 #include "base/text.h"
 
 namespace weftlight::app {
@@ -18,11 +17,11 @@ constexpr double kReadingS = 4;  // shown at least that long
 
 void Messages::show(StatusMessage message) {
   shown_ = std::move(message);
-  said_at_s_ = Window::seconds();
+  said_at_s_ = seconds_();
 }
 
 void Messages::begin_action() {
-  if (Window::seconds() - said_at_s_ >= kReadingS) clear();
+  if (seconds_() - said_at_s_ >= kReadingS) clear();
 }
 
 void Messages::report(std::vector<Diagnostic> remarks, const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 // What the window tells the user: the message in the status line, and the messages about a file.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,6 +18,8 @@ using wif::Diagnostic;
 
 class Messages {
  public:
+  /// `seconds`: the time now; only differences count.
+  explicit Messages(std::function<double()> seconds) : seconds_(std::move(seconds)) {}
   /// Shows a message in the status line until it is read: for some seconds, and on until the user's next action.
   void say(std::string text) { show({std::move(text), false}); }
   /// The same for what could not be done; it stands out.
@@ -40,6 +43,7 @@ class Messages {
  private:
   void show(StatusMessage message);
 
+  std::function<double()> seconds_;
   StatusMessage shown_;
   double said_at_s_ = 0;
   std::vector<Diagnostic> remarks_;  // about the document, or a file that could not be opened

@@ -91,13 +91,13 @@ TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
   EXPECT_TRUE(comes_true([&] { return bytes_of(taken) == w.live(); }));
 }
 
-/// A kdialog script that records its arguments and prints a prepared answer.
+/// A kdialog script that records its arguments and prints a prepared answer, or that it has none.
 TEST_F(FilesTest, KdialogAsksOnItsDesktop) {
   const fs::path other = folder_ / "other.wif", saved = folder_ / "kept here.wif";
   put(other, straight_draft(20, 4));
   put(folder_ / "kdialog", "#!/bin/sh\nfor word; do echo \"$word\"; done >> '" + (folder_ / "asked").string() +
-                               "'\nread -r answer < '" + (folder_ / "answer").string() +
-                               "' || exit 1\necho \"$answer\"\n");
+                               "'\nread -r answer < '" + (folder_ / "answer").string() + "' || { echo cancelled >> '" +
+                               (folder_ / "asked").string() + "'; exit 1; }\necho \"$answer\"\n");
   put(folder_ / "zenity", "#!/bin/sh\nexit 1\n");
   for (const char* program : {"kdialog", "zenity"}) fs::permissions(folder_ / program, fs::perms::owner_all);
   Window w(display_, folder_, draft_, {"PATH=" + folder_.string(), "XDG_CURRENT_DESKTOP=KDE"});
@@ -123,12 +123,15 @@ TEST_F(FilesTest, KdialogAsksOnItsDesktop) {
   fs::remove(folder_ / "asked");
   const std::string before = w.live();
   display_.key("ctrl+o");
-  ASSERT_TRUE(comes_true([&] { return asked("--getopenfilename\n"); }));
+  ASSERT_TRUE(comes_true([&] { return asked("cancelled\n"); }));
   put(folder_ / "answer", draft_.string() + "\n");
-  usleep(500'000);
+  display_.move(w.cell("drawdown", 3, 2));  // drawn once it knows
   EXPECT_EQ(w.live(), before);
-  display_.key("ctrl+o");
-  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(draft_); }));
+  // As long as it does not know that the dialog is gone, it opens no other.
+  EXPECT_TRUE(comes_true([&] {
+    display_.key("ctrl+o");
+    return w.live() == bytes_of(draft_);
+  }));
 }
 
 TEST_F(FilesTest, SavesThroughALink) {
@@ -318,6 +321,9 @@ TEST_F(FilesTest, AFailedSaveIsReportedAndKeepsTheOldFile) {
   ASSERT_EQ(prlimit(w.process().id(), RLIMIT_FSIZE, &none, nullptr), 0);
   display_.move({642, 798});  // another frame, whose map can be written
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Save as\xE2\x80\xA6"); })) << "the failed save is not reported";
+  const std::string said = w.name_after("question:");
+  EXPECT_TRUE(said.starts_with(draft_.string() + ": cannot be written: ")) << said;
+  EXPECT_NE(said.find("Your work is still here."), std::string::npos) << said;
   EXPECT_EQ(bytes_of(draft_), original);
   w.process().kill_now();
   w.process().wait();

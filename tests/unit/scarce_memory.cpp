@@ -10,6 +10,7 @@ namespace {
 
 std::atomic<size_t> g_most{SIZE_MAX};
 std::atomic<std::thread::id> g_spared;
+std::atomic<int> g_refusals{0};
 // Of one thread: what others do meanwhile would make n another call at every run.
 thread_local int t_left = 0;
 // Of all threads but one.
@@ -26,7 +27,10 @@ bool fails_here() {
 // Of the whole program; in a file of their own, where the compiler sees both as one pair.
 void* operator new(size_t bytes) {
   if (fails_here()) throw std::bad_alloc();
-  if (bytes > g_most && g_spared.load() != std::this_thread::get_id()) throw std::bad_alloc();
+  if (bytes > g_most && g_spared.load() != std::this_thread::get_id()) {
+    ++g_refusals;
+    throw std::bad_alloc();
+  }
   void* there = std::malloc(bytes > 0 ? bytes : 1);
   if (there == nullptr) throw std::bad_alloc();
   return there;
@@ -46,9 +50,11 @@ namespace weftlight {
 
 Scarce::Scarce(size_t most) {
   g_spared = std::this_thread::get_id();
+  g_refusals = 0;
   g_most = most;
 }
 Scarce::~Scarce() { g_most = SIZE_MAX; }
+int Scarce::refusals() { return g_refusals; }
 
 NthFails::NthFails(int n) { t_left = n; }
 NthFails::~NthFails() { t_left = 0; }

@@ -10,6 +10,8 @@ class Scarce {
  public:
   explicit Scarce(size_t most);
   ~Scarce();
+  /// How often memory was refused since the last one was made.
+  static int refusals();
   Scarce(const Scarce&) = delete;
   Scarce& operator=(const Scarce&) = delete;
 };

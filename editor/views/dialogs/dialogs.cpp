@@ -32,6 +32,7 @@ DialogResult draw(PanelContext& c, Question& q) {
   heading(c, q.title);
   ImGui::PushTextWrapPos(c.style.px(440));
   ImGui::TextUnformatted(q.text.c_str());
+  c.map.add_item("question:" + q.text);
   ImGui::PopTextWrapPos();
   return dialog_result(draw_buttons(c, q.buttons, true), -2);
 }

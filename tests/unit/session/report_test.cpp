@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
+#include "../semaphore.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::session {
@@ -30,21 +28,35 @@ TEST(Report, ReportsFloatsRepeatAndHeddles) {
 }
 
 TEST(Report, AnalysesTheNewestRequestedDesign) {
-  Reporter reporter;
   const auto twilled = std::make_shared<const Design>(twill({2, 2}, Lean::kRight, {16, 16}));
-  const BitMatrix cells = drawdown(twilled->draft);
-  EXPECT_EQ(reporter.on(twilled, cells, 1, 5), nullptr);
-  const auto waited = [&](uint64_t revision) {
-    for (int i = 0; i < 3000; ++i) {
-      const Report* r = reporter.on(twilled, cells, revision, 5);
-      if (r != nullptr && r->revision == revision) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-  };
-  EXPECT_TRUE(waited(1));
-  EXPECT_TRUE(waited(2));
-  EXPECT_EQ(reporter.last()->floats.count, 0);
+  const auto satined = std::make_shared<const Design>(satin(8, 3, Face::kFront, {16, 16}));
+  const BitMatrix short_floats = drawdown(twilled->draft), long_floats = drawdown(satined->draft);
+  // The thread tells of each analysis, and is held up at the first while three more are asked for.
+  BinarySemaphore told{0}, proceed{0};
+  int analyses = 0;
+  Reporter reporter([&] {
+    ++analyses;
+    told.release();
+    if (analyses == 1) proceed.acquire();
+  });
+  EXPECT_EQ(reporter.on(twilled, short_floats, 1, 5), nullptr);
+  told.acquire();
+  for (const uint64_t revision : {2, 3, 4}) {
+    const Report* r = reporter.on(twilled, short_floats, revision, 5);
+    ASSERT_NE(r, nullptr);
+    EXPECT_EQ(r->revision, 1u);
+  }
+  proceed.release();
+  told.acquire();
+  const Report* last = reporter.on(satined, long_floats, 5, 5);
+  ASSERT_NE(last, nullptr);
+  EXPECT_NE(last->revision, 3u) << "nobody asks for it any more";
+  told.acquire();
+  last = reporter.on(satined, long_floats, 5, 5);
+  EXPECT_EQ(last->revision, 5u);
+  EXPECT_GT(last->floats.count, 0) << "it is of another design";
+  EXPECT_FALSE(reporter.busy());
+  EXPECT_EQ(analyses, 3) << "each that was asked for meanwhile was analysed";
 }
 
 }  // namespace

@@ -19,5 +19,13 @@ TEST(Fonts, only_the_requested_family_is_found) {
   EXPECT_NE(regular, bold);
 }
 
+TEST(Fonts, a_face_has_the_letters_of_its_language) {
+  const FontFace english = font_face_of_language("en");
+  if (english.file.empty()) GTEST_SKIP() << "no font is installed";
+  EXPECT_TRUE(std::filesystem::exists(english.file)) << english.file;
+  EXPECT_GE(english.index, 0);
+  EXPECT_EQ(font_face_of_language("xx-none").file, "") << "no font has the letters of no language";
+}
+
 }  // namespace
 }  // namespace weftlight::platform

@@ -3,9 +3,12 @@
 #include "session/recovery/journal.h"
 
 #include <fstream>
-#include <random>
+#include <new>
+#include <stdexcept>
+#include <utility>
 
 #include "../scratch_fixture.h"
+#include "../semaphore.h"
 #include "session/recovery/journal_format.h"
 
 namespace weftlight::session {
@@ -67,6 +70,22 @@ TEST(JournalFormat, ADamagedByteLosesOnlyTheEntriesAfterIt) {
       EXPECT_TRUE(read->text == texts[0] || read->text == texts[1]) << at;
     }
   }
+}
+
+TEST(JournalFormat, AnEmptyTextAndAFileWithoutDeviceAreKept) {
+  const DocumentNote there{"a.wif", "a.wif", {true, 0, 7, 0, 0, 0}};
+  const std::optional<JournalEntry> read = read_journal(journal_start({there, ""}));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->note, there);
+  EXPECT_EQ(read->text, "");
+}
+
+TEST(JournalFormat, ADifferenceOfAnotherTextEndsTheJournal) {
+  const std::string start = journal_start({note("a.wif"), "ab"}), next = journal_entry("ab", "abc");
+  ASSERT_EQ(read_journal(start + next)->text, "abc");
+  // One that begins behind the text, one that keeps more of its end than there is, and one that fits and is another's.
+  for (const auto& [before, now] : {std::pair{"abcdefgh", "abcdefghX"}, {"xyz12345", "Xyz12345"}, {"xb", "xbc"}})
+    EXPECT_EQ(read_journal(start + journal_entry(before, now) + next)->text, "ab") << now;
 }
 
 class JournalTest : public ScratchTest {
@@ -171,6 +190,63 @@ TEST_F(JournalTest, TheOldJournalIsRemovedOnlyAfterTheNewOneIsOnDisk) {
   EXPECT_EQ(journal.problem(), "");
   EXPECT_FALSE(fs::exists(old));
   EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, "left and more");
+}
+
+TEST_F(JournalTest, WhatMayNotBeOnTheDiskKeepsTheOldOne) {
+  const std::string old = path("state/recovery/0123456789abcdef");
+  fs::create_directories(old);
+  written("state/recovery/0123456789abcdef/1.journal", journal_start({note("a.wif"), "left"}));
+  Recovery recovery(root());
+  const std::vector<LeftWork> left = recovery.left_behind();
+  ASSERT_EQ(left.size(), 1u);
+  Journal journal(recovery);
+  journal.keep(1, note("a.wif"), [] { return "left and more"; });
+  journal.settle();
+  // A journal that cannot be opened to be synced.
+  const std::string own = recovery.journal_path(1);
+  fs::remove(own);
+  fs::create_symlink(own, own);
+  journal.replace(left[0], 1);
+  journal.settle();
+  EXPECT_NE(journal.problem().find("may not be on the disk (" + own + ")"), std::string::npos) << journal.problem();
+  EXPECT_TRUE(fs::exists(left[0].journal));
+  // One that is gone, as after a save, keeps nothing.
+  fs::remove(own);
+  for (int i = 0; i < 300 && journal.busy(); ++i) usleep(10'000);
+  EXPECT_EQ(journal.problem(), "");
+  EXPECT_FALSE(fs::exists(left[0].journal));
+}
+
+TEST_F(JournalTest, WhatIsThrownIsToldAsItsProblem) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  journal.keep(1, note("a.wif"), []() -> std::string { throw std::runtime_error("the line broke"); });
+  journal.settle();
+  EXPECT_EQ(journal.problem(), "No recovery copy: the line broke");
+}
+
+TEST_F(JournalTest, AWaitingRequestIsNotLostToTheNext) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  for (const uint64_t document : {1, 2}) journal.keep(document, note("a.wif"), [] { return "text"; });
+  journal.settle();
+  // While another document is written: one is forgotten, one kept anew, and each then takes the place of old work.
+  BinarySemaphore begun{0}, proceed{0};
+  journal.keep(3, note("c.wif"), [&] {
+    begun.release();
+    proceed.acquire();
+    return std::string("slow");
+  });
+  begun.acquire();
+  const LeftWork none{path("state/recovery/0123456789abcdef/1.journal"), {}, 0};
+  journal.forget(1);
+  journal.replace(none, 1);
+  journal.keep(2, note("a.wif"), [] { return "newer"; });
+  journal.replace(none, 2);
+  proceed.release();
+  journal.settle();
+  EXPECT_FALSE(fs::exists(recovery.journal_path(1)));
+  EXPECT_EQ(read_left({recovery.journal_path(2), {}, 0})->text, "newer");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ inline Taken taken_by(const std::function<std::string()>& read) {
 }
 
 /// A small file that claims to be large is answered with `wanted` before it takes more than 300 MB and 2 s of the
-/// processor (which no other program of the machine can lengthen, and which suffice twice under a sanitizer).
+/// processor, which no other program of the machine can lengthen. Under a sanitizer this was not measured.
 inline void expect_harmless(const std::function<std::string()>& read, const std::string& wanted) {
   constexpr long kMaxMb = 300;
   constexpr double kMaxS = 2;

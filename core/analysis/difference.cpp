@@ -172,7 +172,9 @@ std::string region_text(const CellRect& region) {
                                 arg("first", region.end0 + 1), arg("last", region.end1));
   const std::string picks = fill(tr_n("pick {first}", "picks {first}\xE2\x80\x93{last}", pick_count),
                                  arg("first", region.pick0 + 1), arg("last", region.pick1));
-  return end_count <= pick_count ? ends + ", " + picks : picks + ", " + ends;
+  const bool ends_first = end_count <= pick_count;
+  return fill(tr("{first}, {second}"), arg("first", ends_first ? ends : picks),
+              arg("second", ends_first ? picks : ends));
 }
 
 std::string thread_list(const std::vector<int>& threads) {

@@ -92,7 +92,7 @@ std::string cause_of(const std::error_code& error) {
       {std::errc::file_too_large, mark("it is larger than the system allows")},
       {std::errc::filename_too_long, mark("its name is too long")},
   };
-  if (platform::is_over_quota(error)) return tr("your quota of the disk is full");
+  if (platform::is_over_quota(error)) return tr("your disk quota is full");
   for (const auto& [cause, text] : kTexts)
     if (error == cause) return tr(text);
   return error.message();
@@ -114,7 +114,7 @@ Result<std::string> read_file(const std::string& path, uint64_t max_bytes, const
   char buffer[65536];
   std::error_code error;
   while (const size_t got = file.read(buffer, sizeof buffer, error)) {
-    if (stop.stop_requested()) return not_read(path, tr("was not read to its end"));
+    if (stop.stop_requested()) return not_read(path, tr("could not be read completely"));
     bytes.append(buffer, got);
     if (bytes.size() > max_bytes) return not_read(path, too_large);
   }

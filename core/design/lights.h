@@ -77,7 +77,7 @@ inline constexpr std::array<LightingPreset, 6> kLightingPresets{{
      {0.33f, 0.30f, 0.265f}},
     {"grazing",
      base::mark("Grazing"),
-     base::mark("Light that skims the cloth: every thread throws a shadow"),
+     base::mark("Light that skims the cloth: every thread casts a shadow"),
      -82,
      12,
      1.9f,

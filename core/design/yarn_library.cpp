@@ -161,7 +161,7 @@ class YarnReader {
       });
       if (found != presets.end()) out_.yarn = *found;
       else
-        remark(line, fill(tr("the fibre {fibre} is not known; cotton was taken. Say what it is of in a line Note="),
+        remark(line, fill(tr("unknown fibre {fibre}; cotton is used. Describe it in a Note= line"),
                           arg("fibre", std::string(line.value))));
     }
   }
@@ -191,7 +191,7 @@ class YarnReader {
     const std::optional<YarnColor> color = color_in(line.value);
     if (!color) return remark(line, tr("a colour is written as #1E3A5F Navy"));
     if (out_.colors.size() < kMaxYarnColors) out_.colors.push_back(*color);
-    else remark(line, tr("a yarn can have 1,000 colours"));
+    else remark(line, tr("a yarn can have at most 1,000 colours"));
   }
 
   void take_twist(const Line& line) {
@@ -208,7 +208,7 @@ class YarnReader {
   void take_number(const Line& line) {
     float* const number = number_of(line.key);
     const bool plies = same_word(line.key, kPliesFacts.key);
-    if (number == nullptr && !plies) return remark(line, tr("this line says nothing to this version; it is kept"));
+    if (number == nullptr && !plies) return remark(line, tr("this line is not understood by this version; it is kept"));
     const std::optional<float> value = number_in(line.value);
     if (!value || *value < 0) return remark(line, tr("a number of 0 or more was expected"));
     if (plies) out_.yarn.plies = static_cast<int>(std::min(*value, 1000.0f));
@@ -311,7 +311,7 @@ base::Result<YarnLibrary> read_yarn_library(std::string_view text) {
   finish();
   const bool only_comments = std::ranges::all_of(out.head, [](const std::string& line) { return line[0] == '#'; });
   if (any && out.yarns.empty() && !only_comments)
-    return failure(base::ErrorKind::kInput, tr("is no list of yarns: it has no line [Yarn]"));
+    return failure(base::ErrorKind::kInput, tr("is not a yarn list: it has no [Yarn] line"));
   std::ranges::sort(out.remarks, {}, &LibraryRemark::line);
   return out;
 }

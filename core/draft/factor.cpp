@@ -32,15 +32,15 @@ std::vector<char> used_columns(const BitMatrix& m) {
 
 base::Failure too_few_shafts(int needed, int most) {
   return base::failure(base::ErrorKind::kInput,
-                       fill(tr_n("this takes {needed} shaft, and the loom has {most}",
-                                 "this takes {needed} shafts, and the loom has {most}", needed),
+                       fill(tr_n("this needs {needed} shaft, but the loom has {most}",
+                                 "this needs {needed} shafts, but the loom has {most}", needed),
                             arg("needed", needed), arg("most", most)));
 }
 
 base::Failure too_few_treadles(int needed, int most) {
   return base::failure(base::ErrorKind::kInput,
-                       fill(tr_n("this takes {needed} treadle, and the loom has {most}",
-                                 "this takes {needed} treadles, and the loom has {most}", needed),
+                       fill(tr_n("this needs {needed} treadle, but the loom has {most}",
+                                 "this needs {needed} treadles, but the loom has {most}", needed),
                             arg("needed", needed), arg("most", most)));
 }
 

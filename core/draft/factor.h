@@ -16,7 +16,7 @@ struct LoomSize {
   bool operator==(const LoomSize&) const = default;
 };
 
-// The errors say why the loom cannot: "this takes 12 shafts, and the loom has 8".
+// The errors say why the loom cannot: "this needs 12 shafts, but the loom has 8".
 
 /// `base` with other lifts (picks x shafts). A liftplan is replaced. In a treadling each pick keeps its treadle where
 /// that still fits, treadles that no pick uses any more are untied, and new ones are added up to `most_treadles`.

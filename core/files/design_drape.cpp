@@ -97,7 +97,7 @@ Result<void> drape_cloth(const Design& design, const std::function<bool(double p
   std::error_code ec;
   fs::create_directories(folder, ec);
   if (ec)
-    return failure(ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made: {cause}"),
+    return failure(ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be created: {cause}"),
                                             arg("folder", folder.string()), arg("cause", cause_of(ec))));
   const Mesh mesh = simulate_design_drape(design, keep_going);
   if (mesh.position_mm.empty()) return {};

@@ -83,7 +83,7 @@ std::string decoded(const std::string& uri) {
 void check_uri(const json& buffer) {
   const auto found = buffer.find("uri");
   if (found == buffer.end()) return;
-  if (!found->is_string()) refuse(tr("a buffer's uri is no text; export it again as .glb"));
+  if (!found->is_string()) refuse(tr("a buffer's uri is not text; export it again as .glb"));
   const std::string plain = decoded(found->get<std::string>());
   if (plain.rfind("data:", 0) == 0) return;
   const std::filesystem::path path(plain);
@@ -106,7 +106,7 @@ Chunks split(const std::string& bytes) {
   if (bytes.compare(0, 4, "glTF") != 0) return {bytes, {}};
   if (bytes.size() < 20) refuse(tr("the file ends within its header; export it again"));
   if (u32_at(bytes, 4) != 2)
-    refuse(fill(tr("glTF version {version} is not read; export as glTF 2.0"), arg("version", u32_at(bytes, 4))));
+    refuse(fill(tr("glTF version {version} is not supported; export as glTF 2.0"), arg("version", u32_at(bytes, 4))));
   if (u32_at(bytes, 8) > bytes.size()) refuse(tr("the file is cut short; export or copy it again"));
   Chunks chunks;
   const std::string_view all(bytes);
@@ -136,7 +136,7 @@ json parse(std::string_view text) {
   check_nesting(text);
   json root = json::parse(text.begin(), text.end(), nullptr, false);
   if (root.is_discarded()) refuse(tr("this is not glTF (its JSON does not parse); export it again as .glb"));
-  if (!root.is_object()) refuse(tr("this is not glTF: its JSON is no object"));
+  if (!root.is_object()) refuse(tr("this is not glTF: its JSON is not an object"));
   return root;
 }
 
@@ -155,7 +155,7 @@ Needed reduced(const json& root) {
   for (const json& extension : root.value("extensionsRequired", json::array())) {
     for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
       if (extension == packed)
-        refuse(fill(tr("packed by {extension}; export it without compression"), arg("extension", packed)));
+        refuse(fill(tr("compressed with {extension}; export it without compression"), arg("extension", packed)));
     }
   }
   out.root = {{"asset", {{"version", "2.0"}}}};

@@ -70,7 +70,7 @@ Elements elements(const tinygltf::Model& model, int index, int type, size_t most
   const tinygltf::Accessor& accessor = item(model.accessors, index, "accessor");
   if (accessor.type != type) refuse(tr("an accessor has the wrong number of components; export it again"));
   if (accessor.sparse.isSparse)
-    refuse(tr("sparse accessors are not read; export without morph targets or sparse data"));
+    refuse(tr("sparse accessors are not supported; export without morph targets or sparse data"));
   if (accessor.count < 1 || accessor.count > most)
     refuse(fill(tr("an accessor has {count} elements; 1 to {most} are read; export a lighter mesh"),
                 arg("count", accessor.count), arg("most", most)));
@@ -92,7 +92,7 @@ Elements elements(const tinygltf::Model& model, int index, int type, size_t most
                     element <= view.byteLength - accessor.byteOffset &&
                     out.count - 1 <= (view.byteLength - accessor.byteOffset - element) / out.stride;
   if (!fits)
-    refuse(tr("an accessor reaches past the end of its buffer: the file is cut short or broken; export it again"));
+    refuse(tr("an accessor reaches past the end of its buffer: the file is cut short or damaged; export it again"));
   out.data = buffer.data.data() + view.byteOffset + accessor.byteOffset;
   return out;
 }
@@ -206,7 +206,7 @@ std::vector<uint32_t> corners(const tinygltf::Model& model, const tinygltf::Prim
   for (size_t i = 0; i < e.count; ++i) {
     const double v = e.value(i, 0);
     if (v < 0 || v >= static_cast<double>(vertices))
-      refuse(tr("a triangle names a vertex that is not there; export it again"));
+      refuse(tr("a triangle refers to a missing vertex; export it again"));
     out[i] = static_cast<uint32_t>(v);
   }
   return out;
@@ -287,7 +287,7 @@ Gathered gather(const tinygltf::Model& model) {
     stack.pop_back();
     const tinygltf::Node& node = item(model.nodes, visit.node, "node");
     if (seen[static_cast<size_t>(visit.node)])
-      refuse(tr("its nodes form a ring, or one has two parents; export it again"));
+      refuse(tr("its nodes have a cycle, or one has two parents; export it again"));
     seen[static_cast<size_t>(visit.node)] = true;
     const Matrix m = product(visit.above, local_matrix(node));
     if (node.mesh >= 0) add_mesh(out, model, node.mesh, m);

@@ -58,9 +58,9 @@ base::Result<std::unique_ptr<platform::Line>> open_line(platform::LineConnector&
                                                         std::chrono::milliseconds wait, const std::stop_token& stop) {
   const std::optional<LineAddress> to = parsed(address);
   if (!to)
-    return failure(ErrorKind::kUsage,
-                   fill(tr("{address} is no address of a loom; give tcp:HOST:PORT or serial:PORT[:BAUD]"),
-                        arg("address", address)));
+    return failure(
+        ErrorKind::kUsage,
+        fill(tr("{address} is not a loom address; give tcp:HOST:PORT or serial:PORT[:BAUD]"), arg("address", address)));
   platform::LineConnected connected = connector.connect(*to, wait, stop);
   if (connected) return std::move(*connected);
   const platform::NoLine& none = connected.error();

@@ -216,7 +216,7 @@ PageAnswer PhonePage::plain(int status, const std::string& sentence) const {
 
 PageAnswer PhonePage::pairing_page(int status, const std::string& sentence) const {
   return page(status, filled_page(kPairing, {{"sentence", html(sentence)},
-                                             {"ask", html(tr("Type the code that the loom view shows"))},
+                                             {"ask", html(tr("Enter the code shown in the loom view"))},
                                              {"pair", html(tr("Pair"))}}));
 }
 
@@ -240,7 +240,7 @@ PageAnswer PhonePage::step_page(const std::string& sentence) const {
                                        {"cloth", html(tr("The cloth as woven so far"))},
                                        {"no_cloth", shown_.cloth ? "" : " hidden"},
                                        {"no_tabby", shown_.can_tabby ? "" : " hidden"},
-                                       {"lost", html(tr("The program does not answer"))},
+                                       {"lost", html(tr("Weftlight is not responding"))},
                                        {"again", html(tr("Show the current step"))},
                                        {"speak", html(tr("Speak"))},
                                        {"back", html(tr_in("a step", "Back"))},
@@ -278,7 +278,7 @@ bool PhonePage::is_paired(const PageRequest& request) const {
 PageAnswer PhonePage::pair(const PageRequest& request) {
   if (is_paired(request)) return redirect();
   if (tokens_.size() >= kMaxPaired)
-    return pairing_page(403, tr("No more devices can be paired. Stop the page and serve it again."));
+    return pairing_page(403, tr("No more devices can be paired. Stop the page and start it again."));
   if (code_.empty()) return pairing_page(403, tr("Pairing is closed. Ask for a new code in the loom view."));
   std::string typed = form_field(request.body, "code");
   std::erase_if(typed, [](char c) { return c == ' ' || c == '+'; });
@@ -292,7 +292,7 @@ PageAnswer PhonePage::pair(const PageRequest& request) {
     return pairing_page(403, tr("Pairing is closed after too many wrong codes. Ask for a new code in the loom view."));
   }
   const std::string token = secret(random_, kTokenBytes);
-  if (token.empty()) return pairing_page(500, tr("The system gives no random numbers, so no device can be paired."));
+  if (token.empty()) return pairing_page(500, tr("The system provides no random numbers, so no device can be paired."));
   tokens_.push_back(token);
   renew_code();
   PageAnswer answer = redirect();

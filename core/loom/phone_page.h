@@ -52,7 +52,7 @@ class PhonePage {
 
   /// Six digits for the next browser; empty while pairing is closed.
   const std::string& code() const { return code_; }
-  /// A new code, and all tries again. Browsers that are paired stay so.
+  /// A new code; failed attempts are reset. Browsers that are paired stay so.
   void renew_code();
   size_t paired() const { return tokens_.size(); }
   /// Wrong codes since the last new one.

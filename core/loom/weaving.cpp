@@ -114,7 +114,7 @@ LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomR
     case LoomReport::kShaftsRaised: {
       const std::optional<uint32_t> wanted = wanted_shafts(w, state);
       const bool other = state.waiting && wanted && *wanted != report.shafts;
-      return {state, {}, other ? tr("the loom has raised other shafts than were sent") : ""};
+      return {state, {}, other ? tr("the loom raised shafts other than those sent") : ""};
     }
     case LoomReport::kMotion:
       return {state, {}, {}};
@@ -127,7 +127,7 @@ LoomReply reply_to(const WeavingSetup& w, const WeavingState& state, const LoomR
     case LoomReport::kPasswordWanted:
       return {state, password_command(), {}};
     case LoomReport::kNegativeDobby:
-      return {state, {}, tr("this loom has a negative dobby: it leaves down what is sent; weave the sinking shed")};
+      return {state, {}, tr("this loom has a negative dobby: it lowers the shafts that are sent; use a sinking shed")};
     case LoomReport::kUnknown:
       break;
   }

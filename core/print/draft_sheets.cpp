@@ -232,8 +232,8 @@ base::Result<std::vector<Sheet>> draft_sheets(const Design& design, const PrintO
   const int64_t sheets = int64_t{layout.sheets_across} * layout.sheets_down;
   if (sheets > kMaxSheets)
     return base::failure(base::ErrorKind::kInput,
-                         fill(tr_n("this takes {count} sheet; choose a smaller scale",
-                                   "this takes {count} sheets; choose a smaller scale", sheets),
+                         fill(tr_n("this needs {count} sheet; choose a smaller scale",
+                                   "this needs {count} sheets; choose a smaller scale", sheets),
                               arg("count", sheets)));
   std::vector<Sheet> out;
   const auto cells = std::make_shared<const BitMatrix>(drawdown(design.draft));

@@ -99,10 +99,11 @@ void list_plan(std::vector<Line>& out, const PlannedCloth& c) {
 
 void list_warp_order(std::vector<Line>& out, const PlannedCloth& c) {
   const ThreadOrder order = thread_order(c.design, System::kWarp, c.measures.ends);
-  out.push_back({tr("Order of the warp"), {}});
+  out.push_back({tr("Warp colour order"), {}});
   add_runs(out, order.repeat);
   if (order.times > 1)
-    add(out, "", fill(tr_n("all this {count} time", "all this {count} times", order.times), arg("count", order.times)));
+    add(out, "",
+        fill(tr_n("repeat all {count} time", "repeat all {count} times", order.times), arg("count", order.times)));
   if (order.rest.empty()) return;
   add(out, "", tr("then"));
   add_runs(out, order.rest);

@@ -260,7 +260,8 @@ base::Result<std::unique_ptr<FibreScene>> FibreScene::build(const Cloth& cloth, 
   for (int k = 0; k < 2; ++k)
     if (parts.plan.repeats[k]) parts.tiling.size[k] = parts.plan.high[k];
   if (!parts.make_scene(threads))
-    return failure(ErrorKind::kMemory, tr("the ray tracer (Embree) could not be started, or memory is short"));
+    return failure(ErrorKind::kMemory,
+                   tr("the ray tracer (Embree) could not be started, or there is not enough memory"));
   return scene;
 }
 

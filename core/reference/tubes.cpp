@@ -212,7 +212,8 @@ base::Result<std::unique_ptr<TubeScene>> TubeScene::build(const Cloth& cloth, co
              arg("ends", cloth.ends.size()), arg("picks", cloth.picks.size())));
   parts.paths.compute_lines();
   if (!parts.make_scene())
-    return failure(ErrorKind::kMemory, tr("the ray tracer (Embree) could not be started, or memory is short"));
+    return failure(ErrorKind::kMemory,
+                   tr("the ray tracer (Embree) could not be started, or there is not enough memory"));
   return scene;
 }
 

@@ -138,7 +138,7 @@ Lamp lamp_of(const json& object) {
   if (!object.is_object()) throw InvalidValue{tr("is not an object")};
   const glm::vec3 towards = three_of(object, "towards", -kMaxLight, kMaxLight);
   const float length = glm::length(towards);
-  if (!(length > 1e-6f)) throw InvalidValue{tr("towards is no direction")};
+  if (!(length > 1e-6f)) throw InvalidValue{tr("towards is not a direction")};
   lamp.towards = towards / length;
   lamp.sharpness = number_of(object, "sharpness", 0, kSharpest);
   lamp.color = three_of(object, "color", 0, kMaxLight) * number_of(object, "strength", 0, kMaxLight);
@@ -191,7 +191,7 @@ base::Result<LightRig> light_rig_from(std::string_view text) {
   } catch (const InvalidValue& problem) {
     return base::failure(base::ErrorKind::kInput, problem.what, {}, lines.now);
   } catch (const json::exception&) {
-    return base::failure(base::ErrorKind::kInput, tr("is not JSON from here on"), {}, lines.now);
+    return base::failure(base::ErrorKind::kInput, tr("is invalid JSON from this point"), {}, lines.now);
   }
 }
 

@@ -190,7 +190,7 @@ const char* channel_description(Channel channel) {
     case kDetailNormalY:
       return mark("normal y, flat is 0.5");
     case kDetailSmoothness:
-      return mark("smoothness less its mean, 0.5 adds nothing");
+      return mark("smoothness minus its mean, 0.5 adds nothing");
     case kDetailOcclusion:
       return mark("ambient occlusion, 1 changes nothing");
     case kSheenHueR:

@@ -197,7 +197,7 @@ base::Result<Staging> make_staging(const fs::path& folder) {
     std::string name = platform::temporary_beside(folder.string());
     Staging made{name, {}, {}};
     if (!fs::create_directory(made.folder, ec))
-      return not_written(folder, fill(tr("the folder cannot be made: {cause}"), arg("cause", ec.message())));
+      return not_written(folder, fill(tr("the folder cannot be created: {cause}"), arg("cause", ec.message())));
     RemovedAtEnd removed(std::move(name));
     const std::string mark = (made.folder / kStaged).string();
     made.lock = FileLock::take(mark);
@@ -209,10 +209,10 @@ base::Result<Staging> make_staging(const fs::path& folder) {
       return made;
     }
     if (made.lock.answer() == LockAnswer::kNoFile && fs::is_directory(made.folder, ec))
-      return not_written(mark, fill(tr("cannot be made: {cause}"), arg("cause", made.lock.cause().message())));
+      return not_written(mark, fill(tr("cannot be created: {cause}"), arg("cause", made.lock.cause().message())));
     // A process that removes stale folders came between the mark and its lock.
   }
-  return not_written(folder, tr("the folder cannot be made: another process removes its contents"));
+  return not_written(folder, tr("the folder cannot be created: another process is removing its contents"));
 }
 
 namespace {

@@ -95,7 +95,7 @@ struct Code {
 };
 
 base::Failure refused(std::string_view code, const char* why) {
-  return base::failure(base::ErrorKind::kInput, fill(tr("'{text}' is no weave code of ISO 9354: {problem}"),
+  return base::failure(base::ErrorKind::kInput, fill(tr("'{text}' is not an ISO 9354 weave code: {problem}"),
                                                      arg("text", code), arg("problem", why)));
 }
 

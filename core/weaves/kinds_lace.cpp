@@ -58,7 +58,7 @@ std::vector<WeaveKind> texture_kinds() {
        }},
       {"honeycomb", mark("Honeycomb"), family,
        mark("Cells of plain weave between cells of floats, outlined by two picks of a thick weft that bends round "
-            "them. For cushions, bags and hangings; not for what wears hard."),
+            "them. For cushions, bags and hangings; not for hard wear."),
        unit_parameters(kHoneycomb, "A B",
                        {pairs_parameter(mark("Pairs of threads in a cell, across and along"), 16, "4")}),
        from_units<kHoneycomb>, WeaveColors::kByThread},
@@ -71,7 +71,7 @@ std::vector<WeaveKind> lace_kinds() {
   return {
       {"huck", mark("Huck lace"), family,
        mark("Half units of an odd number of threads float in turn over a plain ground. For towels, curtains and light "
-            "scarves; set it a little open."),
+            "scarves; use a slightly open sett."),
        unit_parameters(kHuck, "A",
                        {pairs_parameter(mark("Pairs of threads in a half unit and one more: 2 gives five"), 4, "2")}),
        from_units<kHuck>},
@@ -93,7 +93,7 @@ std::vector<WeaveKind> lace_kinds() {
                        {pairs_parameter(mark("Pairs of threads in a group and one more: 1 gives three"), 4, "1")}),
        from_units<kCanvas>},
       {"ms_and_os", mark("M's and O's"), family,
-       mark("Ribs of grouped threads against plain weave, which washing turns to rounds. Four shafts and one shuttle, "
+       mark("Ribs of grouped threads against plain weave that become round when washed. Four shafts and one shuttle, "
             "for towels and table linen."),
        unit_parameters(kMsAndOs, "A2 B2", {pairs_parameter(mark("Pairs of threads in a rib"), 4, "2")}),
        from_units<kMsAndOs>},

@@ -27,11 +27,12 @@ std::vector<WeaveKind> layer_kinds() {
       {"double",
        mark("Double weave"),
        family,
-       mark("Two cloths or more at once, one on the other: separate, as a tube, or folded into one of double width. "
-            "For bags, quilting and cloth wider than the loom; leave out an end of a plain tube, and it goes round."),
+       mark("Two or more cloths at once, one above the other: separate, as a tube, or folded into one of double width. "
+            "For bags, quilting and cloth wider than the loom; drop one end of a plain-weave tube so that the weave "
+            "continues all round."),
        {ratio_parameter("1/1"),
         choice_parameter("kind", mark("Kind"),
-                         mark("Double width is folded at the selvedges, once for each layer more"),
+                         mark("Double width is folded at the selvedges, once for each additional layer"),
                          {mark("separate layers"), mark("tube"), mark("double width")}),
         count_parameter("layers", mark("Layers"), mark("Three layers folded make triple width; a tube has two"), 2, 4,
                         "2")},
@@ -49,7 +50,7 @@ std::vector<WeaveKind> layer_kinds() {
        {ratio_parameter("2/2"),
         choice_parameter("stitch", mark("Stitch"), mark("Which ends bind the two cloths"),
                          {mark("lower ends rise"), mark("upper ends sink")}),
-        count_parameter("stitches", mark("Stitches"), mark("Stitches in a repeat of the twill, at most one an end"), 1,
+        count_parameter("stitches", mark("Stitches"), mark("Stitches in a repeat of the twill, at most one per end"), 1,
                         16, "2")},
        make_stitched,
        WeaveColors::kByThread},

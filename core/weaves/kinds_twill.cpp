@@ -58,8 +58,8 @@ std::vector<WeaveKind> twill_kinds() {
       {"broken_twill",
        mark("Broken twill"),
        family,
-       mark("The picks of a twill in an order that breaks the diagonal. The cloth of a twill without its line; four "
-            "shafts come near to a satin."),
+       mark("The picks of a twill in an order that breaks the diagonal. The cloth of a twill without its line; on four "
+            "shafts it approaches a satin."),
        {ratio_parameter("3/1"), lean_parameter(),
         text_parameter("order", mark("Order"), mark("Picks of the twill, from 1"), "1 2 4 3")},
        make_broken},

@@ -290,8 +290,8 @@ base::Result<BitMatrix> read_weave_words(std::string_view words) {
   const std::string all(words);
   const auto none = [&all] {
     return base::failure(base::ErrorKind::kUsage,
-                         fill(tr("'{words}' names no weave; write plain, twill 2/1, twill 1/3 left, satin 8/3 (3 of 8 "
-                                 "ends up), a code of ISO 9354, or the path of a draft"),
+                         fill(tr("'{words}' is not a weave; write plain, twill 2/1, twill 1/3 left, satin 8/3 (3 of 8 "
+                                 "ends up), an ISO 9354 code, or the path of a draft"),
                               arg("words", all)));
   };
   if (words.empty() || words == "auto") return BitMatrix();

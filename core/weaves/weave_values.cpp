@@ -31,7 +31,7 @@ Noted<OverUnder> ratio(const WeaveValues& values) {
   if (!order.empty()) return {std::move(order), {}};
   // A stand-in: check_values() keeps it from becoming a draft.
   return {{2, 2},
-          fill(tr("'{text}' is no ratio. Write the threads that the warp passes over and under in turn: 2/2, or "
+          fill(tr("'{text}' is not a ratio. Write the threads that the warp passes over and under in turn: 2/2, or "
                   "3/1/1/3."),
                arg("text", text(values, "ratio")))};
 }

@@ -34,20 +34,20 @@ void check_head(const WifText& text, Diagnostics& diagnostics) {
     if (named)
       for (const WifKey& key : before->keys)
         diagnostics.add(Severity::kNote, key.line, "before",
-                        fill(tr("{line} stands before [WIF]"), arg("line", short_quote(text.line(key.line)))),
-                        tr("read where [WIF] does not have the key, and kept"));
+                        fill(tr("{line} comes before [WIF]"), arg("line", short_quote(text.line(key.line)))),
+                        tr("used where [WIF] lacks the key; kept"));
     for (const int line : before->other_lines)
       diagnostics.warn(line, "before text",
-                       fill(tr("{line} stands before the first heading"), arg("line", short_quote(text.line(line)))),
-                       tr("not read, and kept; begin it with ; to make it a comment"));
+                       fill(tr("{line} comes before the first heading"), arg("line", short_quote(text.line(line)))),
+                       tr("not read, but kept; begin it with ; to make it a comment"));
   }
   const WifSection* first = nullptr;
   for (const WifSection& section : text.sections)
     if (!section.name.empty() && !first) first = &section;
   if (named && first && first->name != "WIF")
     diagnostics.add(Severity::kNote, first->blocks.front().header, {},
-                    fill(tr("[{section}] stands before [WIF]"), arg("section", first->name)),
-                    tr("read all the same; other programs may look for [WIF] in the first line"));
+                    fill(tr("[{section}] comes before [WIF]"), arg("section", first->name)),
+                    tr("read anyway; other programs may look for [WIF] in the first line"));
 }
 
 void check_other_lines(const WifText& text, const WifSection& section, Diagnostics& diagnostics) {
@@ -55,7 +55,7 @@ void check_other_lines(const WifText& text, const WifSection& section, Diagnosti
     diagnostics.warn(line, section.name + " no key",
                      fill(tr("{line} in [{section}] has no ="), arg("line", short_quote(text.line(line))),
                           arg("section", section.name)),
-                     tr("not read, and kept; write it as name=value, or begin it with ;"));
+                     tr("not read, but kept; write it as name=value, or begin it with ;"));
 }
 
 /// Reports repeated named keys; numbered rows are checked where they are read.
@@ -69,9 +69,10 @@ void check_twice(const WifSection& section, Diagnostics& diagnostics) {
     };
     if (first->value == key.value)
       diagnostics.add(Severity::kNote, key.line, {},
-                      text(tr("{key} is in [{section}] a second time, as in line {line}")), tr("kept; nothing to do"));
+                      text(tr("{key} appears twice in [{section}], with the value of line {line}")),
+                      tr("kept; nothing to do"));
     else
-      diagnostics.warn(key.line, {}, text(tr("{key} is in [{section}] a second time, with another value")),
+      diagnostics.warn(key.line, {}, text(tr("{key} appears twice in [{section}], with different values")),
                        text(tr("line {line} was used; remove one")));
   }
 }
@@ -92,7 +93,7 @@ void check_lines(const WifText& text, Diagnostics& diagnostics) {
     if (!section) continue;
     if (section->blocks.size() > 1) {
       diagnostics.warn(section->blocks[1].header, {},
-                       fill(tr("[{section}] is there more than once"), arg("section", section->name)),
+                       fill(tr("[{section}] appears more than once"), arg("section", section->name)),
                        tr("read as one section"));
     }
     check_other_lines(text, *section, diagnostics);
@@ -113,7 +114,7 @@ void check_contents(const WifText& text, Diagnostics& diagnostics) {
   for (const WifKey& key : contents->keys) {
     if (word_as_bool(key.value) == true && !text.find(uppercase(key.key))) {
       diagnostics.warn(key.line, "missing",
-                       fill(tr("[CONTENTS] lists {section}, which is not there"), arg("section", key.key)),
+                       fill(tr("[CONTENTS] lists {section}, which is missing"), arg("section", key.key)),
                        tr("taken as absent; remove the line"));
     }
   }
@@ -124,7 +125,7 @@ void check_contents(const WifText& text, Diagnostics& diagnostics) {
     if (!key || word_as_bool(key->value) != true) {
       diagnostics.add(Severity::kNote, section.blocks.front().header, "unlisted",
                       fill(tr("[{section}] is not listed in [CONTENTS]"), arg("section", section.name)),
-                      tr("read all the same; other programs may skip it"));
+                      tr("read anyway; other programs may skip it"));
     }
   }
 }

@@ -13,12 +13,12 @@ namespace {
 constexpr size_t kMaxListedLines = 8;
 constexpr size_t kMaxTextBytes = 300;  // a quoted name may be as long as a file
 
-/// "line 4", "lines 4, 7 and 12", "lines 4, 7, 8 and on".
+/// "line 4", "lines 4, 7 and 12", "lines 4, 7, 8 and others".
 std::string line_list(const std::vector<int>& lines, bool all) {
   std::string list;
   const size_t separated = all && lines.size() > 1 ? lines.size() - 1 : lines.size();
   for (size_t i = 0; i < separated; ++i) list.append(i == 0 ? "" : ", ").append(std::to_string(lines[i]));
-  if (!all) return fill(tr("lines {list} and on"), arg("list", list));
+  if (!all) return fill(tr("lines {list} and others"), arg("list", list));
   if (lines.size() == 1) return fill(tr("line {line}"), arg("line", list));
   return fill(tr("lines {list} and {last}"), arg("list", list), arg("last", lines.back()));
 }

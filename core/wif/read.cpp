@@ -161,7 +161,8 @@ void find_treadle_base(const Reader& r, int stated) {
   r.dialect.zero_based.push_back("TIEUP");
   int line = -1;
   if (largest_value(r, "TREADLING", line) <= last) r.dialect.treadle_base = 0;
-  r.diagnostics.add(Severity::kNote, r.line_of("TIEUP"), {}, tr("[TIEUP] counts from 0"), tr("read so; nothing to do"));
+  r.diagnostics.add(Severity::kNote, r.line_of("TIEUP"), {}, tr("[TIEUP] counts from 0"),
+                    tr("read that way; nothing to do"));
 }
 
 int read_treadle_count(const Reader& r) {
@@ -218,7 +219,7 @@ void read_lists(Reader& r, const char* name, BitMatrix& bits, bool shafts, int v
   if (base == 0 && !is_tieup) {
     r.dialect.zero_based.push_back(name);
     r.diagnostics.add(Severity::kNote, r.line_of(name), {}, fill(tr("[{section}] counts from 0"), arg("section", name)),
-                      tr("read so; nothing to do"));
+                      tr("read that way; nothing to do"));
   }
   std::vector<int> list;
   each_row(*section, bits.rows(), base, r.diagnostics, [&](int row, const WifKey& key) {

@@ -50,7 +50,7 @@ struct Source {
   Diagnostics& diagnostics;
 
   void unusable(const WifKey& key) const {
-    diagnostics.warn(key.line, "private", tr("a value in a private section of Weftlight is not usable"),
+    diagnostics.warn(key.line, "private", tr("a value in one of Weftlight's own sections is invalid"),
                      tr("the default was used"));
   }
 };

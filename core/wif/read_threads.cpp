@@ -61,7 +61,8 @@ Rgb color_of(Context& c, const int* channel, int line) {
   float out[3];
   for (int i = 0; i < 3; ++i) {
     if (channel[i] < low || channel[i] > high) {
-      c.diagnostics.warn(line, "channel", tr("a colour is outside Range"), tr("taken as the nearest that is inside"));
+      c.diagnostics.warn(line, "channel", tr("a colour is outside Range"),
+                         tr("the nearest colour within Range was used"));
     }
     out[i] = static_cast<float>((std::clamp<double>(channel[i], low, high) - low) / (high - low));
   }
@@ -118,7 +119,7 @@ void default_palette(Context& c) {
   c.dialect.warp.color.fallback = 0;
   c.dialect.weft.color.fallback = 1;
   c.diagnostics.add(Severity::kNote, -1, {}, tr("there is no color table"),
-                    tr("warp and weft were given two colours; paint them as you like"));
+                    tr("warp and weft were given a colour each; change them as you like"));
 }
 
 int color_index(Context& c, int number, int base, int line) {

@@ -43,12 +43,12 @@ void each_row(const WifSection& section, int count, int base, Diagnostics& diagn
       };
       if (before->value != key.value)
         diagnostics.warn(key.line, section.name + " twice",
-                         text(base::tr("[{section}] line {number} is there twice, with other values")),
+                         text(base::tr("[{section}] line {number} appears twice, with different values")),
                          text(base::tr("the first, in line {line}, was used; remove one")));
       else
         diagnostics.add(Severity::kNote, key.line, section.name + " again",
-                        text(base::tr("[{section}] line {number} is there twice with one value")),
-                        text(base::tr("the first, in line {line}, says the same; kept")));
+                        text(base::tr("[{section}] line {number} appears twice, with the same value")),
+                        text(base::tr("the first is in line {line}; both are kept")));
       continue;
     }
     before = &key;

@@ -57,7 +57,7 @@ void add_cloth_actions(Actions& all, const ActiveDraft& draft, const ClothAction
     a.checked = [&draft, &setup] { return draft.document().now().scene.lights == setup.id; };
   }
   Action& picture =
-      add(all, "Cloth", "environment", tr("Light: environment picture\xE2\x80\xA6"), "", cloth.choose_environment);
+      add(all, "Cloth", "environment", tr("Light: environment map\xE2\x80\xA6"), "", cloth.choose_environment);
   picture.checked = [&draft] { return is_environment(draft.document().now().scene.lights); };
   Action& flat = add(all, "Cloth", "flat", tr("Flat swatch"), "F", cloth.toggle_flat);
   flat.item.group = true;

@@ -10,7 +10,7 @@
 
 namespace weftlight::actions {
 
-using base::fill, base::tr;
+using base::fill, base::tr, base::tr_n;
 using design::Design, design::Leading, design::loom_size, design::to_liftplan, design::to_skeleton,
     design::to_treadling, design::with_leading, design::with_lock, design::with_rising;
 using draft::ShedControl, draft::treadles_needed;
@@ -42,7 +42,7 @@ void add_leading(Actions& all, const ActiveDraft& draft, const DraftDialogs& dia
     const auto& rejected_edit = draft.view().rejected_edit;
     return rejected_edit && rejected_edit->closest && !rejected_edit->closest->is_there;
   };
-  add(all, "Draft", "larger_loom", tr("Enlarge the loom for what was painted"), "", [&draft] {
+  add(all, "Draft", "larger_loom", tr("Add shafts or treadles for the last edit"), "", [&draft] {
     const Edit edit = larger_loom_edit(*draft.view().rejected_edit);
     draft.commit(edit);
   }).enabled = [&draft] { return draft.view().rejected_edit.has_value(); };
@@ -90,8 +90,10 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
                   return to_treadling(std::move(d), treadles);
                 }};
       edit.why = [](const Design& d) {
-        return fill(tr("This needs {needed} treadles; the loom has {has}."), arg("needed", treadles_needed(d.draft)),
-                    arg("has", loom_size(d).treadles));
+        const int needed = treadles_needed(d.draft);
+        return fill(tr_n("This needs {needed} treadle, but the loom has {has}.",
+                         "This needs {needed} treadles, but the loom has {has}.", needed),
+                    arg("needed", needed), arg("has", loom_size(d).treadles));
       };
       draft.commit(edit);
     });

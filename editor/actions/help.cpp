@@ -21,10 +21,11 @@ void add_languages(Actions& all, const WindowActions& window, Settings& settings
     a.item.submenu = mark("Language");
     a.checked = [&settings, code] { return settings.language == code; };
   };
-  language("", tr("That of the system"), tr("From the next start, the window speaks the language of the system."));
+  language("", tr("System language"), tr("Weftlight will use the system language from the next start."));
   for (const Language& each : installed_languages(base::languages_dir()))
-    language(each.code, shown_name(each),
-             fill(tr("From the next start, the window speaks this language: {language}"), arg("language", each.name)));
+    language(
+        each.code, shown_name(each),
+        fill(tr("From the next start, the window will be in this language: {language}"), arg("language", each.name)));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void add_loom_actions(Actions& all, const ActiveDraft& draft, const LoomActions&
   one("loom_next", tr("Next step"), "", [&loom] { loom.step(true); })->enabled = at_loom;
   all.back().item.group = true;
   one("loom_back", tr("Previous step"), "", [&loom] { loom.step(false); })->enabled = at_loom;
-  one("loom_say", tr("Say the step"), "", loom.say)->enabled = at_loom;
+  one("loom_say", tr("Read the step aloud"), "", loom.say)->enabled = at_loom;
   one("loom_tabby", tr("Tabby pick"), "", loom.tabby)->enabled = at_loom;
   Action* between = one("loom_tabby_between", tr("Tabby between pattern picks"), "", loom.tabby_between);
   between->enabled = at_loom;
@@ -36,9 +36,9 @@ void add_loom_actions(Actions& all, const ActiveDraft& draft, const LoomActions&
   all.back().item.group = true;
   one("loom_disconnect", tr("Disconnect the loom"), "", loom.disconnect)->enabled = at_loom;
   const auto serves = [&loom] { return loom.serves_page(); };
-  one("loom_page", tr("Serve a page for a phone"), "", loom.open_page)->enabled = at_loom;
-  one("loom_page_code", tr("New code for the page"), "", loom.renew_code)->enabled = serves;
-  one("loom_page_off", tr("Stop the page"), "", loom.close_page)->enabled = serves;
+  one("loom_page", tr("Start the phone page"), "", loom.open_page)->enabled = at_loom;
+  one("loom_page_code", tr("New pairing code"), "", loom.renew_code)->enabled = serves;
+  one("loom_page_off", tr("Stop the phone page"), "", loom.close_page)->enabled = serves;
 }
 
 }  // namespace weftlight::actions

@@ -49,7 +49,7 @@ Design by_lightness(Design d) { return with_sorted_colors(std::move(d), ColorOrd
 void add_palette_actions(Actions& all, const ActiveDraft& draft, const DraftDialogs& dialogs,
                          const YarnActions& yarns) {
   constexpr const char *kColors = mark("Colours"), *kYarns = mark("Yarns");
-  const char* const sorted = tr("They are in that order already.");
+  const char* const sorted = tr("Already in this order.");
   add_dialog(all, kColors, "colors.gradient", tr("Gradient\xE2\x80\xA6"), dialogs.gradient);
   add_edit(all, draft,
            {kColors, "colors.swap_systems", tr("Swap warp and weft colours"), with_swapped_systems,
@@ -60,21 +60,23 @@ void add_palette_actions(Actions& all, const ActiveDraft& draft, const DraftDial
   new_group(add_edit(all, draft, {kColors, "colors.sort_hue", tr("Sort colours by hue"), by_hue, sorted}));
   add_edit(all, draft, {kColors, "colors.sort_lightness", tr("Sort colours from light to dark"), by_lightness, sorted});
   add_edit(all, draft,
-           {kColors, "colors.merge", tr("Merge equal colours"), with_merged_colors, tr("No two colours are equal.")});
+           {kColors, "colors.merge", tr("Merge identical colours"), with_merged_colors,
+            tr("There are no identical colours.")});
   add_edit(all, draft,
            {kColors, "colors.remove_unused", tr("Remove unused colours"), without_unused_colors,
-            tr("Threads have all colours of the palette.")});
+            tr("Every colour is in use.")});
   add_dialog(all, kColors, "colors.delete", tr("Delete the active colour"), dialogs.delete_color).enabled = [&draft] {
     return draft.document().now().draft.palette.size() > 1;
   };
   add_dialog(all, kYarns, "yarns.library", tr("Yarn library\xE2\x80\xA6"), yarns.show_library);
-  add_dialog(all, kYarns, "yarns.keep", tr("Keep the active yarn in the library"), yarns.keep);
+  add_dialog(all, kYarns, "yarns.keep", tr("Add the active yarn to the library"), yarns.keep);
   new_group(add_edit(all, draft, {kYarns, "yarns.sort", tr("Sort yarns by name"), with_sorted_yarns, sorted}));
-  add_edit(all, draft,
-           {kYarns, "yarns.merge", tr("Merge equal yarns"), with_merged_yarns, tr("No two yarns are equal.")});
-  add_edit(all, draft,
-           {kYarns, "yarns.remove_unused", tr("Remove unused yarns"), without_unused_yarns,
-            tr("Threads are of all yarns of the draft.")});
+  add_edit(
+      all, draft,
+      {kYarns, "yarns.merge", tr("Merge identical yarns"), with_merged_yarns, tr("There are no identical yarns.")});
+  add_edit(
+      all, draft,
+      {kYarns, "yarns.remove_unused", tr("Remove unused yarns"), without_unused_yarns, tr("Every yarn is in use.")});
   add_dialog(all, kYarns, "yarns.delete", tr("Delete the active yarn"), dialogs.delete_yarn).enabled = [&draft] {
     return draft.document().now().yarns.size() > 1;
   };

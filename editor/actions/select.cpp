@@ -79,7 +79,7 @@ bool copy_selection(const SelectionSubjects& e) {
   const Selection s = selected(e);
   const std::string size = size_text(s.grid, s.columns(), s.rows());
   if (int64_t{s.columns()} * s.rows() > kMaxBlockCells) {
-    e.window.refuse(fill(tr("{size} are too many to copy. Move or repeat them instead."), arg("size", size)));
+    e.window.refuse(fill(tr("{size} is too much to copy. Move or repeat it instead."), arg("size", size)));
     return false;
   }
   e.clipboard.set_text(block_text({s.grid, cells_of(e.draft.document().now().draft, s)}));
@@ -243,7 +243,7 @@ void add_repeats(Actions& all, const SelectionSubjects& e) {
            [](Design d, const Selection& s, bool properties) {
              return with_repeated(std::move(d), s, RepeatExtent::kToEnd, properties);
            });
-  add_edit(all, e, kRepeat, "repeat_all", tr("Repeat over everything"), "Ctrl+Shift+R",
+  add_edit(all, e, kRepeat, "repeat_all", tr("Repeat over the whole grid"), "Ctrl+Shift+R",
            [](Design d, const Selection& s, bool properties) {
              return with_repeated(std::move(d), s, RepeatExtent::kAll, properties);
            });
@@ -376,8 +376,8 @@ void add_tools(Actions& all, const SelectionSubjects& e) {
     a.checked = [on, e] { return e.draft.view().drawing.*on; };
     a.item.submenu = mark("Mirrored drawing");
   };
-  mirror("mirror_ends", tr("Draw mirrored across the ends"), "M", &DrawingState::mirror_ends);
-  mirror("mirror_picks", tr("Draw mirrored across the picks"), "Shift+M", &DrawingState::mirror_picks);
+  mirror("mirror_ends", tr("Mirror across the warp"), "M", &DrawingState::mirror_ends);
+  mirror("mirror_picks", tr("Mirror across the weft"), "Shift+M", &DrawingState::mirror_picks);
 }
 
 }  // namespace

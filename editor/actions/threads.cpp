@@ -136,12 +136,13 @@ void add_thread_actions(Actions& all, const ActiveDraft& draft, const Clipboard&
                         const WindowActions& window) {
   const PropertySubjects subjects{draft, clipboard, window};
   const auto some = [&draft] { return !draft.view().chosen.threads.empty(); };
-  new_group(add_focus(all, window, "threads.choose", tr("Choose threads\xE2\x80\xA6"), "Ctrl+T", "threads.which"));
+  new_group(add_focus(all, window, "threads.choose", tr("Select threads\xE2\x80\xA6"), "Ctrl+T", "threads.which"));
   add_one(all, "threads.swap", tr("Switch between warp and weft"), "", [&draft] { choose_other_system(draft); });
-  add_one(all, "threads.alike", tr("Choose similar threads"), "", [&draft] { choose_alike(draft); }).enabled = some;
-  add_one(all, "threads.every_other", tr("Choose every other"), "", [&draft] { choose_every_other(draft); });
-  add_one(all, "threads.clear", tr("Choose none"), "", [&draft] { draft.view().chosen.threads.clear(); }).enabled =
-      some;
+  add_one(all, "threads.alike", tr("Select similar threads"), "", [&draft] { choose_alike(draft); }).enabled = some;
+  add_one(all, "threads.every_other", tr("Select every other thread"), "", [&draft] { choose_every_other(draft); });
+  add_one(all, "threads.clear", tr("Clear thread selection"), "", [&draft] {
+    draft.view().chosen.threads.clear();
+  }).enabled = some;
   new_group(add_focus(all, window, "threads.set_thickness", tr("Thickness\xE2\x80\xA6"), "T", "threads.thickness"));
   add_focus(all, window, "threads.set_spacing", tr("Spacing\xE2\x80\xA6"), "", "threads.spacing");
   add_focus(all, window, "threads.set_sett", tr("Sett\xE2\x80\xA6"), "", "threads.sett");

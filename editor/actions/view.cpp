@@ -175,7 +175,7 @@ void add_window_actions(Actions& all, const WindowActions& window, const TabActi
   };
   tab("next_tab", tr("Next draft"), "Ctrl+Tab", 1);
   tab("previous_tab", tr("Previous draft"), "Ctrl+Shift+Tab", -1);
-  add(all, "View", "show_remarks", tr("Messages about the file"), "", window.show_remarks);
+  add(all, "View", "show_remarks", tr("File messages"), "", window.show_remarks);
   add(all, "View", "theme", tr("Switch light or dark theme"), "", window.toggle_theme);
   add_interface_sizes(all, settings);
 }

@@ -59,9 +59,9 @@ base::Result<void> check_options(const EditorOptions& o) {
     const std::string problem = editor != nullptr ? editor->keep_work(unsaved) : std::string();
     if (unsaved) code = commands::kNotWritten;
     if (!problem.empty()) print_problem(problem);
-    print_problem(unsaved ? tr("the window system or its graphics driver has gone; the unsaved work is kept, and the "
-                               "next start offers it")
-                          : tr("the window system or its graphics driver has gone"));
+    print_problem(unsaved ? tr("the display server or graphics driver has stopped; unsaved work is kept and can be "
+                               "recovered at the next start")
+                          : tr("the display server or graphics driver has stopped"));
   });
   if (!done) code = commands::kNotWritten;
   // Without the ends of threads and libraries: those that draw would ask for the window system.

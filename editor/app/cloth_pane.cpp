@@ -125,7 +125,7 @@ void ClothPane::save_view() {
 
 void ClothPane::go_to_view(const std::string& name) {
   const std::optional<NamedView> to = view_named(document().now(), name, size_.x, size_.y);
-  if (!to) return messages_.refuse(tr("There is no view of that name."));
+  if (!to) return messages_.refuse(tr("There is no view with that name."));
   const MaybeEdit edit = session::go_to_view(view(), document().now(), *to);
   if (edit) editing_.commit(*edit);
   show();
@@ -151,14 +151,14 @@ void ClothPane::change_views() {
 void ClothPane::choose_environment() {
   const std::string now = document().now().scene.lights;
   dialogs_.ask_path(
-      FileAsk::kOpen, tr("Environment picture"), is_environment(now) ? now : "",
+      FileAsk::kOpen, tr("Environment map"), is_environment(now) ? now : "",
       [this](const std::string& path) {
-        if (!is_environment(path)) return messages_.refuse(tr("An environment picture ends in .hdr or .exr."));
+        if (!is_environment(path)) return messages_.refuse(tr("An environment map is an .hdr or .exr file."));
         base::Task task =
             base::task_with_result([path](const base::RunningTask&) { return check_environment(path); },
                                    [this, path, id = editing_.shown_id()](const base::Result<void>& readable) {
                                      if (!readable) return messages_.refuse(message(readable.error()));
-                                     editing_.commit_to(id, {tr("Environment picture"), [path](Design d) {
+                                     editing_.commit_to(id, {tr("Environment map"), [path](Design d) {
                                                                d.scene = lit_by_environment(d.scene, path);
                                                                return d;
                                                              }});

@@ -43,7 +43,7 @@ void Dialogs::ask_path(FileAsk what, const std::string& title, const std::string
   // The system dialog is not modal: the answer belongs to the draft that was active when it opened.
   if (what != FileAsk::kOpen)
     chosen = [this, about = session_.active().id, then = std::move(chosen)](const std::string& path) {
-      if (session_.find(about) == nullptr) return messages_.refuse(tr("Not written: the draft has been closed"));
+      if (session_.find(about) == nullptr) return messages_.refuse(tr("Not saved: the draft has been closed"));
       session_.show(about);
       then(path);
     };

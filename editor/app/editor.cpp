@@ -313,7 +313,7 @@ void Editor::draw_window() {
   if (!select.notice.empty()) messages_.say(std::exchange(select.notice, {}));
   if (!select.refusal.empty()) messages_.refuse(std::exchange(select.refusal, {}));
   if (window_.take_silent_clipboard())
-    messages_.refuse(tr("The program that holds the clipboard does not answer; copy the text again."));
+    messages_.refuse(tr("The program that owns the clipboard is not responding; copy the text again."));
   window_.use_crosshair(notes_.crosshair);
   if (notes_.again) schedule_.draw(1);
   // ImGui lays out a new tooltip in one frame and shows it in the next; the --ui-map is written once it is stable.

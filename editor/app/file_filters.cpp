@@ -9,7 +9,7 @@ using platform::FileAsk, platform::FileFilter;
 
 std::vector<FileFilter> file_filters(FileAsk what, const std::string& ending) {
   if (what == FileAsk::kFolder) return {};
-  if (ending == ".hdr") return {{tr("Environment pictures"), "*.hdr *.HDR *.exr *.EXR"}, {tr("All files"), "*"}};
+  if (ending == ".hdr") return {{tr("Environment maps"), "*.hdr *.HDR *.exr *.EXR"}, {tr("All files"), "*"}};
   if (ending == ".txt") return {{tr("Lists of yarns"), "*.txt *.TXT"}, {tr("All files"), "*"}};
   const FileFilter pictures{tr("Pictures, one pixel for each crossing"), "*.png *.PNG *.tif *.tiff *.TIF *.bmp"};
   if (what == FileAsk::kOpen && ending == kPictureEnding) return {pictures, {tr("All files"), "*"}};

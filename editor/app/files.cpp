@@ -173,7 +173,7 @@ void Files::write(const std::string& path, std::function<std::string()> make) {
       [path, make = std::move(make)](const base::RunningTask&) { return write_file_atomically(path, make()); },
       [this, path](const base::Result<void>& written) {
         if (written) messages_.say(fill(tr("Wrote {file}"), arg("file", file_name(path))));
-        else messages_.refuse(fill(tr("Not written: {problem}"), arg("problem", message(written.error()))));
+        else messages_.refuse(fill(tr("Not saved: {problem}"), arg("problem", message(written.error()))));
       });
   task.kind = "write:" + path;
   task.name = fill(tr("Writing {file}"), arg("file", file_name(path)));
@@ -209,7 +209,7 @@ void Files::tell_not_saved(uint64_t id, const std::string& problem) {
     session_.show(id);
     dialogs_.ask(
         Question{tr("The draft was not saved"),
-                 fill(tr("{problem}\n\nYour work is still here. Choose another place."), arg("problem", problem)),
+                 fill(tr("{problem}\n\nYour work is still here. Choose another location."), arg("problem", problem)),
                  {mark("Save as\xE2\x80\xA6"), mark("Cancel")}},
         [this](int button) {
           if (button == 0) save_as();
@@ -264,10 +264,11 @@ void Files::keep_mine(const FileIdentity& on_disk) {
 
 void Files::ask_about_change(const std::optional<FileIdentity>& on_disk, std::function<void()> then) {
   const std::string text =
-      document().is_saved() ? fill(tr("{path} is not what was opened or saved here."), arg("path", document().path()))
-                            : fill(tr("{path} is not what was opened or saved here.\n\nReloading it loses your changes "
-                                      "since the last save."),
-                                   arg("path", document().path()));
+      document().is_saved()
+          ? fill(tr("{path} has changed since it was opened or saved here."), arg("path", document().path()))
+          : fill(tr("{path} has changed since it was opened or saved here.\n\nReloading it loses your changes since "
+                    "the last save."),
+                 arg("path", document().path()));
   dialogs_.ask(Question{fill(tr("{file} was changed by another program"), arg("file", document().name())),
                         text,
                         {mark("Save a copy\xE2\x80\xA6"), mark("Keep mine"), mark("Reload"), mark("Cancel")}},
@@ -312,7 +313,7 @@ void Files::reload() {
 void Files::show_in_folder() {
   const std::string folder = fs::absolute(document().path()).parent_path().string();
   if (const auto shown = platform::show_folder(folder); !shown)
-    messages_.say(fill(tr("No program shows folders here ({program} is missing). The folder is {folder}"),
+    messages_.say(fill(tr("No file manager was found ({program} is missing). The folder is {folder}"),
                        arg("program", shown.error().program), arg("folder", folder)));
 }
 

@@ -15,7 +15,7 @@ void show_handbook(Messages& messages) {
   if (page.empty())
     return messages.refuse(tr("The handbook is not installed here; its text is in docs/handbook of the source"));
   if (const auto shown = platform::show_page(page); !shown)
-    return messages.refuse(fill(tr("No program shows pages here ({program} is missing). The handbook is {file}"),
+    return messages.refuse(fill(tr("No browser was found ({program} is missing). The handbook is {file}"),
                                 arg("program", shown.error().program), arg("file", page)));
   messages.say(tr("The handbook opens in the browser"));
 }

@@ -91,7 +91,7 @@ void LoomWindow::say_new_step() {
 
 void LoomWindow::say_step() {
   if (speaker_.is_there()) return speaker_.say(words_of(shown()));
-  at_loom().remark = tr("No program that speaks was found; install espeak-ng or speech-dispatcher");
+  at_loom().remark = tr("No speech program was found; install espeak-ng or speech-dispatcher");
 }
 
 bool LoomWindow::update_link() {

@@ -47,8 +47,8 @@ void OwnYarns::keep() {
   const LibraryYarn kept =
       library_yarn_of(editing_.document().now(), editing_.view().drawing.yarn, editing_.view().drawing.color);
   shelf_.change(keep_yarn(kept), [this, name = kept.yarn.name](const base::Result<void>& written) {
-    if (written) messages_.say(fill(tr("In the yarn library: {yarn}"), arg("yarn", name)));
-    else messages_.refuse(fill(tr("Not kept: {problem}"), arg("problem", message(written.error()))));
+    if (written) messages_.say(fill(tr("Added to the yarn library: {yarn}"), arg("yarn", name)));
+    else messages_.refuse(fill(tr("Not added to the library: {problem}"), arg("problem", message(written.error()))));
   });
 }
 
@@ -62,7 +62,9 @@ void OwnYarns::import() {
           const auto count = static_cast<long long>(in->count);
           const std::string yarns =
               fill(tr_n("Imported {count} yarn", "Imported {count} yarns", count), arg("count", count));
-          messages_.say(in->remark.empty() ? yarns : yarns + "; " + in->remark);
+          messages_.say(in->remark.empty()
+                            ? yarns
+                            : fill(tr("{yarns}; {remark}"), arg("yarns", yarns), arg("remark", in->remark)));
           dialogs_.when_none([this] { show({}); });
         });
       },
@@ -77,7 +79,7 @@ void OwnYarns::export_all() {
       [this](const std::string& path) {
         shelf_.export_to(path, [this, path](const base::Result<void>& written) {
           if (written) messages_.say(fill(tr("Wrote {file}"), arg("file", path)));
-          else messages_.refuse(fill(tr("Not written: {problem}"), arg("problem", message(written.error()))));
+          else messages_.refuse(fill(tr("Not saved: {problem}"), arg("problem", message(written.error()))));
         });
       },
       kEnding);

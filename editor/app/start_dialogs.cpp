@@ -50,7 +50,7 @@ void StartDialogs::begin(bool gallery) {
         if (found) take_found(std::move(*found), gallery);
         else
           messages_.say(
-              fill(tr("Unsaved work cannot be looked for: {problem}"), arg("problem", message(found.error()))));
+              fill(tr("The search for unsaved work failed: {problem}"), arg("problem", message(found.error()))));
       });
   task.kind = "left";
   tasks_.computing().start(std::move(task));
@@ -153,8 +153,9 @@ void StartDialogs::take_back(const LeftWork& left, OpenResult back) {
   if (open == nullptr) return;
   const std::string path = left.note ? left.note->path : "";
   if (open->document.path().empty() && !path.empty())
-    messages_.say(fill(tr("{path} has changed or is gone. Saving asks for a place."), arg("path", path)));
-  else if (!session_.left().empty()) messages_.say(tr("There is more to recover: File, Recover unsaved work"));
+    messages_.say(fill(tr("{path} has changed or was deleted. Saving will ask for a location."), arg("path", path)));
+  else if (!session_.left().empty())
+    messages_.say(tr("More unsaved work can be recovered: File > Recover unsaved work"));
 }
 
 void StartDialogs::bring_back_all() {

@@ -319,7 +319,7 @@ base::Result<std::unique_ptr<Window>> Window::open(int width, int height) {
   if (w->window_ == nullptr)
     return base::failure(
         base::ErrorKind::kGraphics,
-        fill(tr("no window with OpenGL 3.3 can be made ({problem}); install or update the graphics driver"),
+        fill(tr("no window with OpenGL 3.3 can be created ({problem}); install or update the graphics driver"),
              arg("problem", gl::WindowSystem::last_problem())));
   fit_to_screen(w->window_);
   glfwMakeContextCurrent(w->window_);

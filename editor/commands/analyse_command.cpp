@@ -158,8 +158,11 @@ void print_loom(const DraftAnalysis& f) {
   for (size_t s = 0; s < f.heddles.on_shaft.size(); ++s)
     heddles += (s > 0 ? ", " : "") + std::to_string(s + 1) + ": " + std::to_string(f.heddles.on_shaft[s]);
   print_row(tr("heddles"), heddles);
-  print_row(tr("fewest"), fill(tr("{shafts} shafts, {treadles} treadles"), arg("shafts", f.fewest.shafts),
-                               arg("treadles", f.fewest.treadles)));
+  const int shafts = f.fewest.shafts, treadles = f.fewest.treadles;
+  print_row(tr("fewest"),
+            fill(tr("{shafts}, {treadles}"),
+                 arg("shafts", fill(tr_n("{count} shaft", "{count} shafts", shafts), arg("count", shafts))),
+                 arg("treadles", fill(tr_n("{count} treadle", "{count} treadles", treadles), arg("count", treadles)))));
   const auto ends = [](int64_t n) { return fill(tr_n("{count} end", "{count} ends", n), arg("count", n)); };
   const auto picks = [](int n) { return fill(tr_n("{count} pick", "{count} picks", n), arg("count", n)); };
   if (f.heddles.unthreaded_ends > 0) print_row(tr("on no shaft"), ends(f.heddles.unthreaded_ends));

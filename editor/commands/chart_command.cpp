@@ -246,7 +246,7 @@ int chart_command(const ChartOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (!std::filesystem::is_directory(options.out))
-    return fail({base::ErrorKind::kOutput, tr("the folder cannot be made"), options.out});
+    return fail({base::ErrorKind::kOutput, tr("the folder cannot be created"), options.out});
   ChartEffort effort = chart_effort(options.quick);
   effort.count_instructions = options.count;
   const auto bench = ChartBench::create(effort, effort.count_instructions ? start_counter(effort) : nullptr);

@@ -86,7 +86,7 @@ void add_mesh_options(CLI::App& verb, PictureOptions& o) {
   verb.add_option("--mesh", o.mesh, tr("Drape by its name, or a .glb or .gltf file; default: the draft's"))
       ->type_name(tr("NAME|FILE"));
   verb.add_flag("--simulate-drape", o.simulated_drape,
-                tr("Drape simulated with this fabric's own stiffness; takes seconds"));
+                tr("Drape simulated with this fabric's own stiffness; takes up to a minute"));
   verb.add_flag("--own-drape", o.simulated_drape)->group("");  // the earlier name
 }
 
@@ -137,7 +137,7 @@ std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
   add_mesh_options(verb, o);
   add_view_options(verb, *picture);
   add_light_options(verb, *picture);
-  verb.add_flag("--transparent", picture->transparent, tr("Cloth and form alone, over nothing: a picture with alpha"));
+  verb.add_flag("--transparent", picture->transparent, tr("Cloth and form only, on a transparent background"));
   add_progress(verb, o.quiet, o.progress_json);
   verb.add_option("--stats", o.stats,
                   tr("JSON file for the cost and the estimated error of the picture; default: none"))
@@ -155,10 +155,11 @@ RunVerb add_render(CLI::App& verb) {
                               "the tolerance"),
                            arg("most", int{formulas::kMaxYarnSamples})))
           ->check(whole_number(1, 1024));
-  auto* tolerance = verb.add_option("--tolerance", o.tolerance,
-                                    tr("Error allowed to the method auto, as a fraction of the brightness: 0.05 is "
-                                       "5%; default: the draft's"))
-                        ->check(number_in(0.01, 1.0));
+  auto* tolerance =
+      verb.add_option(
+              "--tolerance", o.tolerance,
+              tr("Error allowed for method auto, as a fraction of the brightness: 0.05 is 5%; default: the draft's"))
+          ->check(number_in(0.01, 1.0));
   verb.add_option("--budget-ms", o.budget_ms,
                   tr("Time for drawing the cloth in milliseconds; the error is the smallest that fits into it; "
                      "default: no limit"))
@@ -182,8 +183,8 @@ RunVerb add_reference(CLI::App& verb) {
   auto* bounces =
       verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
   verb.add_flag("--fibres", o.fibres,
-                tr("Every fibre of the threads, for a near view of up to some square centimetres; light is followed "
-                   "until it leaves them"))
+                tr("Trace every fibre, for close-ups of up to a few square centimetres; light is followed until it "
+                   "leaves the fibres"))
       ->excludes(bounces);
   return [picture] {
     return apply_picture_texts(*picture) ? reference_command(picture->options, picture->backdrop()) : kUsage;
@@ -194,7 +195,7 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
   auto* size = verb.add_option("--size", o.size, tr("Side of the textures in texels, a power of two; default: 1024"))
                    ->check(whole_number(16, 8192));
   verb.add_option("--px-per-mm", o.texels_per_mm,
-                  tr("Least resolution, in texels per millimetre of cloth; default: as --size gives it"))
+                  tr("Minimum resolution, in texels per millimetre of cloth; default: as --size gives it"))
       ->check(number_in(0.1, 1000.0))
       ->excludes(size);
   verb.add_option("--tile-cm", o.tile_cm,
@@ -216,10 +217,10 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
 
 void add_material_options(CLI::App& verb, MaterialOptions& material) {
   verb.add_flag("--masks", material.masks,
-                tr("Images for recolouring too: the base colour of white yarn, warp and weft, and the colours of the "
-                   "draft"));
+                tr("Also export images for recolouring: the base colour of white yarn, warp and weft, and the colours "
+                   "of the draft"));
   verb.add_option("--uv", material.uv,
-                  tr("Unit of the texture coordinates of the meshes that will wear the material; tile: a repeat of the "
+                  tr("Unit of the texture coordinates of the meshes that will use the material; tile: a repeat of the "
                      "images; default: mm"))
       ->check(one_of({"mm", "cm", "m", "tile"}));
   verb.add_option_function<std::string>(
@@ -249,7 +250,7 @@ RunVerb add_export(CLI::App& verb) {
                      "with several targets {name}/{target}"))
       ->type_name(tr("TEMPLATE"));
   verb.add_flag("--versions,--colourways", o.versions,
-                tr("A set of each version or colourway too, named after the draft and the version"));
+                tr("Also export a set of each version or colourway, named after the draft and the version"));
   verb.add_option("--jobs", o.jobs, tr("Number of sets made at the same time; default: 1"))->check(whole_number(1, 64));
   verb.add_flag("--zip", o.zip, tr("Archive of each set beside its folder"));
   verb.add_flag("--resume", o.resume, tr("Skip sets that are complete and up to date"));
@@ -280,7 +281,7 @@ RunVerb add_chart(CLI::App& verb) {
   verb.add_option("-o,--output", o.out, tr("Output folder"))->required()->check(some_path(mark("FOLDER")));
   add_chart_part(verb, o.part);
   verb.add_flag("--quick", o.quick, tr("Smaller patches; takes a few minutes"));
-  verb.add_flag("--count", o.count, tr("Instruction counts too, by single-stepping the processor; takes hours"));
+  verb.add_flag("--count", o.count, tr("Also count instructions, by single-stepping the processor; takes hours"));
   return [options] { return chart_command(*options); };
 }
 
@@ -349,7 +350,7 @@ RunVerb add_curves(CLI::App& verb) {
       ->check(pair_of('x', "WxH"));
   verb.add_option("--from", options->from, tr("Its lower left corner in mm from end 1 and pick 1; default: 0,0"))
       ->check(pair_of(',', "X,Y"));
-  verb.add_option("--seed", o.seed, tr("Another number gives other fibres; default: 1"))
+  verb.add_option("--seed", o.seed, tr("Random seed of the fibres; default: 1"))
       ->check(whole_number(0, std::numeric_limits<int>::max()));
   return [options] {
     constexpr float kMax = 1000;

@@ -41,7 +41,7 @@ CLI::Validator span_into(collection::Span& span) {
   return CLI::Validator(
       [&span](const std::string& text) -> std::string {
         const std::optional<collection::Span> read = collection::span_from(text);
-        if (!read) return fill(tr("'{text}' is no number and no range such as 4-8"), arg("text", text));
+        if (!read) return fill(tr("'{text}' is neither a number nor a range such as 4-8"), arg("text", text));
         span = *read;
         return {};
       },
@@ -63,8 +63,8 @@ RunVerb add_find(CLI::App& verb) {
   };
   const auto options = std::make_shared<Options>();
   collection::DraftQuery& q = options->find.query;
-  verb.add_option("folder", options->find.folder, tr("Folder of drafts, with those in it"))->required();
-  verb.add_option("words", options->words, tr("Words of the title, the author or the path; all of them"));
+  verb.add_option("folder", options->find.folder, tr("Folder of drafts, including subfolders"))->required();
+  verb.add_option("words", options->words, tr("Words in title, author or path; all must match"));
   const auto range = [&verb](const char* name, collection::Span& span, const char* description) {
     verb.add_option_function<std::string>(
             name, [](const std::string&) {}, description)
@@ -76,7 +76,7 @@ RunVerb add_find(CLI::App& verb) {
   verb.add_option("--family", options->family, tr("Weave family, found by analysis; default: any"))
       ->check(one_of(ids_of(analysis::kWeaveFamilyNames)));
   verb.add_option("--color", options->colours,
-                  tr("Colour that a twentieth of the threads has; may be given several times; default: any"))
+                  tr("Colour of at least a twentieth of the threads; may be given several times; default: any"))
       ->allow_extra_args(false)
       ->check(one_of(ids_of(collection::kColourNames)));
   verb.add_flag("--json", options->find.json, tr("Output as JSON"));
@@ -164,8 +164,7 @@ RunVerb add_weave(CLI::App& verb) {
   const auto options = std::make_shared<WeaveOptions>();
   WeaveOptions& o = *options;
   verb.add_option("weave", o.weave, tr("Id of the weave; see --list"));
-  verb.add_option("-o,--output", o.out, tr("Output file: .wif; default: none, which --list alone allows"))
-      ->check(some_path());
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif; required unless --list is given"))->check(some_path());
   verb.add_option("--set", o.set, tr("Parameter of the weave; may be given several times; default: as --list shows"))
       ->type_name(tr("ID=VALUE"));
   verb.add_option("--ends", o.ends, tr("Number of ends; default: 64"))->check(whole_number(1, kMaxThreads));
@@ -187,10 +186,13 @@ RunVerb add_join(CLI::App& verb) {
   verb.add_option("a", o.a, tr("First draft"))->required();
   verb.add_option("b", o.b, tr("Second draft"))->required();
   verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(some_path());
-  verb.add_option("--ends", o.ends, tr("So many ends of each in turn; default: not by ends"))->type_name(tr("A:B"));
-  verb.add_option("--picks", o.picks, tr("So many picks of each in turn; default: not by picks"))->type_name(tr("A:B"));
-  verb.add_option("--layers", o.layers,
-                  tr("So many ends and picks of each in turn, the first cloth on the second; default: one cloth"))
+  verb.add_option("--ends", o.ends, tr("Ends taken from each draft in turn, as 2:1; default: not by ends"))
+      ->type_name(tr("A:B"));
+  verb.add_option("--picks", o.picks, tr("Picks taken from each draft in turn, as 2:1; default: not by picks"))
+      ->type_name(tr("A:B"));
+  verb.add_option(
+          "--layers", o.layers,
+          tr("Ends and picks taken from each draft in turn, the first cloth above the second; default: one cloth"))
       ->type_name(tr("A:B"));
   return [options] { return join_command(*options); };
 }
@@ -311,9 +313,9 @@ RunVerb add_convert(CLI::App& verb) {
       verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has; default: any"))
           ->check(whole_number(1, kMaxShafts))
           ->excludes(liftplan);
-  verb.add_flag("--tidy", o.tidy, tr("Merge equal colours and yarns, and remove those that no thread has"));
+  verb.add_flag("--tidy", o.tidy, tr("Merge identical colours and yarns, and remove unused ones"));
   verb.add_option("--take-version", o.version,
-                  tr("Version or colourway of the draft to copy; default: the draft as it is"))
+                  tr("Version or colourway of the draft to copy; default: the current draft"))
       ->type_name(tr("NAME"));
   verb.add_flag("--closest", o.closest, tr("Closest weave for the loom, where the draft itself does not fit it"));
   verb.add_flag("--nearest", o.closest)->group("");  // the earlier name

@@ -108,7 +108,7 @@ int drape_command(const DrapeOptions& options) {
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) {
-    return fail({base::ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be made: {cause}"),
+    return fail({base::ErrorKind::kOutput, fill(tr("{folder}: the folder cannot be created: {cause}"),
                                                 arg("folder", options.out), arg("cause", cause_of(problem)))});
   }
   for (const std::string& name : drape_names()) {

@@ -29,7 +29,7 @@ Exit exit_code(ErrorKind kind) {
 int fail(const base::Error& error) {
   const std::string what = message(error);
   if (error.kind == ErrorKind::kOutput)
-    std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another place"), arg("problem", what)).c_str());
+    std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another location"), arg("problem", what)).c_str());
   else if (error.file.empty()) print_problem(what);
   else std::fprintf(stderr, "%s\n", what.c_str());
   return exit_code(error.kind);

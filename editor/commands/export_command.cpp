@@ -33,7 +33,7 @@
 
 namespace weftlight::commands {
 
-using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr;
+using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr, base::tr_n;
 using design::Design, design::at_version, design::version_named;
 using drape::Mesh;
 using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
@@ -350,7 +350,10 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
 
 /// Exports a draft again whenever its file changes, until the program is ended.
 void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh) {
-  if (!options.quiet) print_problem(fill(tr("watching {count} sets; Ctrl+C ends"), arg("count", jobs.size())));
+  if (!options.quiet)
+    print_problem(fill(tr_n("watching {count} set; press Ctrl+C to stop", "watching {count} sets; press Ctrl+C to stop",
+                            static_cast<long long>(jobs.size())),
+                       arg("count", jobs.size())));
   while (true) {
     std::this_thread::sleep_for(kWatchStep);
     std::vector<Job> changed_jobs;

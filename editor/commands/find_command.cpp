@@ -41,14 +41,15 @@ nlohmann::ordered_json as_json(const DraftEntry& e) {
 
 std::string text_of(const DraftEntry& e) {
   if (!e.readable) return fill(tr("{path}: cannot be read"), arg("path", e.path));
+  const std::string shafts = fill(tr_n("{count} shaft", "{count} shafts", e.shafts), arg("count", e.shafts));
+  const std::string treadles = fill(tr_n("{count} treadle", "{count} treadles", e.treadles), arg("count", e.treadles));
   const std::string loom =
-      e.treadles == 0
-          ? fill(tr_n("{count} shaft", "{count} shafts", e.shafts), arg("count", e.shafts))
-          : fill(tr("{shafts} shafts, {treadles} treadles"), arg("shafts", e.shafts), arg("treadles", e.treadles));
-  const std::string facts = fill(tr("{path}: {ends} x {picks}, {loom}, {weave}"), arg("path", e.path),
-                                 arg("ends", e.ends), arg("picks", e.picks), arg("loom", loom),
-                                 arg("weave", tr(analysis::kWeaveFamilyNames[static_cast<size_t>(e.family)].label)));
-  return e.title.empty() ? facts : facts + "; " + e.title;
+      e.treadles == 0 ? shafts : fill(tr("{shafts}, {treadles}"), arg("shafts", shafts), arg("treadles", treadles));
+  const char* facts = e.title.empty() ? tr("{path}: {ends} x {picks}, {loom}, {weave}")
+                                      : tr("{path}: {ends} x {picks}, {loom}, {weave}; {title}");
+  return fill(facts, arg("path", e.path), arg("ends", e.ends), arg("picks", e.picks), arg("loom", loom),
+              arg("weave", tr(analysis::kWeaveFamilyNames[static_cast<size_t>(e.family)].label)),
+              arg("title", e.title));
 }
 
 void print_found(const FolderIndex& index, const std::vector<int>& found, bool json) {
@@ -68,7 +69,7 @@ void print_found(const FolderIndex& index, const std::vector<int>& found, bool j
 
 int find_command(const FindOptions& options) {
   if (platform::file_facts(options.folder).kind != platform::FileKind::kFolder)
-    return fail({base::ErrorKind::kInput, tr("is no folder; give a folder of drafts"), options.folder});
+    return fail({base::ErrorKind::kInput, tr("is not a folder; give a folder of drafts"), options.folder});
   FolderIndex index;
   {
     StatusLine line;
@@ -79,7 +80,9 @@ int find_command(const FindOptions& options) {
     print_problem(fill(tr("{folder}: cannot be read, and is left out"), arg("folder", folder)));
   if (index.left_out > 0)
     print_problem(
-        fill(tr("{count} drafts more are left out; give a folder further down"), arg("count", index.left_out)));
+        fill(tr_n("{count} more draft is not listed; give a subfolder",
+                  "{count} more drafts are not listed; give a subfolder", static_cast<long long>(index.left_out)),
+             arg("count", index.left_out)));
   print_found(index, found_drafts(*index.entries, options.query), options.json);
   return kDone;
 }

@@ -12,7 +12,7 @@
 namespace weftlight::commands {
 
 using analysis::LongestFloats, analysis::longest_floats;
-using base::arg, base::fill, base::mark, base::tr;
+using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::Design, design::Repeat, design::design_repeat, design::structure_repeat;
 using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::drawdown;
 using weaves::iso_code;
@@ -79,8 +79,12 @@ void print_text(const std::string& path, const OpenedDesign& opened, const Facts
   const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
   print_row(tr("shed control"), liftplan ? tr("liftplan") : tr("tie-up and treadling"));
   print_row(tr("longest float"), longest_float_text(facts.floats));
-  print_row(tr("repeat"),
-            fill(tr("{ends} ends, {picks} picks"), arg("ends", facts.repeat.ends), arg("picks", facts.repeat.picks)));
+  print_row(
+      tr("repeat"),
+      fill(tr("{ends}, {picks}"),
+           arg("ends", fill(tr_n("{count} end", "{count} ends", facts.repeat.ends), arg("count", facts.repeat.ends))),
+           arg("picks",
+               fill(tr_n("{count} pick", "{count} picks", facts.repeat.picks), arg("count", facts.repeat.picks)))));
   if (!facts.weave_code.empty())
     print_row(tr("weave code"), fill(tr("{code} (ISO 9354)"), arg("code", facts.weave_code)));
   for (const design::Version& version : opened.design.versions) print_row(tr("version"), version.name);

@@ -153,7 +153,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
       [words = std::move(words)](const std::string& text) {
         return std::ranges::find(words, text) != words.end()
                    ? std::string{}
-                   : fill(tr("{text} is none of {words}"), arg("text", quoted(text)),
+                   : fill(tr("{text} must be one of {words}"), arg("text", quoted(text)),
                           arg("words", CLI::detail::join(words, ", ")));
       },
       form);
@@ -168,7 +168,7 @@ CLI::Validator one_of_numbers(std::vector<double> numbers) {
         const std::optional<double> value = number_of(text);
         return value && std::ranges::find(numbers, *value) != numbers.end()
                    ? std::string{}
-                   : fill(tr("{text} is none of {words}"), arg("text", quoted(text)),
+                   : fill(tr("{text} must be one of {words}"), arg("text", quoted(text)),
                           arg("words", CLI::detail::join(words, ", ")));
       },
       form);

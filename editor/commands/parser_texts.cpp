@@ -89,7 +89,7 @@ std::string unknown_word(const CLI::App& parser) {
 }
 
 std::string unknown_text(const CLI::App& parser, const std::string& word) {
-  if (word[0] != '-') return fill(tr("{word} is one argument too many"), arg("word", quoted(word)));
+  if (word[0] != '-') return fill(tr("unexpected argument {word}"), arg("word", quoted(word)));
   std::vector<std::string> names;
   for (const CLI::Option* option : options_of(parser))
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -173,7 +173,7 @@ std::string parse_problem(const CLI::App& parser, const CLI::Error& error) {
   else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) text = count_text(parser, said);
   else if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) text = conversion_text(parser, said);
   else if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return said;  // the words of option_checks.h
-  return text.empty() ? tr("these arguments cannot be used") : text;
+  return text.empty() ? tr("invalid arguments") : text;
 }
 
 }  // namespace weftlight::commands

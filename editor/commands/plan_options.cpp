@@ -36,9 +36,10 @@ CLI::Validator length() {
 CLI::Validator reed_form() {
   return CLI::Validator(
       [](const std::string& text) {
-        return reed_from_text(text) ? std::string()
-                                    : fill(tr("{value} is no reed; give dents in 10 cm as 40/10, in an inch as 12/in"),
-                                           arg("value", commands::quoted(text)));
+        return reed_from_text(text)
+                   ? std::string()
+                   : fill(tr("{value} is not a reed; give dents per 10 cm as 40/10, per inch as 12/in"),
+                          arg("value", commands::quoted(text)));
       },
       tr("DENTS/10|DENTS/in"));
 }
@@ -47,7 +48,7 @@ CLI::Validator sleying_form() {
   return CLI::Validator(
       [](const std::string& text) {
         return sleying_from_text(text).empty()
-                   ? fill(tr("{value} is no sleying; give the ends in each dent, as 2 or 1-1-2"),
+                   ? fill(tr("{value} is not a sleying; give the ends in each dent, as 2 or 1-1-2"),
                           arg("value", commands::quoted(text)))
                    : std::string();
       },
@@ -80,7 +81,7 @@ void add_fractions(CLI::App& verb, PlanOptions& o) {
   add("--weft-take-up", o.weft_take_up, kMaxTakeUp,
       tr("Draw-in: how much wider the reed is than the cloth on the loom; default: the file's plan"));
   add("--spare", o.spare, kMaxSpare, tr("Yarn lost in winding and on the bobbins; default: the file's plan"));
-  add("--ends-per-cm", o.ends_per_cm, kMaxSettPerCm, tr("Sett wanted on the loom; default: the file's plan"));
+  add("--ends-per-cm", o.ends_per_cm, kMaxSettPerCm, tr("Desired sett on the loom; default: the file's plan"));
   add("--picks-per-cm", o.picks_per_cm, kMaxSettPerCm, tr("Picks on the loom; default: the file's plan"));
 }
 

@@ -56,8 +56,8 @@ std::string runs_text(const Design& design, const std::vector<ThreadRun>& runs) 
 std::string order_text(const Design& design, const ThreadOrder& order) {
   std::string text = runs_text(design, order.repeat);
   if (order.times > 1)
-    text = fill(tr_n("{runs}; all this {count} time", "{runs}; all this {count} times", order.times), arg("runs", text),
-                arg("count", order.times));
+    text = fill(tr_n("{runs}; repeat all {count} time", "{runs}; repeat all {count} times", order.times),
+                arg("runs", text), arg("count", order.times));
   return order.rest.empty()
              ? text
              : fill(tr("{runs}; then {rest}"), arg("runs", text), arg("rest", runs_text(design, order.rest)));

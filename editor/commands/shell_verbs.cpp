@@ -228,9 +228,9 @@ std::string man_page(const std::vector<VerbFacts>& all) {
   }
   text += ".SH EXIT STATUS\n";
   for (const auto& [code, meaning] : {std::pair{kDone, tr("Done.")},
-                                      {kUsage, tr("The arguments make no sense.")},
+                                      {kUsage, tr("The command line is wrong.")},
                                       {kBadInput, tr("The input cannot be used.")},
-                                      {kNoGraphics, tr("There is nothing to draw with: no OpenGL.")},
+                                      {kNoGraphics, tr("OpenGL is not available.")},
                                       {kNotWritten, tr("The output cannot be written.")}})
     text += ".TP\n" + std::to_string(code) + "\n" + troff(meaning) + "\n";
   return text;

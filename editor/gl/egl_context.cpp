@@ -25,9 +25,9 @@ base::Failure none(std::string why) { return base::failure(base::ErrorKind::kGra
 /// libepoxy exits the program if a library that it loads is missing.
 std::string missing_library() {
   if (!platform::has_library("libEGL.so.1"))
-    return tr("libEGL.so.1 is not there: install it (Debian: libegl1 and libgl1-mesa-dri)");
+    return tr("libEGL.so.1 was not found: install it (Debian: libegl1 and libgl1-mesa-dri)");
   if (!platform::has_library("libOpenGL.so.0") && !platform::has_library("libGL.so.1"))
-    return tr("libGL.so.1 is not there: install it (Debian: libgl1 and libgl1-mesa-dri)");
+    return tr("libGL.so.1 was not found: install it (Debian: libgl1 and libgl1-mesa-dri)");
   return {};
 }
 
@@ -87,7 +87,7 @@ base::Result<void> EglContext::open() {
   context_ = open_context(display_);
   if (context_ == EGL_NO_CONTEXT)
     return none(
-        tr("OpenGL 3.3 core is not there: update the graphics driver, or use Mesa's software renderer "
+        tr("OpenGL 3.3 core is not available: update the graphics driver, or use Mesa's software renderer "
            "(LIBGL_ALWAYS_SOFTWARE=1)"));
   return {};
 }

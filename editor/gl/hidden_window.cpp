@@ -62,7 +62,7 @@ HeadlessContext::Opened open_hidden_window() {
   if (!system) return base::failed(system);
   GLFWwindow* window = make_window();
   if (window == nullptr)
-    return none(fill(tr("no window with OpenGL 3.3 can be made ({problem}); install or update the graphics driver"),
+    return none(fill(tr("no window with OpenGL 3.3 can be created ({problem}); install or update the graphics driver"),
                      arg("problem", WindowSystem::last_problem())));
   return std::make_unique<HiddenWindow>(std::move(*system), window);
 }

@@ -19,7 +19,7 @@ bool LostContexts::may_begin_again(double lasted_s) {
 }
 
 base::Error LostContexts::problem() {
-  return {base::ErrorKind::kGraphics, base::tr("the graphics driver is reset again and again; update it")};
+  return {base::ErrorKind::kGraphics, base::tr("the graphics driver keeps resetting; update it")};
 }
 
 }  // namespace weftlight::gl

@@ -35,14 +35,6 @@ void* operator new(size_t bytes) {
   if (there == nullptr) throw std::bad_alloc();
   return there;
 }
-// The library's is the same; a sanitizer's has a store of its own.
-void* operator new(size_t bytes, const std::nothrow_t&) noexcept {
-  try {
-    return operator new(bytes);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
 void operator delete(void* there) noexcept { std::free(there); }
 void operator delete(void* there, size_t) noexcept { std::free(there); }
 

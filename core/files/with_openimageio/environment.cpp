@@ -127,15 +127,14 @@ Result<std::unique_ptr<OIIO::ImageInput>> open(const std::string& path) {
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
   if (!in)
     return failure(ErrorKind::kInput,
-                   fill(tr("{problem}; give an .hdr or an .exr that is whole"), arg("problem", OIIO::geterror())),
-                   path);
+                   fill(tr("{problem}; give an undamaged .hdr or .exr"), arg("problem", OIIO::geterror())), path);
   if (const Result<void> header = check_header(path, in->format_name(), in->spec()); !header) return failed(header);
   return in;
 }
 
 /// What OpenImageIO threw.
 base::Failure broken_file(const std::string& path, const std::string& problem) {
-  return failure(ErrorKind::kInput, fill(tr("{problem}; the file is broken"), arg("problem", problem)), path);
+  return failure(ErrorKind::kInput, fill(tr("{problem}; the file is damaged"), arg("problem", problem)), path);
 }
 
 Result<EnvironmentPicture> read_from(const std::string& path) {
@@ -156,7 +155,7 @@ Result<EnvironmentPicture> read_from(const std::string& path) {
     const int end = std::min(y + band, spec.height);
     if (!read_rows(*in, y, end, channels, rows))
       return failure(ErrorKind::kInput,
-                     fill(tr("from row {row} on: {problem}; the file is broken"), arg("row", y + 1),
+                     fill(tr("unreadable from row {row}: {problem}; the file is damaged"), arg("row", y + 1),
                           arg("problem", in->geterror())),
                      path);
     const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(channels.count);

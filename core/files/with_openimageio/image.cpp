@@ -188,7 +188,7 @@ Result<Image> read_from(const std::string& path, int level) {
   };
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
       spec.nchannels > kMaxChannels || values > kMaxValues || spec.depth > 1)
-    return with_size(tr("an image of {width} x {height} x {channels} channels is not read; scale it down"));
+    return with_size(tr("an image of {width} x {height} x {channels} channels cannot be read; scale it down"));
   if (std::error_code ec; std::filesystem::file_size(path, ec) < shortest_file(in->format_name(), spec))
     return with_size(tr("the file is too short for {width} x {height} pixels; copy or export it again"));
   Image image{spec.width, spec.height, spec.nchannels, std::vector<float>(static_cast<size_t>(values))};

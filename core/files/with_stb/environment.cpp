@@ -12,7 +12,7 @@ base::Result<EnvironmentPicture> read_environment(const std::string& path) {
 
 base::Result<void> check_environment(const std::string& path) {
   return base::failure(base::ErrorKind::kInput,
-                       base::tr("this build reads no .hdr and .exr pictures; use the desktop program"), path);
+                       base::tr("this build cannot read .hdr or .exr pictures; use the desktop program"), path);
 }
 
 }  // namespace weftlight::files

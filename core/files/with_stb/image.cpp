@@ -38,7 +38,7 @@ bool ends_with(const std::string& path, std::string_view ending) {
 }
 
 base::Failure other_format(ErrorKind kind, const std::string& path) {
-  return failure(kind, tr("this build takes PNG only; give a .png, or use the desktop program"), path);
+  return failure(kind, tr("this build supports PNG only; give a .png, or use the desktop program"), path);
 }
 
 /// Bytes of rows as PNG stores them: big-endian samples, each row behind its filter's number (2: "up").
@@ -198,7 +198,7 @@ Result<Image> read_image(const std::string& path, int level) {
   const int64_t values = int64_t{image.width} * image.height * image.channels;
   if (image.width > kMaxSide || image.height > kMaxSide || values > kMaxValues)
     return failure(ErrorKind::kInput,
-                   fill(tr("an image of {width} x {height} x {channels} channels is not read; scale it down"),
+                   fill(tr("an image of {width} x {height} x {channels} channels cannot be read; scale it down"),
                         arg("width", image.width), arg("height", image.height), arg("channels", image.channels)),
                    path);
   image.texels.resize(static_cast<size_t>(values));

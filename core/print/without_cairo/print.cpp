@@ -9,7 +9,7 @@ namespace {
 
 base::Failure missing() {
   return base::failure(base::ErrorKind::kOutput,
-                       base::tr("this build does not print; save the draft and print it with the desktop program"));
+                       base::tr("this build cannot print; save the draft and print it with the desktop program"));
 }
 
 }  // namespace

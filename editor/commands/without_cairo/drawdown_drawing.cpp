@@ -7,7 +7,7 @@ namespace weftlight::commands {
 
 base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatrix& /*cells*/, const Draft& /*draft*/,
                                           DrawdownOrigin /*origin*/) {
-  return base::failure(base::ErrorKind::kOutput, base::tr("this build draws no .svg and .pdf; write a .png"), path);
+  return base::failure(base::ErrorKind::kOutput, base::tr("this build cannot write .svg or .pdf; write a .png"), path);
 }
 
 }  // namespace weftlight::commands

@@ -56,7 +56,7 @@ std::shared_ptr<const ClosestWeave> closest_weave_to(const Design& now, const De
 }
 
 Edit larger_loom_edit(const RejectedEdit& rejected_edit) {
-  return {tr("Enlarge the loom"), [requested = rejected_edit.requested](Design design) {
+  return {tr("Add shafts or treadles"), [requested = rejected_edit.requested](Design design) {
             design.draft = requested->draft;
             Loom& loom = design.loom;
             if (loom.shafts > 0) loom.shafts = std::max(loom.shafts, design.draft.shafts);

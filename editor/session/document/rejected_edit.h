@@ -19,7 +19,7 @@ using draft::BitMatrix, draft::CellRect;
 /// The weave that the loom can make and that is closest to the requested design.
 struct ClosestWeave {
   std::shared_ptr<const Design> design;
-  std::string why;               // why it differs: "this takes 9 shafts, and the loom has 8"
+  std::string why;               // why it differs: "this needs 9 shafts, but the loom has 8"
   bool is_there = false;         // the present design is already the closest
   int64_t wrong = 0;             // crossings that differ from the request
   BitMatrix differing;           // picks x ends: those crossings

@@ -219,7 +219,7 @@ MaybeEdit go_on_with_stroke(DocumentView& v, const Design& design, Cell to, bool
 
 Edit bar_edit(GridId grid, Cell from, Cell to, BarPaint what, int index, const Mirror& mirror) {
   const System system = grid == GridId::kWarpColors ? System::kWarp : System::kWeft;
-  const std::string label = what == BarPaint::kColor ? tr("Colour threads") : tr("Choose yarn of threads");
+  const std::string label = what == BarPaint::kColor ? tr("Colour threads") : tr("Set yarn of threads");
   return {label, [=](Design design) {
             for (const Cell& at : line_of_cells(from, to))
               for (const Cell& image : images_of(mirror, grid, at)) {

@@ -234,9 +234,11 @@ int64_t missed_crossings(const Draft& d, BitGrid grid, int a, int b, const BitMa
 }
 
 std::string missed_text(const std::string& done, int64_t missed) {
-  return fill(tr_n("{done}; {count} crossing could not follow: ends on the same shafts rise together",
-                   "{done}; {count} crossings could not follow: ends on the same shafts rise together", missed),
-              arg("done", done), arg("count", missed));
+  const std::string problem =
+      fill(tr_n("{count} crossing could not follow, because ends on the same shafts rise together",
+                "{count} crossings could not follow, because ends on the same shafts rise together", missed),
+           arg("count", missed));
+  return fill(tr("{edit}: {problem}"), arg("edit", done), arg("problem", problem));
 }
 
 std::string size_text(BitGrid grid, int columns, int rows) {
@@ -247,8 +249,9 @@ std::string selection_text(const SelectState& s) {
   if (s.held) return held_text(*s.held);
   if (s.selected.empty()) return {};
   const Selection& at = s.selected;
-  std::string size = size_text(at.grid, at.columns(), at.rows()) + ": " + column_range(at.grid, at.a0, at.a1) + ", " +
-                     row_range(at.grid, at.b0, at.b1);
+  const std::string size =
+      fill(tr("{size}: {columns}, {rows}"), arg("size", size_text(at.grid, at.columns(), at.rows())),
+           arg("columns", column_range(at.grid, at.a0, at.a1)), arg("rows", row_range(at.grid, at.b0, at.b1)));
   if (s.drag == SelectDrag::kBand) return size;
   if (s.drag == SelectDrag::kMove)
     return fill(s.move && s.move->copy ? tr("Copy {size}") : tr("Move {size}"), arg("size", size));

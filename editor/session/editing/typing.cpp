@@ -106,7 +106,7 @@ void add_to(std::vector<Edit>& all, MaybeEdit edit) {
 }
 
 std::string why_no_number(GridId grid, int number, int limit) {
-  if (limit == 0) return tr("The drawdown has no numbers to type; Space turns the cell over");
+  if (limit == 0) return tr("The drawdown has no numbers to type; Space toggles the cell");
   return fill(grid == GridId::kTreadling ? tr("There is no treadle {number}: the last is {last}")
                                          : tr("There is no shaft {number}: the last is {last}"),
               arg("number", number), arg("last", limit));
@@ -239,14 +239,13 @@ std::string typing_text(const TypeCursor& c, const Design& design, const BitMatr
                 arg("number", c.typed));
   const std::string here = describe(design, cells, c.grid, c.at);
   const char* text = nullptr;
-  if (c.grid == GridId::kDrawdown) text = tr("{cell}    Space turns the cell over; arrows, Tab: next grid; Esc ends");
+  if (c.grid == GridId::kDrawdown) text = tr("{cell}    Space toggles the cell; arrows, Tab: next grid; Esc ends");
   else if (c.grid == GridId::kTreadling)
-    text = tr(
-        "{cell}    type a treadle, 0 clears; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends");
-  else if (holds_one(c.grid))
     text =
-        tr("{cell}    type a shaft, 0 clears; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends");
-  else text = tr("{cell}    type a shaft; Space turns the cell over; arrows, Home, End, Tab: next grid; Esc ends");
+        tr("{cell}    type a treadle, 0 clears; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc ends");
+  else if (holds_one(c.grid))
+    text = tr("{cell}    type a shaft, 0 clears; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc ends");
+  else text = tr("{cell}    type a shaft; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc ends");
   return fill(text, arg("cell", here));
 }
 

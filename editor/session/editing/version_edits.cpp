@@ -7,17 +7,17 @@
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::tr;
+using base::arg, base::fill, base::tr, base::tr_n;
 using design::at_version, design::current_version, design::has_room_for_version, design::is_colourway,
     design::version_name, design::with_renamed_version, design::with_version, design::without_version;
 
 Edit keep_version_edit(const std::string& name) {
-  Edit edit{fill(tr("Keep version {name}"), arg("name", version_name(name))),
+  Edit edit{fill(tr("Save version {name}"), arg("name", version_name(name))),
             [name](Design d) { return with_version(std::move(d), name); }};
   edit.why = [name](const Design& d) -> std::string {
     if (version_name(name).empty()) return tr("A version needs a name.");
     if (!has_room_for_version(d)) return tr("There is no room for another version in this draft. Delete one first.");
-    return tr("That version is kept already.");
+    return tr("This version is already saved.");
   };
   return edit;
 }
@@ -49,11 +49,13 @@ const Version* next_version(const Design& design, int step) {
 }
 
 std::string version_words(const Design& now, const Version& version) {
-  if (current_version(now) == &version) return tr("as the draft is now");
+  if (current_version(now) == &version) return tr("same as the current draft");
   if (is_colourway(now, *version.design)) return tr("other colours");
   const draft::Draft& draft = version.design->draft;
   if (draft.ends() == now.draft.ends() && draft.picks() == now.draft.picks()) return tr("another weave");
-  return fill(tr("{ends} ends, {picks} picks"), arg("ends", draft.ends()), arg("picks", draft.picks()));
+  return fill(tr("{ends}, {picks}"),
+              arg("ends", fill(tr_n("{count} end", "{count} ends", draft.ends()), arg("count", draft.ends()))),
+              arg("picks", fill(tr_n("{count} pick", "{count} picks", draft.picks()), arg("count", draft.picks()))));
 }
 
 }  // namespace weftlight::session

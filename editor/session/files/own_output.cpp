@@ -62,7 +62,7 @@ base::Result<void> LiveExport::check(const std::string& draft) const {
   if (std::find(own.begin(), own.end(), there) != own.end()) return {};
   // A copy of the opened draft: writing it again changes nothing.
   if (!draft.empty() && there == identify(draft).hash) return {};
-  return refused(path_, tr("another program's file is there; remove it or give another name"));
+  return refused(path_, tr("another program's file already exists; remove it or give another name"));
 }
 
 base::Result<void> LiveExport::write(std::string_view bytes) {
@@ -82,7 +82,7 @@ base::Result<void> check_ui_map(const std::string& path, const std::string& draf
   if (is_free(path)) return {};
   const nlohmann::json json = base::read_json(read_file(path, kLongestMap).value_or(""));
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};
-  return refused(path, tr("the file there is no map of the window; remove it or give another name"));
+  return refused(path, tr("the existing file is not a map of the window; remove it or give another name"));
 }
 
 }  // namespace weftlight::session

@@ -10,7 +10,7 @@
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::message, base::tr;
+using base::arg, base::fill, base::message, base::tr, base::tr_n;
 using files::drape_key, files::load_design_drape;
 using texture_set::ExportProgress, texture_set::write_texture_set;
 
@@ -125,8 +125,9 @@ void Exporter::end() {
     else if (count == 1)
       message_ = fill(tr("Exported the texture set to {folder}"), arg("folder", state_.written.front()));
     else if (count > 1)
-      message_ = fill(tr("Exported {count} sets to {folder}"), arg("count", count),
-                      arg("folder", std::filesystem::path(state_.written.front()).parent_path().string()));
+      message_ = fill(
+          tr_n("Exported {count} set to {folder}", "Exported {count} sets to {folder}", static_cast<long long>(count)),
+          arg("count", count), arg("folder", std::filesystem::path(state_.written.front()).parent_path().string()));
   }
   wake_();
 }

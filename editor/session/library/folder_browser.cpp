@@ -6,14 +6,16 @@
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::tr;
+using base::arg, base::fill, base::tr, base::tr_n;
 using collection::FolderIndex, collection::found_drafts, collection::look_through;
 
 namespace {
 
 std::string remark_on(const FolderIndex& index) {
   if (index.left_out > 0)
-    return fill(tr("{count} drafts more are left out; choose a folder further down."), arg("count", index.left_out));
+    return fill(tr_n("{count} more draft is not listed; choose a subfolder.",
+                     "{count} more drafts are not listed; choose a subfolder.", static_cast<long long>(index.left_out)),
+                arg("count", index.left_out));
   if (index.unread.empty()) return {};
   return fill(tr("Cannot be read: {folder}"), arg("folder", index.unread.front()));
 }
@@ -99,7 +101,7 @@ bool FolderBrowser::poll() {
 
 std::string FolderBrowser::said() const {
   for (const base::ShownTask& task : reading_.shown())
-    return task.sentence.empty() ? std::string(tr("Looking for drafts\xE2\x80\xA6")) : task.sentence;
+    return task.sentence.empty() ? std::string(tr("Searching for drafts\xE2\x80\xA6")) : task.sentence;
   return remark_;
 }
 

@@ -20,11 +20,11 @@ base::Result<void> PhoneLink::open(const std::string& address, platform::PageLim
   auto server = PageServer::open(address, kPort, handler, wake_, limits);
   if (!server) server = PageServer::open(address, 0, handler, wake_, limits);
   if (!server)
-    return failure(ErrorKind::kOutput, fill(tr("No page can be served at {address}: {why}"), arg("address", address),
-                                            arg("why", server.error().message())));
+    return failure(ErrorKind::kOutput, fill(tr("The phone page cannot be started at {address}: {why}"),
+                                            arg("address", address), arg("why", server.error().message())));
   auto page = std::make_unique<loom::PhonePage>((*server)->host(), platform::fill_random);
   if (page->code().empty())
-    return failure(ErrorKind::kOutput, tr("The system gives no random numbers, so no device can be paired."));
+    return failure(ErrorKind::kOutput, tr("The system provides no random numbers, so no device can be paired."));
   server_ = std::move(*server);
   const std::lock_guard lock(mutex_);
   page_ = std::move(page);

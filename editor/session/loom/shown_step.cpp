@@ -48,7 +48,7 @@ std::optional<ShownColor> color_after(const Design& design, System system, int t
 void show_tabby(const Design& design, const loom::TabbySheds& sheds, bool second, ShownStep& step) {
   const Draft& draft = design.draft;
   step.tabby = true;
-  step.heading = second ? tr("Tabby b before pick") : tr("Tabby a before pick");
+  step.heading = second ? tr("Tabby B before pick") : tr("Tabby A before pick");
   const std::vector<int> treadles = loom::treadles_of_shed(draft, sheds, second);
   const std::vector<int>& up = second ? sheds.second : sheds.first;
   step.what = treadles.empty() ? lift_text(draft, draft.rising == second ? sheds.second : sheds.first)

@@ -48,7 +48,7 @@ base::Result<JournalEntry> last_entry(const std::string& journal) {
   const auto unreadable = [&](std::string why) {
     return base::failure(base::ErrorKind::kInput, std::move(why), journal);
   };
-  if (facts_of(journal).size > 2 * kMaxJournalText) return unreadable(tr("it is larger than any journal"));
+  if (facts_of(journal).size > 2 * kMaxJournalText) return unreadable(tr("it is too large to be a journal"));
   const base::Result<std::string> bytes = read_file(journal);
   if (!bytes) return failed(bytes);
   std::optional<JournalEntry> last = read_journal(*bytes);

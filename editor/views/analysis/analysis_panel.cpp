@@ -88,7 +88,7 @@ void draw_setts(const PanelContext& c, const AnalysisState& s) {
   fact(c, tr("Sett"),
        fill(tr("{ends}, {picks}"), arg("ends", sett_text(s.measures.draft_ends_per_cm, System::kWarp, units)),
             arg("picks", sett_text(s.measures.draft_picks_per_cm, System::kWeft, units))),
-       tr("As the draft is drawn; the plan has those on the loom and in the finished cloth"));
+       tr("As drawn. The Plan page has the setts on the loom and in the finished cloth"));
   const double wraps = wraps_per_cm(c.design.yarns.front().diameter_mm);
   fact(c, tr("Firm sett"),
        fill(units == Units::kImperial ? tr("{sett}, from {wraps:.1f} wraps per inch")

@@ -58,7 +58,7 @@ void draw_size(PlanPanel& c) {
   draw_length(c, "width", tr("Width"), tip, 2000, &ClothPlan::width_mm, tr("as draft"));
   draw_length(c, "length", tr("Length"), tip, 5000, &ClothPlan::length_mm, tr("as draft"));
   draw_pieces(c);
-  draw_length(c, "fringe", tr("Fringe"), tr("Warp left unwoven for each piece, at both its ends together"), 500,
+  draw_length(c, "fringe", tr("Fringe"), tr("Warp left unwoven for each piece, both ends together"), 500,
               &ClothPlan::fringe_mm);
   const ClothMeasures& m = c.state.measures;
   draw_fact(c, "plan.finished", tr("Finished"),
@@ -71,11 +71,11 @@ void draw_size(PlanPanel& c) {
 void draw_sett(PlanPanel& c, const char* id, System system, float ClothPlan::*per_cm) {
   const bool inches = c.state.units == Units::kImperial, warp = system == System::kWarp;
   const char* unit = c.design.plan.*per_cm <= 0 ? tr("as draft") : inches ? tr("%.1f /in") : tr("%.1f /cm");
-  const char* tip = warp ? tr("Ends wanted on the loom; 0 gives the finished cloth the sett of the draft")
+  const char* tip = warp ? tr("Desired sett on the loom; 0 gives the finished cloth the sett of the draft")
                          : tr("Picks woven under tension; 0 gives the finished cloth the sett of the draft");
   draw_number(c,
-              {id, warp ? tr("Ends wanted") : tr("Picks"), tip, unit, inches ? kInch_mm / 10 : 1.0,
-               inches ? 100.0f : 40.0f, design::kMaxSettPerCm * (inches ? 2.54f : 1.0f)},
+              {id, warp ? tr("Ends") : tr("Picks"), tip, unit, inches ? kInch_mm / 10 : 1.0, inches ? 100.0f : 40.0f,
+               design::kMaxSettPerCm * (inches ? 2.54f : 1.0f)},
               per_cm);
 }
 
@@ -85,12 +85,12 @@ void draw_difference(PlanPanel& c) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 0.005 * b; };
   const double ends = m.cloth_ends_per_cm, picks = m.cloth_picks_per_cm;
   if (!differs(ends, m.draft_ends_per_cm) && !differs(picks, m.draft_picks_per_cm)) return;
-  draw_fact(
-      c, "plan.differs", tr("Draft"),
-      fill(tr("drawn with\n{ends}\n{picks}"), arg("ends", sett_text(m.draft_ends_per_cm, System::kWarp, c.state.units)),
-           arg("picks", sett_text(m.draft_picks_per_cm, System::kWeft, c.state.units))));
+  draw_fact(c, "plan.differs", tr("Draft"),
+            fill(tr("Sett as drawn:\n{ends}\n{picks}"),
+                 arg("ends", sett_text(m.draft_ends_per_cm, System::kWarp, c.state.units)),
+                 arg("picks", sett_text(m.draft_picks_per_cm, System::kWeft, c.state.units))));
   row_label(c, "", "");
-  if (text_button(c, "plan.draw", tr("Draw it as planned"), tr("Gives the draft the sett of the finished cloth")))
+  if (text_button(c, "plan.draw", tr("Apply planned sett"), tr("Sets the draft to the sett of the finished cloth")))
     c.edit = Edit{tr("Sett of the plan"), [ends, picks](Design d) {
                     return with_sett(with_sett(std::move(d), System::kWarp, ends), System::kWeft, picks);
                   }};

@@ -34,8 +34,8 @@ void draw_dents(PlanPanel& c) {
              dents))
     change_plan(c, tr("Choose reed"), [d = std::round(2 * dents) / 2](ClothPlan& p) { p.reed.dents = d; });
   if (reed.dents <= 0) return;
-  constexpr const char* kPer[] = {mark("10 cm"), mark("inch")};
-  row_label(c, tr("Dents in"), tr("The length in which the dents are counted"));
+  constexpr const char* kPer[] = {mark("per 10 cm"), mark("per inch")};
+  row_label(c, tr("Dents"), tr("The length in which the dents are counted"));
   int per = reed.per_inch ? 1 : 0;
   if (segmented(c, "plan.reed_per", kPer, per))
     change_plan(c, tr("Choose reed"), [per](ClothPlan& p) { p.reed.per_inch = per == 1; });
@@ -66,7 +66,7 @@ void draw_effect(PlanPanel& c) {
                  arg("sleying", sleying_words(c.design.plan.sleying))));
   if (std::abs(off) < 0.0005) return;
   draw_fact(c, "plan.off", "",
-            fill(tr("{deviation} from the sett wanted, at which these ends would be {width} wide"),
+            fill(tr("{deviation} from the desired sett, which would make the warp {width} wide"),
                  arg("deviation", deviation_text(off)), arg("width", width_text(same_ends_mm, units))));
 }
 
@@ -116,7 +116,7 @@ void draw_selvedges(PlanPanel& c) {
     change_plan(c, tr("Floating selvedges"), [floating](ClothPlan& p) { p.floating_selvedges = floating; });
   c.map.add_item("plan.floating");
   draw_fact(c, "plan.selvedges", "", selvedges_text(c.state.selvedges),
-            tr("With one shuttle: whether each edge end changes its face where the weft turns around it"));
+            tr("With one shuttle: whether the weft catches each edge end at every turn"));
 }
 
 /// Chips with the number of ends, as many in a line as fit.
@@ -135,7 +135,7 @@ void draw_runs(const PlanPanel& c, const std::vector<ThreadRun>& runs, const cha
     ImGui::GetWindowDrawList()->AddText({at.x + side + gap, at.y}, c.style.color.text, count.c_str());
     ImGui::Dummy({side + gap + ImGui::CalcTextSize(count.c_str()).x, side});
   }
-  if (runs.size() > kMax) muted_text(c, tr("and so on; all of them are printed"));
+  if (runs.size() > kMax) muted_text(c, tr("more; the full list is printed"));
   else if (*after != 0) muted_text(c, after);
 }
 
@@ -143,9 +143,10 @@ void draw_warp_order(PlanPanel& c) {
   const analysis::ThreadOrder& order = c.state.warp_order;
   row_label(c, tr("Colours"), tr("Ends of each colour, in the order of winding from end 1"));
   ImGui::BeginGroup();
-  const std::string times = order.times > 1 ? fill(tr_n("all this {count} time", "all this {count} times", order.times),
-                                                   arg("count", order.times))
-                                            : std::string();
+  const std::string times =
+      order.times > 1
+          ? fill(tr_n("repeat all {count} time", "repeat all {count} times", order.times), arg("count", order.times))
+          : std::string();
   draw_runs(c, order.repeat, times.c_str());
   if (!order.rest.empty()) {
     muted_text(c, tr("then"));
@@ -177,7 +178,7 @@ void draw_warping(PlanPanel& c) {
   draw_length(c, "bout", tr("Bout"), tr("Width of the part of the warp that is wound at a time"), 500,
               &ClothPlan::bout_mm);
   draw_fact(c, "plan.bouts", "", bouts_text(w));
-  draw_length(c, "raddle", tr("Raddle group"), tr("Distance of the pegs of the raddle"), 50, &ClothPlan::raddle_mm);
+  draw_length(c, "raddle", tr("Raddle group"), tr("Spacing of the raddle pegs"), 50, &ClothPlan::raddle_mm);
   draw_fact(c, "plan.groups", "", raddle_text(w));
   draw_warp_order(c);
   draw_fact(c, "plan.weft", tr("Weft"), fill(tr_n("{count} pick", "{count} picks", m.picks), arg("count", m.picks)));

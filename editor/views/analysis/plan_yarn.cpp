@@ -31,8 +31,7 @@ void draw_to_buy(PlanPanel& c, const YarnToBuy& one, int number) {
   const std::string what = fill(tr("{amount} of {yarn}"), arg("amount", bought_text(one, c.state.units)),
                                 arg("yarn", c.design.yarns[static_cast<size_t>(one.yarn)].name));
   ImGui::TextUnformatted(fitted(what, ImGui::GetContentRegionAvail().x).c_str());
-  const char* text =
-      one.cost >= 0 ? tr("{length}, {weight} are used; cost {cost:.2f}") : tr("{length}, {weight} are used");
+  const char* text = one.cost >= 0 ? tr("Uses {length}, {weight}; cost {cost:.2f}") : tr("Uses {length}, {weight}");
   muted_text(c, fill(text, arg("length", yarn_length_text(one.length_m, c.state.units)),
                      arg("weight", weight_text(one.weight_g, c.state.units)), arg("cost", one.cost)));
   ImGui::EndGroup();
@@ -47,7 +46,7 @@ void draw_sold_by(PlanPanel& c, YarnPurchase p, const std::string& id) {
   constexpr const char* kMetric[] = {mark("by kg"), mark("cone, g"), mark("cone, m")};
   constexpr const char* kImperial[] = {mark("by lb"), mark("cone, oz"), mark("cone, yd")};
   constexpr float kUsualCone_g = 250, kUsualCone_m = 1000;
-  row_label(c, tr("Sold"), tr("By weight, or in cones or skeins of a weight or a length"));
+  row_label(c, tr("Sold by"), tr("By weight, or in cones or skeins of a weight or a length"));
   int by = sold_by(p);
   if (!segmented(c, ("sold:" + id).c_str(), c.state.units == Units::kImperial ? kImperial : kMetric, by)) return;
   p.cone_g = by == kConeWeight ? kUsualCone_g : 0;
@@ -90,7 +89,7 @@ void draw_price(PlanPanel& c, YarnPurchase p, const std::string& id) {
   const auto last = c.settings.yarn_prices.find(p.yarn);
   if (!loose || p.price > 0 || last == c.settings.yarn_prices.end() || last->second <= 0) return;
   row_label(c, "", "");
-  const std::string offer = fill(pounds ? tr("{price:.2f} /lb, as last time") : tr("{price:.2f} /kg, as last time"),
+  const std::string offer = fill(pounds ? tr("Last price: {price:.2f} /lb") : tr("Last price: {price:.2f} /kg"),
                                  arg("price", static_cast<double>(last->second) * unit));
   if (text_button(c, ("price_again:" + id).c_str(), offer.c_str(), tr("The price of this yarn in your last plan"))) {
     p.price = last->second;

@@ -163,7 +163,7 @@ void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
   c.map.add_item("view.compare");
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    c.frame.hint = tr("Drag: preview on the left, ray traced on the right");
+    c.frame.hint = tr("Drag the divider: preview on the left, ray traced on the right");
   }
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated())
     c.wanted.change_settings([to = std::clamp((ImGui::GetIO().MousePos.x - a.x) / pane.x, 0.02f, 0.98f)](Settings& s) {
@@ -277,8 +277,7 @@ void draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
 constexpr float kBarMargin = 14, kBarSlider = 200;
 
 std::string true_distance_text(const Panel& c) {
-  return fill(tr("From {distance} the cloth looks as large as this, at {percent:.0f} % of its size, if your eyes are "
-                 "{eyes} from the screen"),
+  return fill(tr("The cloth as it looks from {distance}: {percent:.0f} % of its real size on a screen {eyes} away"),
               arg("distance", session::distance_text(c.settings.seen_from_m, c.settings.imperial)),
               arg("percent", 100 * session::true_scale(c.settings)),
               arg("eyes", analysis::width_text(static_cast<double>(c.settings.eye_to_screen_cm) * 10,

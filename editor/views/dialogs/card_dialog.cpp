@@ -68,8 +68,8 @@ DialogResult draw_card(PanelContext& c, CardPrompt& p) {
   heading(c, tr("Measure the screen"));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room.x);
   ImGui::TextUnformatted(
-      tr("Hold a bank card, a library card or a driving licence to the screen (85.6 \xC3\x97 54.0 mm; "
-         "they are all alike) and drag the corner until the outline is as large."));
+      tr("Hold a bank card, a library card or a driving licence to the screen (85.6 \xC3\x97 54.0 mm; all are the same "
+         "size) and drag the corner until the outline matches."));
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0, c.style.px(4)});
   const ImVec2 a = ImGui::GetCursorScreenPos();
@@ -81,7 +81,7 @@ DialogResult draw_card(PanelContext& c, CardPrompt& p) {
   if (text_button(c, "card.larger", tr("A little larger"), nullptr)) p.px_a_mm = held(p.px_a_mm * (1 + kStep), room);
   ImGui::Dummy({0, c.style.px(4)});
   const SliderSpec eyes{"card.eyes",
-                        tr("Eyes to screen"),
+                        tr("Distance to screen"),
                         session::kNearestEye_cm,
                         100,
                         "%.0f cm",
@@ -90,7 +90,7 @@ DialogResult draw_card(PanelContext& c, CardPrompt& p) {
                         session::kNearestEye_cm,
                         session::kFurthestEye_cm};
   slider(c, eyes, p.eye_to_screen_cm);
-  return dialog_result(draw_buttons(c, {mark("Keep"), mark("Cancel")}, true));
+  return dialog_result(draw_buttons(c, {mark("Save"), mark("Cancel")}, true));
 }
 
 }  // namespace weftlight::views

@@ -46,7 +46,7 @@ DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
   const ClosestWeave& n = *p.closest;
   heading(c, tr("Closest weave"));
   ImGui::PushTextWrapPos(c.style.px(kWidth));
-  muted_text(c, fill(tr("Your edit is beyond the loom: {reason}."), arg("reason", n.why)));
+  muted_text(c, fill(tr("This loom cannot weave the edit: {reason}."), arg("reason", n.why)));
   const int64_t all = int64_t{n.differing.rows()} * n.differing.cols();
   const char* text = tr_n("{count} of {all} crossings differs from your edit; it is marked.",
                           "{count} of {all} crossings differ from your edit; they are marked.", n.wrong);

@@ -70,10 +70,11 @@ DialogResult draw(PanelContext& c, NamesPrompt& p) {
     ImGui::PushID(static_cast<int>(i));
     const bool deleted = p.names[i].empty();
     ImGui::SetNextItemWidth(width - c.style.px(110));
-    ImGui::InputTextWithHint("##name", fill(tr("delete: {name}"), arg("name", p.before[i])).c_str(), &p.names[i]);
+    ImGui::InputTextWithHint("##name", fill(tr("Will be deleted: {name}"), arg("name", p.before[i])).c_str(),
+                             &p.names[i]);
     c.map.add_item("names:" + number);
     ImGui::SameLine();
-    if (text_button(c, ("names.drop:" + number).c_str(), deleted ? tr("Keep") : tr("Delete"), nullptr))
+    if (text_button(c, ("names.drop:" + number).c_str(), deleted ? tr("Restore") : tr("Delete"), nullptr))
       p.names[i] = deleted ? p.before[i] : std::string();
     ImGui::PopID();
   }
@@ -189,8 +190,8 @@ bool draw_reports(PanelContext& c, RecoveryPrompt& p) {
   heading(c, tr("Weftlight crashed"));
   const float width = c.style.px(kRecoveryWidth);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-  muted_text(c, tr("This report says where the program stopped and which commands came last. It holds nothing of your "
-                   "drafts, and is sent nowhere. Copy it to tell the makers."));
+  muted_text(c, tr("This report says where the program stopped and which commands came last. It contains nothing from "
+                   "your drafts and is not sent anywhere. Copy it to report the crash to the developers."));
   ImGui::PopTextWrapPos();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   begin_padded_child("reports", {width, c.style.px(150)});

@@ -226,7 +226,7 @@ void draw_progress(PanelContext& c, const ExportPrompt& p, const Exporter::State
     words(written_text(state.written), c.style.color.text);
     c.map.add_item("export.written");
   } else if (const ExportPlaces::Look* there = p.places->found(); there == nullptr) {
-    if (p.wants_export) words(tr("Looking into the folder\xE2\x80\xA6"), c.style.color.muted);
+    if (p.wants_export) words(tr("Checking the folder\xE2\x80\xA6"), c.style.color.muted);
   } else if (there->replaced > 0) {
     words(fill(tr_n("Replaces {count} file of the last export; other files are kept.",
                     "Replaces {count} files of the last export; other files are kept.", there->replaced),

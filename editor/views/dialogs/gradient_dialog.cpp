@@ -36,8 +36,8 @@ std::string counted(const GradientPrompt& p) {
   const auto n = static_cast<long long>(threads_of(p).size());
   const bool warp = p.system == System::kWarp;
   if (!p.chosen.empty() && p.system == p.chosen_of)
-    return fill(warp ? tr_n("{count} chosen end", "{count} chosen ends", n)
-                     : tr_n("{count} chosen pick", "{count} chosen picks", n),
+    return fill(warp ? tr_n("{count} selected end", "{count} selected ends", n)
+                     : tr_n("{count} selected pick", "{count} selected picks", n),
                 arg("count", n));
   return fill(warp ? tr_n("{count} end", "{count} ends", n) : tr_n("{count} pick", "{count} picks", n),
               arg("count", n));

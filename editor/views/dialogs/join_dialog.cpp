@@ -42,7 +42,7 @@ const char* explanation(JoinBy by) {
     case JoinBy::kPicks:
       return tr("Picks of both in turn, each weaving all ends as its own draft does.");
     case JoinBy::kLayers:
-      return tr("Ends and picks in turn: this cloth lies on the other, as in double cloth.");
+      return tr("Ends and picks in turn: this cloth lies above the other, as in double cloth.");
   }
   return "";
 }

@@ -182,7 +182,7 @@ void draw_size(PanelContext& c, PicturePrompt& p) {
 void draw_loom(PanelContext& c, PicturePrompt& p) {
   constexpr const char* kLooms[] = {mark("Jacquard"), mark("Shafts and treadles")};
   row_label(c, tr("Loom"),
-            tr("Jacquard: every end is lifted by itself. Otherwise the closest weave that the loom can make"));
+            tr("Jacquard: every end is lifted individually. Otherwise the closest weave that the loom can weave"));
   int loom = p.choices.jacquard ? 0 : 1;
   segmented(c, "picture.loom", kLooms, loom, c.style.px(kColumn - 116));
   p.choices.jacquard = loom == 0;
@@ -275,7 +275,7 @@ DialogResult draw_picture(PanelContext& c, PicturePrompt& p) {
   ImGui::BeginGroup();
   draw_source(c, p);
   muted_text(c, p.choices.draft.crop.width > 0
-                    ? fill(tr("{width} by {height} pixels of the picture; a click takes all"),
+                    ? fill(tr("{width} by {height} pixels of the picture; click to select all"),
                            arg("width", p.choices.draft.crop.width), arg("height", p.choices.draft.crop.height))
                     : std::string(tr("Drag over the picture to weave a part of it")));
   ImGui::EndGroup();

@@ -163,7 +163,8 @@ void draw_parts(PanelContext& c, PrintPrompt& p) {
 /// What of the draft, and which of its sheets.
 void draw_extent(PanelContext& c, PrintPrompt& p, float width) {
   constexpr const char* kExtents[] = {mark("Whole draft"), mark("One repeat")};
-  row_label(c, tr("Extent"), tr("Grids and lists of one repeat; heddles, yarn and swatch are always of the whole"));
+  row_label(c, tr("Extent"),
+            tr("Grids and lists of one repeat; heddles, yarn and swatch always cover the whole draft"));
   int extent = p.options.one_repeat ? 1 : 0;
   segmented(c, "print.extent", kExtents, extent, width);
   p.options.one_repeat = extent == 1;

@@ -75,7 +75,7 @@ void draw_range(PanelContext& c, Page& page) {
   ImGui::SameLine();
   field("sections.last", last);
   ImGui::SameLine(0, c.style.px(16));
-  muted_text(c, tr("as"));
+  muted_text(c, tr("Name"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(c.style.px(80));
   ImGui::InputText("##name", &page.p.name);
@@ -132,7 +132,8 @@ void draw_sections(PanelContext& c, Page& page) {
       deleted = static_cast<int>(i);
     ImGui::PopID();
   }
-  if (page.assembly.sections.empty()) muted_text(c, tr("No sections yet. Choose threads above and press Add."));
+  if (page.assembly.sections.empty())
+    muted_text(c, tr("No sections yet. Enter a range of threads above and press Add."));
   ImGui::EndChild();
   if (deleted < 0) return;
   page.assembly.sections.erase(page.assembly.sections.begin() + deleted);
@@ -160,7 +161,7 @@ RowRequest draw_row(PanelContext& c, const OrderRow& row, int index, int& times)
   };
   constexpr const char* kTurns[] = {"\xE2\x86\x92", "\xE2\x86\x90", "<>"};
   button("sections.turn", kTurns[static_cast<size_t>(row.turn)],
-         tr("Forth, back (A') or forth and back (A<>), turning on single threads"), RowRequest::kTurn);
+         tr("Forwards, backwards (A') or both (A<>), with a single thread at the turn"), RowRequest::kTurn);
   button("sections.up", "\xE2\x86\x91", tr("Move up"), RowRequest::kUp);
   button("sections.down", "\xE2\x86\x93", tr("Move down"), RowRequest::kDown);
   if (row.section.empty()) button("sections.loose", "( )", tr("Ungroup"), RowRequest::kUngroup);
@@ -196,8 +197,7 @@ void draw_order(PanelContext& c, Page& page) {
   constexpr size_t kMaxRows = 200;  // more can be typed
   row_label(c, tr("Order"),
             tr("Names of sections, each with its number of repeats, and brackets for groups: A 4x, (B C) 3x, A. A' "
-               "goes back, A<> forth "
-               "and back"));
+               "runs backwards, A<> both ways"));
   ImGui::SetNextItemWidth(c.style.px(kWidth - 112));
   page.changed |= ImGui::InputTextWithHint("##order", "A 4x, (B C) 3x, A", &page.assembly.order);
   c.map.add_item("sections.order");
@@ -229,7 +229,7 @@ void draw_result(PanelContext& c, const Page& page) {
   else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   ImGui::TextUnformatted(fitted(!page.p.why.empty() ? page.p.why
                                 : made > 0          ? fill(tr("Result: {threads}"), arg("threads", counted(page, made)))
-                                                    : tr("The threads are unchanged until there is an order."),
+                                                    : tr("The threads stay as they are until you enter an order."),
                                 c.style.px(kWidth))
                              .c_str());
   ImGui::PopStyleColor();

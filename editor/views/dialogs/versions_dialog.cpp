@@ -109,7 +109,7 @@ std::vector<Card> cards_of(const PanelContext& c, VersionsPrompt& p) {
     p.now = std::make_shared<const Design>(version_of(c.design));
     p.revision = c.revision;
   }
-  std::vector<Card> cards{{"version:now", tr("The draft"), tr("as it is now"), p.now, p.chosen < 0}};
+  std::vector<Card> cards{{"version:now", tr("The draft"), tr("current"), p.now, p.chosen < 0}};
   for (size_t i = 0; i < c.design.versions.size(); ++i) {
     const Version& version = c.design.versions[i];
     cards.push_back({"version:" + std::to_string(i + 1), version.name, version_words(c.design, version), version.design,
@@ -166,17 +166,17 @@ MaybeEdit draw_name_row(PanelContext& c, VersionsPrompt& p) {
                                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   c.map.add_item("versions.name");
   ImGui::SameLine();
-  if (text_button(c, "versions.keep", is_taken ? tr("Replace by the draft as it is") : tr("Keep the draft as it is"),
-                  tr("Keeps the draft as it is now under this name, in its file")) ||
+  if (text_button(c, "versions.keep", is_taken ? tr("Replace with the current draft") : tr("Save as a version"),
+                  tr("Saves the current draft as a version of this name, in the draft's file")) ||
       (enter && !is_taken)) {
     if (!name.empty()) edit = keep_version_edit(name);
   }
   if (p.chosen < 0) return edit;
   ImGui::SameLine();
-  if (text_button(c, "versions.rename", tr("Rename"), tr("Gives the chosen version this name")) && !is_own)
+  if (text_button(c, "versions.rename", tr("Rename"), tr("Renames the selected version")) && !is_own)
     edit = rename_version_edit(chosen, name);
   ImGui::SameLine();
-  if (text_button(c, "versions.delete", tr("Delete"), tr("Deletes the chosen version; the draft stays as it is"))) {
+  if (text_button(c, "versions.delete", tr("Delete"), tr("Deletes the selected version; the draft does not change"))) {
     edit = delete_version_edit(c.design, chosen);
     choose(c, p, -1);
   }
@@ -195,7 +195,7 @@ DialogResult draw_versions(PanelContext& c, VersionsPrompt& p) {
   const float width = static_cast<float>(columns) * (size.x + gap) - gap + bar;
   heading(c, tr("Versions and colourways"));
   const float scales = c.style.px(260);
-  muted_text(c, tr("Kept in the draft's file, all seen at one scale"));
+  muted_text(c, tr("Saved in the draft's file; all shown at the same scale"));
   ImGui::SameLine(width - scales + ImGui::GetStyle().WindowPadding.x);
   segmented(c, "versions.scale", kSwatchWords, p.scale, scales);
   ImGui::Dummy({0, c.style.px(4)});
@@ -208,8 +208,8 @@ DialogResult draw_versions(PanelContext& c, VersionsPrompt& p) {
   DialogResult result;
   result.edit = draw_name_row(c, p);
   const bool can_go = p.chosen >= 0;
-  const std::vector<std::string> labels =
-      can_go ? std::vector<std::string>{mark("Go back to it"), mark("Close")} : std::vector<std::string>{mark("Close")};
+  const std::vector<std::string> labels = can_go ? std::vector<std::string>{mark("Restore this version"), mark("Close")}
+                                                 : std::vector<std::string>{mark("Close")};
   const bool typing = ImGui::GetIO().WantTextInput;  // Enter keeps the typed name
   const int pressed = draw_buttons(c, labels, !typing);
   if (pressed < 0) return result;

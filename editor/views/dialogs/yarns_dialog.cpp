@@ -172,7 +172,7 @@ bool draw_list(PanelContext& c, YarnsPrompt& p, const std::vector<int>& found, f
   if (found.empty()) {
     ImGui::PushTextWrapPos(list_width(c) - c.style.px(24));
     muted_text(c, p.shelf->yarns().empty()
-                      ? tr("No yarns yet. Keep the active yarn of the draft, describe a new one, or import a list.")
+                      ? tr("No yarns yet. Add the active yarn of the draft, describe a new one, or import a list.")
                       : tr("No yarn matches."));
     ImGui::PopTextWrapPos();
   }
@@ -243,7 +243,7 @@ void draw_price_fields(PanelContext& c, LibraryYarn& y) {
   constexpr const char* kMetric[] = {mark("by kg"), mark("cone, g"), mark("cone, m")};
   constexpr const char* kImperial[] = {mark("by lb"), mark("cone, oz"), mark("cone, yd")};
   const bool imperial = c.settings.imperial;
-  row_label(c, tr("Sold"), nullptr);
+  row_label(c, tr("Sold by"), nullptr);
   int by = y.cone_m > 0 ? 2 : y.cone_g > 0 ? 1 : 0;
   if (segmented(c, "yarns.sold", imperial ? kImperial : kMetric, by))
     y.cone_g = by == 1 ? 250.0f : 0, y.cone_m = by == 2 ? 1000.0f : 0;
@@ -354,7 +354,7 @@ void draw_fields(PanelContext& c, YarnsPrompt& p, float height) {
     if (p.revision == p.shelf->revision() && !(p.fields == stored) && !ImGui::IsAnyItemActive()) take_fields(p, stored);
   } else {
     ImGui::PushTextWrapPos(0);
-    muted_text(c, tr("Choose a yarn to see its count, price and colours, and to change them."));
+    muted_text(c, tr("Select a yarn to see and change its count, price and colours."));
     ImGui::PopTextWrapPos();
   }
   ImGui::EndChild();
@@ -371,7 +371,7 @@ LibraryYarn new_yarn() {
 
 /// Buttons below the list, for its yarns.
 void draw_list_buttons(PanelContext& c, YarnsPrompt& p) {
-  if (text_button(c, "yarns.keep", tr("Keep the draft's yarn"),
+  if (text_button(c, "yarns.keep", tr("Add the draft's yarn"),
                   tr("Adds the draft's active yarn, in the colours of its threads"))) {
     const LibraryYarn kept = library_yarn_of(c.design, p.active_yarn, p.active_color);
     change(p, keep_yarn(kept));
@@ -380,7 +380,7 @@ void draw_list_buttons(PanelContext& c, YarnsPrompt& p) {
     if (at != all.end()) choose(p, LibraryYarn(*at));
   }
   ImGui::SameLine();
-  if (text_button(c, "yarns.new", tr("New yarn"), tr("Adds a yarn to describe"))) {
+  if (text_button(c, "yarns.new", tr("New yarn"), tr("Adds an empty entry to fill in"))) {
     change(p, keep_yarn(new_yarn()));
     choose(p, new_yarn());
   }
@@ -394,7 +394,7 @@ void draw_list_buttons(PanelContext& c, YarnsPrompt& p) {
   if (!p.removed) return;
   ImGui::SameLine();
   if (text_button(c, "yarns.put_back",
-                  fill(tr("Put {yarn} back"), arg("yarn", fitted(p.removed->yarn.name, c.style.px(120)))).c_str(),
+                  fill(tr("Restore {yarn}"), arg("yarn", fitted(p.removed->yarn.name, c.style.px(120)))).c_str(),
                   nullptr)) {
     const LibraryYarn back = *std::exchange(p.removed, std::nullopt);
     change(p, keep_yarn(back));

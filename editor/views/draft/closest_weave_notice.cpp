@@ -1,6 +1,5 @@
 #include "views/draft/closest_weave_notice.h"
 
-#include <cctype>
 #include <string>
 
 #include "base/text.h"
@@ -16,13 +15,8 @@ using ui::muted_text, ui::push_font, ui::text_button;
 
 namespace {
 
-std::string sentence(std::string clause) {
-  if (!clause.empty()) clause[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(clause[0])));
-  return fill(tr("{sentence}."), arg("sentence", clause));
-}
-
 std::string offer(const ClosestWeave& n) {
-  if (n.is_there) return tr("The draft already is the closest weave.");
+  if (n.is_there) return tr("The draft is already the closest weave.");
   if (n.wrong == 0) return tr("It can be woven with another number of shafts and treadles.");
   return fill(tr_n("The closest weave differs in {count} crossing.", "The closest weave differs in {count} crossings.",
                    n.wrong),
@@ -40,18 +34,18 @@ std::string larger(const Draft& d, const Draft& requested) {
 void draw_card(PanelContext& c, const RejectedEdit& rejected) {
   const ClosestWeave& n = *rejected.closest;
   push_font(c.style.font.bold);
-  ImGui::TextUnformatted(sentence(n.why).c_str());
+  ImGui::TextUnformatted(fill(tr("This loom cannot weave the edit: {reason}."), arg("reason", n.why)).c_str());
   ImGui::PopFont();
   muted_text(c, offer(n));
   ImGui::Dummy({0, c.style.px(2)});
   if (!n.is_there) {
     if (text_button(c, "closest.see", tr("Show closest weave"),
-                    tr("It is shown in the draft first; then use it or cancel")))
+                    tr("Shows it in the draft; you can then use it or cancel")))
       c.wanted.add_action("closest_weave");
     ImGui::SameLine();
   }
   if (const std::string words = larger(c.design.draft, rejected.requested->draft); !words.empty()) {
-    if (text_button(c, "closest.larger", words.c_str(), tr("Your edit, on a larger loom")))
+    if (text_button(c, "closest.larger", words.c_str(), tr("Apply the edit with more shafts or treadles")))
       c.wanted.add_action("larger_loom");
     ImGui::SameLine();
   }

@@ -48,7 +48,7 @@ std::string count_in_words(const Yarn& yarn) {
   counts += "\n";
   if (!(yarn.tex > 0)) return counts + tr("computed from the thickness");
   const double fibre = packing_fraction(yarn);
-  if (fibre > kMaxPacking) return counts + tr("more fibre than fits the thickness");
+  if (fibre > kMaxPacking) return counts + tr("too much fibre for this thickness");
   if (fibre <= 0) return counts + tr("as entered");
   return counts + fill(tr("{percent}% of the yarn is fibre"), arg("percent", std::lround(100 * fibre)));
 }

@@ -43,7 +43,7 @@ void draw_stage(PanelContext& c, const DrapeState& drape) {
   if (!failed && drape.stage != DrapeStage::kStopped) return;
   if (failed) draw_words(c, drape.problem, c.style.color.error, tr("What went wrong"));
   row_label(c, "", tr("The cloth shows the generic drape"));
-  if (text_button(c, "drape.again", tr("Simulate again"), tr("Run the simulation again; takes seconds")))
+  if (text_button(c, "drape.again", tr("Simulate again"), tr("Run the simulation again; takes up to a minute")))
     c.wanted.add_action("drape.again");
 }
 
@@ -63,7 +63,7 @@ MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape) {
   if (!files::can_drape(c.design)) return {};
   row_label(c, tr("Drape"),
             tr("Generic: like any limp, medium or stiff cloth, at once. Simulated: this fabric with its own stiffness, "
-               "which takes seconds and is kept"));
+               "which takes up to a minute; the result is stored"));
   constexpr const char* kWays[] = {mark("Generic"), mark("Simulated")};
   int way = c.design.scene.simulated_drape ? 1 : 0;
   MaybeEdit edit;

@@ -114,7 +114,7 @@ MaybeEdit draw_palette(const PanelContext& panel, const DrawingState& drawing) {
   if (!section(c, "section.palette", tr("Colours"))) return {};
   draw_swatches(c);
   MaybeEdit edit = draw_active_color(c);
-  row_label(c, tr("Bars paint"),
+  row_label(c, tr("Colour bars paint"),
             tr("What a drag along the colour bars of warp and weft sets: the colour of threads, or their yarn"));
   constexpr const char* kWhat[] = {mark("Colour"), mark("Yarn")};
   int what = static_cast<int>(c.view.bar_paint);

@@ -122,7 +122,7 @@ MaybeEdit draw_environment(PanelContext& c) {
   const bool has_image = is_environment(c.design.scene.lights);
   const size_t slash = c.design.scene.lights.find_last_of('/');
   const std::string name = has_image ? c.design.scene.lights.substr(slash + 1) : tr("Load image\xE2\x80\xA6");
-  row_label(c, tr("Environment"), tr("Light from an environment image: an .hdr or .exr file, twice as wide as high"));
+  row_label(c, tr("Environment"), tr("Light from an environment map: an .hdr or .exr file, twice as wide as high"));
   if (text_button(c, "scene.environment", fitted(name, ImGui::GetContentRegionAvail().x * 0.8f).c_str(),
                   tr("Choose the image")))
     c.wanted.add_action("environment");

@@ -283,7 +283,7 @@ bool draw_link(PanelContext& c, const LengthSpec& spec, const SharedLength& leng
   const bool own = length.own > 0;
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
   const bool pressed = icon_button(
-      c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? tr("own") : tr("yarn"),
+      c, spec.link, own ? icon::kUnlinked : icon::kLinked, own ? tr("custom") : tr("yarn"),
       own ? tr("Set for these threads. Click to use the value of the yarn again") : tr("From the yarn"), own);
   ImGui::PopStyleColor();
   return pressed;
@@ -325,9 +325,7 @@ MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
                      return with_thread_spacing(std::move(d), system, threads, mm);
                    });
   ImGui::SameLine();
-  muted_text(c, tr("per"));
-  ImGui::SameLine();
-  constexpr const char* kUnits[] = {mark("cm"), mark("inch")};
+  constexpr const char* kUnits[] = {mark("/cm"), mark("/inch")};
   int chosen = inches ? 1 : 0;
   if (segmented(c, "threads.per", kUnits, chosen))
     c.wanted.change_settings([chosen](Settings& settings) { settings.imperial = chosen == 1; });

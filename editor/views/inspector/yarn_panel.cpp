@@ -75,7 +75,7 @@ MaybeEdit draw_yarn_presets(Panel& c) {
   c.map.add_item("yarn.add:like");
   if (ImGui::MenuItem(tr("From the library\xE2\x80\xA6"))) c.wanted.add_action("yarns.library");
   c.map.add_item("yarn.add:library");
-  if (ImGui::MenuItem(tr("Keep this one in the library"))) c.wanted.add_action("yarns.keep");
+  if (ImGui::MenuItem(tr("Add to the yarn library"))) c.wanted.add_action("yarns.keep");
   c.map.add_item("yarn.keep");
   if (ImGui::MenuItem(tr("Delete this one"), nullptr, false, c.design.yarns.size() > 1))
     c.wanted.add_action("yarns.delete");
@@ -110,7 +110,8 @@ MaybeEdit draw_choice(Panel& c) {
   }
   ImGui::SameLine();
   if (icon_button(c, "yarn.add", icon::kPlus, "+",
-                  tr("Add a yarn: a copy of this one, a preset, or one of the library; keep or delete this one")))
+                  tr("Add a copy of this yarn, a preset or a yarn from the library; add this one to the library, or "
+                     "delete it")))
     ImGui::OpenPopup("yarn presets");
   return draw_yarn_presets(c);
 }

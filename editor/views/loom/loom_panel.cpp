@@ -39,7 +39,7 @@ std::string line_text(const LoomLine& line, loom::Protocol protocol) {
       break;
   }
   if (loom::takes_picks_ahead(protocol))
-    return tr("Connected, as it is published for AVL looms; not yet tried at one. Watch the first picks");
+    return tr("Connected with the published AVL protocol, not yet tested on a loom. Watch the first picks");
   return protocol == loom::Protocol::kToikaEs
              ? tr("Connected. This loom does not ask for picks; press Space for the next one")
              : tr("Connected. The loom asks for each pick");
@@ -62,8 +62,8 @@ void choose_protocol(Panel& c) {
     }
     end_combo();
   }
-  tooltip(c, tr("How the loom speaks. Lines of AVL looms are as published by others: they were tried here with a mock, "
-                "and not yet at a loom. Louet publishes none"));
+  tooltip(c, tr("The loom's protocol. The AVL protocols follow third-party descriptions and were tested with a "
+                "simulator only. Louet publishes none"));
 }
 
 void draw_line(Panel& c, std::string& address) {
@@ -114,7 +114,7 @@ std::string spaced(const std::string& code) {
 std::string page_text(const PhoneLink::Status& page) {
   const platform::PageRefusals& refused = page.refusals;
   if (refused.connections + refused.requests > 0)
-    return fill(tr("Turned away: {connections} connections, {requests} requests; the last from {peer}"),
+    return fill(tr("Refused connections: {connections}. Refused requests: {requests}. Last from {peer}"),
                 arg("connections", refused.connections), arg("requests", refused.requests), arg("peer", refused.peer));
   if (page.code.empty()) return tr("Pairing is closed after too many wrong codes");
   return fill(tr_n("{count} device is paired", "{count} devices are paired", static_cast<long long>(page.paired)),
@@ -134,10 +134,10 @@ void draw_served_page(Panel& c) {
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::SameLine(0, c.style.px(16));
-  if (text_button(c, "loom.page_renew", tr("New code"), tr("A new code, and all tries again")))
+  if (text_button(c, "loom.page_renew", tr("New code"), tr("A new code; failed attempts are reset")))
     c.wanted.add_action("loom_page_code");
   ImGui::SameLine();
-  if (text_button(c, "loom.page_off", tr("Stop"), tr("Stop the page and forget who was paired")))
+  if (text_button(c, "loom.page_off", tr("Stop"), tr("Stop the page and unpair all devices")))
     c.wanted.add_action("loom_page_off");
   ImGui::SameLine(0, c.style.px(12));
   muted_text(c, fitted(page_text(page), ImGui::GetContentRegionAvail().x));
@@ -145,9 +145,9 @@ void draw_served_page(Panel& c) {
 
 /// The page for a phone: where it shall be, or where it is, and the code to pair with.
 void draw_page(Panel& c, std::string& page_address) {
-  row_label(c, tr("Page for a phone"),
-            tr("A page that shows this step, for a phone or tablet in the local network: read and step only. It is not "
-               "encrypted; use it in a network that you trust"));
+  row_label(c, tr("Phone page"),
+            tr("A page that shows this step, for a phone or tablet on the local network. It can only show and change "
+               "the step. The connection is not encrypted; use it only on a network you trust"));
   if (c.view.page.open) return draw_served_page(c);
   const auto chosen = std::ranges::find(c.view.own_addresses, page_address, &platform::OwnAddress::address);
   ImGui::SetNextItemWidth(c.style.px(290));
@@ -160,7 +160,7 @@ void draw_page(Panel& c, std::string& page_address) {
     end_combo();
   }
   ImGui::SameLine();
-  if (text_button(c, "loom.page", tr("Serve page"), tr("Serve the page at this address, and show a code to pair with")))
+  if (text_button(c, "loom.page", tr("Start page"), tr("Start the page at this address and show a pairing code")))
     c.wanted.add_action("loom_page");
 }
 
@@ -169,7 +169,7 @@ void draw_section(Panel& c) {
   const int picks = c.design.draft.picks();
   const loom::PickRange now = c.view.at_loom.section;
   int first = now.first < now.end ? now.first + 1 : 1, last = now.first < now.end ? now.end : picks;
-  row_label(c, tr("Section"), tr("Picks to weave again and again"));
+  row_label(c, tr("Section"), tr("Picks to weave repeatedly"));
   push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(110));
   bool changed = ImGui::InputInt("##first", &first);
@@ -203,7 +203,7 @@ void draw_section(Panel& c) {
 /// The end or dent to go on from, counted from 1.
 void draw_place(Panel& c) {
   const bool ends = c.view.step.work == LoomWork::kThread;
-  row_label(c, ends ? tr("Next end") : tr("Next dent"), tr("Go on from here"));
+  row_label(c, ends ? tr("Next end") : tr("Next dent"), tr("Continue from here"));
   push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(130));
   int number = c.view.step.number;
@@ -218,7 +218,7 @@ void draw_place(Panel& c) {
   muted_text(c, c.view.step.progress);
   if (ends || c.design.plan.reed.dents > 0) return;
   ImGui::SameLine(0, c.style.px(20));
-  muted_text(c, tr("No reed is chosen under Plan: one end in each dent, or as its sleying says"));
+  muted_text(c, tr("No reed is chosen under Plan: one end per dent, or the sleying set there"));
 }
 
 const char* next_label(LoomWork work) {
@@ -253,24 +253,25 @@ void draw_steps(Panel& c) {
   ImGui::PopStyleColor(3);
   ImGui::SameLine();
   if (work == LoomWork::kWeave) {
-    if (text_button(c, "loom.tabby", tr("Tabby"), tr("A tabby pick before this one, from the two sheds by turns   T")))
+    if (text_button(c, "loom.tabby", tr("Tabby"),
+                    tr("A tabby pick before this one, alternating the two tabby sheds   T")))
       c.wanted.add_action("loom_tabby");
     ImGui::SameLine();
   }
   if (c.view.can_speak) {
-    if (text_button(c, "loom.say", tr("Say"), tr("Say this step aloud   S"))) c.wanted.add_action("loom_say");
+    if (text_button(c, "loom.say", tr("Read aloud"), tr("Read this step aloud   S"))) c.wanted.add_action("loom_say");
     ImGui::SameLine();
   }
   if (text_button(c, "loom.first_pick", first_label(work), tr("Start again from the first")))
     c.wanted.gesture([](DocumentView& v, const Design& d) { return go_to(v.at_loom, d, 0).edit; });
   ImGui::SameLine();
-  if (text_button(c, "loom.done", tr("Leave loom"), tr("Back to the draft, which keeps your place   F9")))
+  if (text_button(c, "loom.done", tr("Leave loom view"), tr("Back to the draft, which keeps your place   F9")))
     c.wanted.add_action("loom");
   ImGui::PopStyleVar();
   if (!c.view.can_speak) return;
   ImGui::SameLine(0, c.style.px(16));
   bool each = c.settings.say_steps;
-  if (ImGui::Checkbox(tr("Say each step"), &each))
+  if (ImGui::Checkbox(tr("Read each step aloud"), &each))
     c.wanted.change_settings([each](Settings& s) { s.say_steps = each; });
   c.map.add_item("loom.say_steps");
 }

@@ -79,7 +79,7 @@ std::string why_not_now(const std::vector<Match>& found, const CommandPalette& p
   if (found.empty()) return {};
   const ActionItem& item = *found[static_cast<size_t>(palette.chosen)].item;
   if (item.enabled) return {};
-  return item.on_selection ? tr("Needs a selection: S, then drag over a grid.") : tr("Nothing to do for it now.");
+  return item.on_selection ? tr("Needs a selection: S, then drag over a grid.") : tr("Not available now.");
 }
 
 }  // namespace

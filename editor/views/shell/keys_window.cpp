@@ -92,7 +92,7 @@ void draw_key(PanelContext& c, const ActionItem& item, bool taken, KeysWindow& w
   const bool pressed = text_button(c, ("key:" + item.id).c_str(), label.c_str(), nullptr);
   ImGui::PopStyleColor(2);
   if (!waits)
-    tooltip(c, taken ? tr("Another command has the same shortcut; the first one in the menus gets it")
+    tooltip(c, taken ? tr("Another command has the same shortcut; the first one in the menus takes precedence")
                      : tr("Click, then press the new shortcut"));
   if (!pressed) return;
   w.waiting = waits ? "" : item.id;
@@ -111,7 +111,7 @@ void draw_choices(PanelContext& c, std::span<const ActionItem> items, const Acti
                                   c.style.px(280))
                                .c_str());
     ImGui::PopStyleColor();
-    if (quiet_button(c, "key.take", tr("Reassign"), tr("Assign it to this command; the other one has none then"))) {
+    if (quiet_button(c, "key.take", tr("Reassign"), tr("Assign it to this command; the other one loses it"))) {
       assign_key(c, *holder, "");
       assign_key(c, item, w.requested);
       w.waiting.clear();

@@ -157,8 +157,7 @@ void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& op
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
-  if (ImGui::Begin(tr("Messages about the file"), &open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
+  if (ImGui::Begin(tr("File messages"), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
     for (const Diagnostic& d : remarks) draw_remark(c, d);
   ImGui::End();
   ImGui::PopStyleColor();

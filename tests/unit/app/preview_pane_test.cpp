@@ -183,7 +183,7 @@ TEST_F(LostContext, WithoutEndTheWindowGoesOnAndSaysSo) {
     request.budget_ms += 1;
     pane.ask(request, false);
     pane.poll();
-    return pane.picture().problem.find("reset again and again") != std::string::npos;
+    return pane.picture().problem.find("keeps resetting") != std::string::npos;
   })) << pane.picture().problem;
 }
 

@@ -98,7 +98,7 @@ TEST_F(LostContextOfSlices, ThatIsBackIsDrawnInAnew) {
 TEST_F(LostContextOfSlices, AgainAndAgainIsLeftAtThat) {
   Driver::resets = 4;
   ASSERT_TRUE(comes_true(*pane_, [](const PreviewPicture& p) {
-    return p.problem.find("reset again and again") != std::string::npos;
+    return p.problem.find("keeps resetting") != std::string::npos;
   })) << pane_->picture().problem;
   EXPECT_FALSE(pane_->poll());
 }

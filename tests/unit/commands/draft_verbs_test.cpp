@@ -147,7 +147,7 @@ TEST_F(DraftVerbs, convert_to_a_smaller_loom_fails_or_takes_the_closest_weave) {
   EXPECT_EQ(open_design(path("eight.wif")).design.draft, open_design(path("satin.wif")).design.draft);
   const Ran refused = run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4"});
   EXPECT_EQ(refused.code, kBadInput);
-  EXPECT_NE(refused.said.find("this takes 8 shafts, and the loom has 4; --closest"), std::string::npos) << refused.said;
+  EXPECT_NE(refused.said.find("this needs 8 shafts, but the loom has 4; --closest"), std::string::npos) << refused.said;
   EXPECT_FALSE(std::filesystem::exists(path("four.wif")));
   EXPECT_EQ(run({"convert", path("satin.wif"), path("four.wif"), "--shafts", "4", "--closest"}).code, kDone);
   EXPECT_EQ(run({"convert", path("satin.wif"), path("same.wif"), "--shafts", "4", "--nearest"}).code, kDone)

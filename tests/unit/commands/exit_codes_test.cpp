@@ -148,8 +148,8 @@ TEST_F(ExitCodes, a_bad_environment_map_is_3_and_is_named) {
   written("square.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 64\n");
   written("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 60000\n");
   const std::pair<const char*, const char*> refused[] = {{"none.exr", "no such file"},
-                                                         {"words.hdr", "give an .hdr or an .exr that is whole"},
-                                                         {"broken.exr", "give an .hdr or an .exr that is whole"},
+                                                         {"words.hdr", "give an undamaged .hdr or .exr"},
+                                                         {"broken.exr", "give an undamaged .hdr or .exr"},
                                                          {"square.hdr", "twice as wide as high"},
                                                          {"huge.hdr", "scale it down"}};
   for (const auto& [name, why] : refused) {

@@ -104,7 +104,7 @@ TEST(Factor, SaysWhatIsMissingAndOffersTheClosestWeave) {
   const Draft satin8 = satin(8, 3, Face::kBack, {16, 16}).draft;
   const BitMatrix cells = drawdown(satin8);
   const base::Result<Draft> f = with_drawdown(bare_loom(cells), cells, {4, 8});
-  EXPECT_EQ(problem_of(f), "this takes 8 shafts, and the loom has 4");
+  EXPECT_EQ(problem_of(f), "this needs 8 shafts, but the loom has 4");
   const ClosestDraft near = closest_drawdown(bare_loom(cells), cells, {4, 8});
   EXPECT_LE(near.draft.shafts, 4);
   EXPECT_LE(near.draft.treadles, 8);
@@ -134,7 +134,7 @@ TEST(Factor, ADraftMovesToASmallerLoomIfItsClothAllows) {
   EXPECT_EQ(drawdown(*small), drawdown(d));
   for (int e = 0; e < 16; ++e) EXPECT_EQ(small->threading.count(e), 1) << "every end keeps a heddle";
   const base::Result<Draft> smaller = within_loom(d, {3, 4});
-  EXPECT_EQ(problem_of(smaller), "this takes 4 shafts, and the loom has 3");
+  EXPECT_EQ(problem_of(smaller), "this needs 4 shafts, but the loom has 3");
 }
 
 TEST(Factor, TheClosestWeaveFitsTheLoom) {
@@ -198,7 +198,7 @@ TEST(PaintedDrawdown, SaysWhyTheLoomCannot) {
   d.loom.shafts = d.loom.treadles = 4;
   const bool up = !drawdown(d.draft).get(5, 2);
   EXPECT_EQ(with_drawdown_cell(d, 2, 5, up), d);
-  EXPECT_EQ(problem_of(painted_cell(d, 2, 5, up)), "this takes 5 treadles, and the loom has 4");
+  EXPECT_EQ(problem_of(painted_cell(d, 2, 5, up)), "this needs 5 treadles, but the loom has 4");
 }
 
 TEST(PaintedDrawdown, LeadingDrawdownChangesOneCrossingAlone) {

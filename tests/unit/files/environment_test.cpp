@@ -92,16 +92,16 @@ TEST_F(Environments, RefusesWithReasons) {
   refused("black.exr", "black everywhere", false);
   refused("tiny.exr", "at least 4 x 2");
   written("words.hdr", "these are words\n");
-  refused("words.hdr", "give an .hdr or an .exr that is whole");
+  refused("words.hdr", "give an undamaged .hdr or .exr");
   // Sizes are checked before memory is allocated.
   written("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1000000 +X 2000000\n");
   refused("huge.hdr", "scale it down");
   written("empty.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 32768\n");
-  refused("empty.hdr", "the file is broken", false);
+  refused("empty.hdr", "the file is damaged", false);
   ASSERT_EQ(problem_of(write_image(path("whole.exr"), grey(512, 256, 1), PixelType::kFloat)), "");
   const std::string bytes = base::read_file(path("whole.exr")).value_or("");
   written("half.exr", bytes.substr(0, bytes.size() / 2));
-  refused("half.exr", "broken", false);
+  refused("half.exr", "damaged", false);
 }
 
 TEST_F(Environments, RandomlyChangedBytesNeverCrash) {

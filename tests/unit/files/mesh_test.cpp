@@ -273,12 +273,12 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"wrong_type", [](json& r) { r["accessors"][0]["type"] = "VEC4"; }, "components"},
         Broken{"no_such_component", [](json& r) { r["accessors"][0]["componentType"] = 9; }, ""},
         Broken{"float_indices", [](json& r) { r["meshes"][0]["primitives"][0]["indices"] = 1; }, ""},
-        Broken{"ring_of_nodes", [](json& r) { r["nodes"][0]["children"] = {0}; }, "ring"},
+        Broken{"ring_of_nodes", [](json& r) { r["nodes"][0]["children"] = {0}; }, "cycle"},
         Broken{"ring_of_two",
                [](json& r) {
                  r["nodes"] = {{{"children", {1}}}, {{"children", {0}}, {"mesh", 0}}};
                },
-               "ring"},
+               "cycle"},
         Broken{"child_out_of_range", [](json& r) { r["nodes"][0]["children"] = {5}; }, "node"},
         Broken{"scene_out_of_range", [](json& r) { r["scene"] = 5; }, "scene"},
         Broken{"buffer_longer_than_data", [](json& r) { r["buffers"][0]["byteLength"] = 1u << 30; }, ""},

@@ -40,14 +40,14 @@ TEST(LightRigs, SayWhichLineIsWrong) {
   EXPECT_EQ(problem_in(rig("[1, -1, 1]", lamp + "1")), "3: key is -1; give 0 to 10000");
   EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "-2")), "5: lamp 1: strength is -2; give 0 to 10000");
   EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "\"much\"")), "5: lamp 1: strength is not a number");
-  EXPECT_EQ(problem_in(rig("[1, 1, 1]", "\"towards\": [0, 0, 0]")), "5: lamp 1: towards is no direction");
-  EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "1e999")), "5: is not JSON from here on");
-  EXPECT_EQ(problem_in("{\n\"lamps\": [\n"), "3: is not JSON from here on");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", "\"towards\": [0, 0, 0]")), "5: lamp 1: towards is not a direction");
+  EXPECT_EQ(problem_in(rig("[1, 1, 1]", lamp + "1e999")), "5: is invalid JSON from this point");
+  EXPECT_EQ(problem_in("{\n\"lamps\": [\n"), "3: is invalid JSON from this point");
   EXPECT_EQ(problem_in("{\"key\": [1, 1, 1]}"), "1: lamps is missing");
   EXPECT_EQ(problem_in("[]"), "1: is not an object with key and lamps");
   std::string second = rig("[1, 1, 1]", lamp + "1");
   second.replace(second.rfind("\"strength\": 1"), 13, "\"strength\": nul");
-  EXPECT_EQ(problem_in(second), "7: is not JSON from here on");
+  EXPECT_EQ(problem_in(second), "7: is invalid JSON from this point");
   second.replace(second.rfind("nul"), 3, "1e5");
   EXPECT_EQ(problem_in(second), "7: lamp 2: strength is 100000; give 0 to 10000");
 }

@@ -154,7 +154,7 @@ TEST(AtLoom, ATabbyPickIsKeptWithTheDraft) {
   take(d, step_by_hand(at, d, true, false));
   take(d, give_tabby(at, d, false));
   EXPECT_TRUE(d.loom.at_tabby);
-  EXPECT_EQ(shown(at, d).heading, "Tabby a before pick");
+  EXPECT_EQ(shown(at, d).heading, "Tabby A before pick");
   EXPECT_EQ(shown(at, d).what, "Treadle 1 + 3");
   EXPECT_EQ(shown(AtLoom{}, d).shafts, (std::vector<bool>{true, false, true, false})) << "in another window, too";
   take(d, step_by_hand(at, d, true, false));
@@ -162,7 +162,7 @@ TEST(AtLoom, ATabbyPickIsKeptWithTheDraft) {
   EXPECT_EQ(shown(at, d).number, 2) << "back to the pattern";
   take(d, put_tabby_between(at, d, true));
   take(d, step_by_hand(at, d, true, false));
-  EXPECT_EQ(shown(at, d).heading, "Tabby b before pick");
+  EXPECT_EQ(shown(at, d).heading, "Tabby B before pick");
   EXPECT_EQ(d.loom.next_pick, 2);
   d.draft.threading.set(1, 0, true);
   EXPECT_EQ(shown(at, d).heading, "Pick") << "the threading was changed";

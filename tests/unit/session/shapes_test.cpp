@@ -88,7 +88,8 @@ TEST(Shapes, CrossingsThatTheLoomCannotWeaveAreCounted) {
   d.draft.threading.set(0, 0, false);  // end 1 is on no shaft
   v.drawing.shape = ActiveShape{Tool::kFilledRectangle, GridId::kDrawdown, {0, 0}, {1, 1}, true};
   drawn(d, v);
-  EXPECT_EQ(v.select.notice, "Filled rectangle; 2 crossings could not follow: ends on the same shafts rise together");
+  EXPECT_EQ(v.select.notice,
+            "Filled rectangle: 2 crossings could not follow, because ends on the same shafts rise together");
 }
 
 TEST(Shapes, ALockedGridStaysWithAReason) {

@@ -20,7 +20,7 @@ TEST(CountRow, HasTheUnitsOfTheTradeAndTheSourceOfTheCount) {
   yarn.diameter_mm *= 2;
   EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\n15% of the yarn is fibre");
   yarn.diameter_mm /= 4;
-  EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\nmore fibre than fits the thickness");
+  EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\ntoo much fibre for this thickness");
   yarn = *with_count(cotton, "");
   EXPECT_NE(count_in_words(yarn).find("\ncomputed from the thickness"), std::string::npos);
   yarn.diameter_mm = 0;

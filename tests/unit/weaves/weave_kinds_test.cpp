@@ -248,7 +248,7 @@ TEST(IsoCode, SaysWhatIsWrong) {
                            "20-02 02-01-01 02", "10-01 01-01-01", "20-02 x2-01-01", "-----", "20-99 99-99-01"}) {
     const base::Result<BitMatrix> read = read_iso_code(code);
     ASSERT_FALSE(read) << code;
-    EXPECT_NE(problem_of(read).find("is no weave code"), std::string::npos);
+    EXPECT_NE(problem_of(read).find("is not an ISO 9354 weave code"), std::string::npos);
   }
   EXPECT_FALSE(check_values(*find_weave("iso"), {{"code", "20-02"}})) << "mended in silence";
 }

@@ -121,7 +121,7 @@ TEST(WeaveTable, ANewDraftKeepsItsParametersUntilAnotherWeaveCoversIt) {
 TEST(WeaveTable, ARatioThatCannotBeReadIsRefused) {
   const WeaveKind& twill = *find_weave("twill");
   EXPECT_TRUE(check_values(twill, {{"ratio", "3/1"}}));
-  EXPECT_NE(problem_of(check_values(twill, {{"ratio", "3/x"}})).find("'3/x' is no ratio"), std::string::npos);
+  EXPECT_NE(problem_of(check_values(twill, {{"ratio", "3/x"}})).find("'3/x' is not a ratio"), std::string::npos);
   EXPECT_TRUE(check_values(*find_weave("plain"), {}));
   const Design before = new_draft(twill, {}, {8, 8}).design;
   EXPECT_FALSE(with_weave(before, {"twill", {{"ratio", "3/x"}}, 0, 8, 0, 8})) << "mended in silence";

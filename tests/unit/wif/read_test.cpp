@@ -169,18 +169,18 @@ TEST(read, irregular_lines_are_reported) {
   EXPECT_EQ(read.file->design.draft.treadles, 4);
   EXPECT_EQ(cloth(read.file->design.draft), (Lines{"1100", "0110", "0011", "1001"}));
   EXPECT_EQ(read.file->design.notes, (Lines{"One", "Two"}));
-  EXPECT_TRUE(says(read, 1, "stands before [WIF]"));
-  EXPECT_TRUE(says(read, 2, "'a line of nobody's' stands before the first heading"));
-  EXPECT_TRUE(says(read, 3, "[CONTENTS] stands before [WIF]"));
-  EXPECT_TRUE(says(read, 12, "Weaving is in [CONTENTS] a second time, as in line 4"));
-  EXPECT_TRUE(says(read, 17, "Source Program is in [WIF] a second time, with another value"));
+  EXPECT_TRUE(says(read, 1, "comes before [WIF]"));
+  EXPECT_TRUE(says(read, 2, "'a line of nobody's' comes before the first heading"));
+  EXPECT_TRUE(says(read, 3, "[CONTENTS] comes before [WIF]"));
+  EXPECT_TRUE(says(read, 12, "Weaving appears twice in [CONTENTS], with the value of line 4"));
+  EXPECT_TRUE(says(read, 17, "Source Program appears twice in [WIF], with different values"));
   EXPECT_TRUE(says(read, 20, "'written by hand' in [TEXT] has no ="));
-  EXPECT_TRUE(says(read, 25, "Shafts is in [WEAVING] a second time, as in line 22"));
-  EXPECT_TRUE(says(read, 26, "Treadles is in [WEAVING] a second time, with another value"));
+  EXPECT_TRUE(says(read, 25, "Shafts appears twice in [WEAVING], with the value of line 22"));
+  EXPECT_TRUE(says(read, 26, "Treadles appears twice in [WEAVING], with different values"));
   EXPECT_TRUE(says(read, 29, "'Threads 8' in [WARP] has no ="));
-  EXPECT_TRUE(says(read, 35, "[THREADING] line 2 is there twice, with other values"));
+  EXPECT_TRUE(says(read, 35, "[THREADING] line 2 appears twice, with different values"));
   EXPECT_TRUE(says(read, 36, "'3 3' in [THREADING] has no ="));
-  EXPECT_TRUE(says(read, 39, "[THREADING] line 4 is there twice with one value"));
+  EXPECT_TRUE(says(read, 39, "[THREADING] line 4 appears twice, with the same value"));
   EXPECT_TRUE(says(read, 45, "'4 4' in [TIEUP] has no = (and 1 more like it: line 46)"));
   EXPECT_TRUE(says(read, 54, "in [NOTES] has no ="));
 }

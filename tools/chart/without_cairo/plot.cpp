@@ -7,7 +7,7 @@
 namespace weftlight::chart::plot {
 
 base::Result<void> write_figure(const Figure& /*figure*/, const std::string& base) {
-  return base::failure(base::ErrorKind::kOutput, base::tr("this build draws no .svg and .pdf; write a .png"),
+  return base::failure(base::ErrorKind::kOutput, base::tr("this build cannot write .svg or .pdf; write a .png"),
                        base + ".svg");
 }
 

@@ -1,4 +1,4 @@
-// The sRGB curve, of one channel of 0..1. GLSL 3.30 and C++20 (core/cloth/srgb.h).
+// The sRGB curve, of one channel of 0..1. GLSL 3.30 and C++20 (core/design/srgb.h).
 //
 // Based on: IEC 61966-2-1:1999.
 

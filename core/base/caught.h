@@ -1,18 +1,11 @@
 #pragma once
 // Exceptions of a job as errors. A thread that runs jobs lets no exception out.
 
-#include <string>
 #include <type_traits>
 
 #include "base/result.h"
-#include "base/text.h"
 
 namespace weftlight::base {
-
-inline constexpr const char* kNoMemory = mark("there is not enough memory");
-
-/// Inside a catch block: the text of the exception. Never empty.
-std::string words_of_thrown() noexcept;
 
 /// Runs `job`. Returns its Result<void>, if it has one, or the error of what it threw (thrown()).
 template <class Job>

@@ -3,7 +3,7 @@
 #include <locale>
 #include <string_view>
 
-#include "base/text.h"
+#include "base/translated.h"
 
 namespace weftlight::base {
 

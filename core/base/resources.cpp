@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/library_file.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/folders.h"
 
 namespace weftlight::base {

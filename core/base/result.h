@@ -12,6 +12,8 @@
 #include <tl/expected.hpp>
 #include <utility>
 
+#include "base/mark.h"
+
 namespace weftlight::base {
 
 /// What has to change for the next try. The exit code of a verb follows from it (commands/commands.h).
@@ -57,6 +59,9 @@ std::string problem_of(const Result<T>& result) {
   return result ? std::string{} : message(result.error());
 }
 
+inline constexpr const char* kNoMemory = mark("there is not enough memory");
+/// Inside a catch block: the text of the exception. Never empty.
+std::string words_of_thrown() noexcept;
 /// Inside a catch block: what was thrown, as an error about `file`. Without memory it is of kMemory, else of `kind`.
 Failure thrown(ErrorKind kind, std::string file = {});
 

@@ -13,18 +13,11 @@
 #include <utility>
 
 #include "base/mark.h"
-#include "platform/language.h"
+#include "base/translated.h"
 
 namespace weftlight::base {
 
 using fmt::arg;
-
-/// The text in the user's language; lives as long as the program.
-inline const char* tr(const char* text) { return platform::translated(text); }
-/// With a context for translators where one English text has two meanings, as "Draft" the noun and the verb.
-inline const char* tr_in(const char* context, const char* text) { return platform::translated(context, text); }
-/// By the plural rule of the language; `many` is the English plural. Counts below 0 read as their size.
-const char* tr_n(const char* one, const char* many, long long count);
 
 std::string filled(const char* pattern, fmt::format_args values);
 /// The pattern with its {names} replaced by the values (fmt's syntax). A pattern that does not fit its values, as a

@@ -6,7 +6,7 @@
 
 #include "base/loops.h"
 #include "cloth/bake_parts.h"
-#include "cloth/layer_plan.h"
+#include "cloth/layers.h"
 
 namespace weftlight::cloth {
 

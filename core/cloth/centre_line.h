@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cloth/centre_step.h"
 #include "cloth/cloth.h"
 #include "cloth/thread_texture.h"
 
@@ -34,21 +35,10 @@ struct CentreLines {
 };
 
 /// Heights of the crossings of `window` (8 bytes a crossing); empty for a cloth without threads. The cloth has one
-/// layer (layer_plan.h, one_layer()).
+/// layer (layers.h, one_layer()).
 CentreLines centre_lines(const Cloth& cloth, const CellRect& window);
 /// The whole period with the margin that centre_at() needs.
 CentreLines centre_lines(const Cloth& cloth);
-
-/// Wraps a position into 0..period.
-float position_in_period(float s_mm, float period_mm);
-
-/// The crossing at or before s_mm along a thread, and the position t (0..1) between it and the next.
-struct CentreStep {
-  int crossing = 0;  // may be -1: before the first crossing of the period
-  float t = 0;
-  float h0 = 0, h1 = 0, h2 = 0;  // mm between crossings -1..0, 0..1, 1..2 around it
-};
-CentreStep centre_step(const Cloth& cloth, System system, float s_mm);
 
 using thread_formulas::centre_slope;
 

@@ -11,15 +11,17 @@
 
 #include "cloth/cloth.h"
 #include "cloth/layer_plan.h"
-#include "cloth/srgb.h"
+#include "cloth/layers.h"
 #include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
 #include "design/repeat.h"
+#include "design/srgb.h"
 
 namespace weftlight::cloth {
 
 using cloth::thread_formulas::mix_bits, cloth::thread_formulas::unit_of;
 using design::Design, design::Finish, design::Repeat, design::Yarn, design::design_repeat, design::finished;
+using design::srgb_decoded, design::srgb_encoded;
 using draft::BitMatrix, draft::Face, draft::Rgb, draft::System, draft::Threads, draft::kFromYarn;
 
 namespace {

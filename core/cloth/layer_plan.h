@@ -36,17 +36,4 @@ LayerPlan find_layers(const BitMatrix& cells);
 void put_in_layers(Cloth& cloth, const LayerPlan& plan, const std::vector<int>& end_order,
                    const std::vector<int>& pick_order);
 
-/// Layer i as a cloth of its own, at its level; a single-layer cloth is returned as it is.
-Cloth one_layer(const Cloth& cloth, int i);
-
-/// Each layer as a cloth of its own; empty for a single layer.
-std::vector<Cloth> layers_apart(const Cloth& cloth);
-
-inline int layer_count(const Cloth& cloth) { return cloth.layers.empty() ? 1 : static_cast<int>(cloth.layers.size()); }
-
-/// The layer that is most visible on this face.
-int front_layer(const Cloth& cloth);
-
-int layer_of(const Cloth& cloth, System system, int thread);
-
 }  // namespace weftlight::cloth

@@ -1,8 +1,10 @@
 #include "cloth/srgb_table.h"
 
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 
 namespace weftlight::cloth {
+
+using design::srgb_decoded, design::srgb_encoded;
 
 const SrgbTable& SrgbTable::get() {
   static const SrgbTable table;

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "cloth/centre_line.h"
+#include "cloth/centre_step.h"
 #include "cloth/cloth.h"
 #include "cloth/thread_texture.h"
 

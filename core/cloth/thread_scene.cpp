@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "cloth/centre_line.h"
-#include "cloth/layer_plan.h"
+#include "cloth/layers.h"
 #include "cloth/thickness.h"
 
 namespace weftlight::cloth {

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "base/files.h"
 #include "base/hash.h"
 #include "base/loops.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "base/whole_files.h"
 #include "collection/index_text.h"
 #include "platform/file.h"
 #include "platform/files_below.h"

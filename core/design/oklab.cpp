@@ -3,22 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/srgb.h"
+
 namespace weftlight::design {
+
 namespace {
 
-float decoded(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
-
-float encoded(float c) {
-  const float clipped = std::clamp(c, 0.0f, 1.0f);
-  return clipped <= 0.0031308f ? 12.92f * clipped : 1.055f * std::pow(clipped, 1 / 2.4f) - 0.055f;
-}
+float encoded(float c) { return srgb_encoded(std::clamp(c, 0.0f, 1.0f)); }
 
 float cubed(float x) { return x * x * x; }
 
 }  // namespace
 
 Oklab oklab_of(Rgb color) {
-  const float r = decoded(color.r), g = decoded(color.g), b = decoded(color.b);
+  const float r = srgb_decoded(color.r), g = srgb_decoded(color.g), b = srgb_decoded(color.b);
   const float l = std::cbrt(0.4122214708f * r + 0.5363325363f * g + 0.0514459929f * b);
   const float m = std::cbrt(0.2119034982f * r + 0.6806995451f * g + 0.1073969566f * b);
   const float s = std::cbrt(0.0883024619f * r + 0.2817188376f * g + 0.6299787005f * b);

@@ -114,13 +114,13 @@ std::string key_of(const FieldFacts& facts) {
   return std::string_view(facts.key) == "Fibre" ? "Fibre Bundles" : facts.key;
 }
 
-struct Line {
+struct YarnLine {
   int number = 0;
   std::string_view text, key, value;  // key and value trimmed; without =, both are empty
 };
 
-Line line_of(int number, std::string_view text) {
-  Line line{number, text, {}, {}};
+YarnLine line_of(int number, std::string_view text) {
+  YarnLine line{number, text, {}, {}};
   const size_t equals = text.find('=');
   if (equals == std::string_view::npos || text.front() == '#' || text.front() == ';') return line;
   line.key = trimmed(text.substr(0, equals));
@@ -131,14 +131,15 @@ Line line_of(int number, std::string_view text) {
 /// Reads the lines of one yarn. What they say of the fibre counts first, then the count, then all numbers.
 class YarnReader {
  public:
-  YarnReader(const std::vector<Line>& lines, std::vector<LibraryRemark>& remarks) : lines_(lines), remarks_(remarks) {}
+  YarnReader(const std::vector<YarnLine>& lines, std::vector<LibraryRemark>& remarks)
+      : lines_(lines), remarks_(remarks) {}
 
   LibraryYarn read() {
     begin_with_fibre();
     out_.yarn.name.clear();
-    for (const Line& line : lines_)
+    for (const YarnLine& line : lines_)
       if (same_word(line.key, "Count")) take_count(line);
-    for (const Line& line : lines_) take(line);
+    for (const YarnLine& line : lines_) take(line);
     if (out_.yarn.name.empty()) out_.yarn.name = tr("Yarn");
     out_.yarn = clamped(std::move(out_.yarn));
     if (!says(out_.count, out_.yarn)) out_.count.clear();
@@ -146,7 +147,7 @@ class YarnReader {
   }
 
  private:
-  void remark(const Line& line, std::string text) {
+  void remark(const YarnLine& line, std::string text) {
     remarks_.push_back({line.number, std::move(text)});
     out_.other_lines.emplace_back(line.text);
   }
@@ -154,7 +155,7 @@ class YarnReader {
   void begin_with_fibre() {
     const auto presets = yarn_presets();
     out_.yarn = presets[0];
-    for (const Line& line : lines_) {
+    for (const YarnLine& line : lines_) {
       if (!same_word(line.key, "Fibre")) continue;
       const auto found = std::ranges::find_if(presets, [&](const Yarn& p) {
         return same_word(p.name, line.value) || same_word(tr(p.name.c_str()), line.value);
@@ -166,7 +167,7 @@ class YarnReader {
     }
   }
 
-  void take_count(const Line& line) {
+  void take_count(const YarnLine& line) {
     if (const std::optional<Yarn> spun = with_count(out_.yarn, line.value)) {
       out_.yarn = *spun;
       out_.count = one_line(line.value);
@@ -175,7 +176,7 @@ class YarnReader {
                         arg("count", std::string(line.value))));
   }
 
-  void take(const Line& line) {
+  void take(const YarnLine& line) {
     if (line.key.empty()) return out_.other_lines.emplace_back(line.text), void();
     if (same_word(line.key, "Count") || same_word(line.key, "Fibre")) return;
     if (same_word(line.key, "Name")) out_.yarn.name = one_line(cut_utf8(line.value, kMaxLibraryLine / 4));
@@ -187,25 +188,25 @@ class YarnReader {
     else take_number(line);
   }
 
-  void take_color(const Line& line) {
+  void take_color(const YarnLine& line) {
     const std::optional<YarnColor> color = color_in(line.value);
     if (!color) return remark(line, tr("a colour is written as #1E3A5F Navy"));
     if (out_.colors.size() < kMaxYarnColors) out_.colors.push_back(*color);
     else remark(line, tr("a yarn can have at most 1,000 colours"));
   }
 
-  void take_twist(const Line& line) {
+  void take_twist(const YarnLine& line) {
     for (size_t i = 0; i < kTwistNames.size(); ++i)
       if (same_word(kTwistNames[i], line.value)) return out_.yarn.twist = static_cast<Twist>(i), void();
     remark(line, tr("a twist is S, Z or none"));
   }
 
-  void take_tint(const Line& line) {
+  void take_tint(const YarnLine& line) {
     if (const auto color = color_in(line.value)) out_.yarn.lobes.specular_tint = color->rgb;
     else remark(line, tr("a colour is written as #1E3A5F Navy"));
   }
 
-  void take_number(const Line& line) {
+  void take_number(const YarnLine& line) {
     float* const number = number_of(line.key);
     const bool plies = same_word(line.key, kPliesFacts.key);
     if (number == nullptr && !plies) return remark(line, tr("this line is not understood by this version; it is kept"));
@@ -228,7 +229,7 @@ class YarnReader {
   }
 
   static constexpr float kMaxNumber = 1e6f;
-  const std::vector<Line>& lines_;
+  const std::vector<YarnLine>& lines_;
   std::vector<LibraryRemark>& remarks_;
   LibraryYarn out_;
 };
@@ -282,7 +283,7 @@ base::Result<YarnLibrary> read_yarn_library(std::string_view text) {
   if (!is_utf8(text))
     return failure(base::ErrorKind::kInput, tr("is not in UTF-8; save it as UTF-8 text in the program that wrote it"));
   YarnLibrary out;
-  std::vector<Line> lines;
+  std::vector<YarnLine> lines;
   bool in_yarn = false, any = false;
   const auto finish = [&] {
     if (in_yarn) out.yarns.push_back(YarnReader(lines, out.remarks).read());

@@ -50,7 +50,7 @@ float half_width(const BodiceCut& cut, float t) {
 }
 
 /// Start position of a vertex: the neckline is a ring, the shoulders run straight out, the rest lies around the trunk.
-Vec3 put_on(const BodiceCut& cut, const Panel& panel, int column, int row, float v, float side) {
+Vec3 put_on(const BodiceCut& cut, const PatternPanel& panel, int column, int row, float v, float side) {
   const float across = 2 * fraction_of(column, cut.columns()) - 1, angle = across * kPi / 2;
   const Vec2 top = panel.top[static_cast<size_t>(column)];
   const float ring = kPi * std::clamp(fraction_of(column - cut.shoulder_columns, cut.neck_columns + 1), 0.0f, 1.0f);
@@ -76,8 +76,8 @@ Vec3 put_on(const BodiceCut& cut, const Panel& panel, int column, int row, float
   return {side * x, cut.put_on_height - cut.length + v, cut.neck_middle + z};
 }
 
-Panel add_panel(Pattern& pattern, const BodiceCut& cut, bool back) {
-  Panel panel;
+PatternPanel add_panel(Pattern& pattern, const BodiceCut& cut, bool back) {
+  PatternPanel panel;
   panel.top = top_edge(cut, back ? cut.back_dip : cut.front_dip);
   const auto shape = [&](float s, float t) {
     const float across = 2 * s - 1;

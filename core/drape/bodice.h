@@ -34,13 +34,13 @@ struct BodiceCut {
   float hem_at(float across) const;  // across: -1 to 1
 };
 
-struct Panel {
+struct PatternPanel {
   Piece piece;
   std::vector<Vec2> top;  // upper edge, one point per column: shoulder, neck, shoulder
 };
 
 struct Bodice {
-  Panel front, back;
+  PatternPanel front, back;
 };
 
 /// `open`: number of rows from the hem that are not sewn at the sides.

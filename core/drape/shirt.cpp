@@ -83,7 +83,7 @@ Piece add_fall(Pattern& pattern, const Piece& stand) {
   return fall;
 }
 
-void add_front_layers(Pattern& pattern, const Panel& front) {
+void add_front_layers(Pattern& pattern, const PatternPanel& front) {
   const auto at = [&](float x, float v) { return grid_at(pattern, front.piece, {x + kCut.hem_half, v}); };
   constexpr float kPlacketHalf = 17, kStitch = 5;
   const float neck = kCut.length - kCut.front_dip;
@@ -99,7 +99,7 @@ void add_front_layers(Pattern& pattern, const Panel& front) {
             pocket);
 }
 
-void add_yoke(Pattern& pattern, const Panel& back) {
+void add_yoke(Pattern& pattern, const PatternPanel& back) {
   constexpr float kDown = 108;
   const auto grid = [&](float fraction, float up) {
     const float column = fraction * kCut.last();

@@ -19,25 +19,25 @@ constexpr double kGravity = 9810;   // mm/s2
 constexpr double kMaxSpeed = 4000;  // mm/s; cloth that falls through air is hardly faster
 
 /// The body near a particle as a plane: normal . x >= offset.
-struct Plane {
+struct Contact {
   uint32_t particle;
   Vec3d normal;
   double offset;
 };
 
 struct Contacts {
-  std::vector<Plane> planes;
+  std::vector<Contact> planes;
   std::vector<ParticlePair> pairs;
   std::vector<Vec3d> acceleration;  // from Fall::accelerate; empty: none
 };
 
-struct SurfaceSample {
+struct SurfaceDistance {
   Vec3 normal;
   float distance;
 };
 
 /// First-order distance: value over gradient.
-SurfaceSample measure(const Distance& body, Vec3 p) {
+SurfaceDistance measure(const Distance& body, Vec3 p) {
   constexpr float kStep = 0.5f;
   Vec3 slope;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -49,7 +49,8 @@ SurfaceSample measure(const Distance& body, Vec3 p) {
   return {unit(slope, {0, 1, 0}), body(p) / std::max(length(slope), 0.2f)};
 }
 
-void find_planes(const SimulatedCloth& cloth, const Distance& body, const Fall& settings, std::vector<Plane>& planes) {
+void find_planes(const SimulatedCloth& cloth, const Distance& body, const Fall& settings,
+                 std::vector<Contact>& planes) {
   planes.clear();
   const double look_s = 1.0 / settings.contact_updates_per_second;
   for (uint32_t i = 0; i < cloth.position.size(); ++i) {
@@ -57,7 +58,7 @@ void find_planes(const SimulatedCloth& cloth, const Distance& body, const Fall& 
     const double reach = settings.body_gap_mm + 4 + 1.5 * length(cloth.velocity[i]) * look_s;
     const Vec3 p = Vec3(cloth.position[i]);
     if (static_cast<double>(body(p)) > 3 * reach) continue;
-    const SurfaceSample surface = measure(body, p);
+    const SurfaceDistance surface = measure(body, p);
     if (static_cast<double>(surface.distance) > reach) continue;
     const Vec3d normal = Vec3d(surface.normal);
     const double along = dot(normal, cloth.position[i]);
@@ -95,7 +96,7 @@ Vec3d friction_step(Vec3d moved, Vec3d normal, double depth, double friction) {
   return l < 1e-12 ? Vec3d{} : slide * std::min(1.0, friction * depth / l);
 }
 
-void solve(const Plane& plane, SimulatedCloth& cloth, const std::vector<Vec3d>& before, double friction) {
+void solve(const Contact& plane, SimulatedCloth& cloth, const std::vector<Vec3d>& before, double friction) {
   Vec3d& p = cloth.position[plane.particle];
   const double depth = plane.offset - dot(plane.normal, p);
   if (depth <= 0) return;
@@ -141,7 +142,7 @@ void substep(SimulatedCloth& cloth, const Contacts& contacts, const Fall& settin
   for (const Bend& bend : cloth.bends) solve(bend, cloth, per_dt2);
   for (const Stretch& stretch : cloth.stretches) solve(stretch, cloth, per_dt2);
   for (const ParticlePair& pair : contacts.pairs) solve(pair, cloth, before, settings);
-  for (const Plane& plane : contacts.planes) solve(plane, cloth, before, settings.body_friction);
+  for (const Contact& plane : contacts.planes) solve(plane, cloth, before, settings.body_friction);
   for (size_t i = 0; i < cloth.position.size(); ++i) {
     if (cloth.inverse_mass[i] > 0) cloth.velocity[i] = (cloth.position[i] - before[i]) * (1 / dt);
   }
@@ -171,7 +172,7 @@ void simulate(SimulatedCloth& cloth, const Distance& body, const Fall& settings)
 
 Vec3 project_to_surface(const Distance& body, Vec3 p) {
   for (int pass = 0; pass < 3; ++pass) {
-    const SurfaceSample surface = measure(body, p);
+    const SurfaceDistance surface = measure(body, p);
     p += surface.normal * -surface.distance;
   }
   return p;

@@ -90,7 +90,7 @@ Drape tunic() {
     interline(pattern, cuff, {0, cuff.columns - 1}, {0, cuff.rows - 1}, 12);
   const Piece band = add_band(pattern, kCut, bodice, kBand);
   interline(pattern, bodice.front.piece, {kMiddle - 2, kMiddle + 2}, {kCut.top() - 34, kCut.top()}, 5);
-  for (const Panel& panel : {bodice.front, bodice.back}) {
+  for (const PatternPanel& panel : {bodice.front, bodice.back}) {
     interline(pattern, panel.piece, {0, kCut.last()}, {0, 3}, 2);
     add_hem(pattern, panel.piece);
   }

@@ -5,10 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "analysis/handle.h"
-#include "base/files.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "base/whole_files.h"
 #include "drape/stiffness.h"
 #include "files/fabric_physics.h"
 #include "platform/shipped_file.h"

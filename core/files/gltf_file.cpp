@@ -4,9 +4,9 @@
 #include <charconv>
 #include <filesystem>
 
-#include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 
 namespace weftlight::files {
 

@@ -17,9 +17,9 @@
 #include <limits>
 #include <map>
 
-#include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "files/files.h"
 #include "files/mesh_uv.h"
 #include "platform/file.h"

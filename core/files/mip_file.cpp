@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "platform/file.h"
 
 namespace weftlight::files {

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "design/repeat.h"
 #include "draft/drawdown.h"
 #include "files/files.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "files/files.h"
 
 namespace weftlight::files {

@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "platform/file.h"
 
 namespace weftlight::files {

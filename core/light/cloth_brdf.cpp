@@ -10,7 +10,7 @@
 #include <bit>
 #include <cmath>
 
-#include "cloth/layer_plan.h"
+#include "cloth/layers.h"
 
 namespace weftlight::light {
 

@@ -107,17 +107,17 @@ Layout layout_of(const EngineModel& model) {
   return {model.tinted, has_sheen(model) && model.sheen != formulas::kSheenDisney};
 }
 
-/// Bounds of the unknowns: base colour and sheen up to white, and what the model can do.
-struct Bounds {
+/// UnknownBounds of the unknowns: base colour and sheen up to white, and what the model can do.
+struct UnknownBounds {
   Unknowns least{}, most{};
 };
-Bounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
+UnknownBounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
   glm::vec3 most_sheen(1e-3f);
   for (const EngineTexel& t : texels.texels) most_sheen = glm::max(most_sheen, t.material.sheen);
   const bool hued = layout_of(model).hued;
   if (!hued) most_sheen = glm::vec3(std::max({most_sheen.r, most_sheen.g, most_sheen.b}));
   const bool fixed = model.most_f0 <= formulas::kEngineF0;
-  Bounds out;
+  UnknownBounds out;
   for (size_t c = 0; c < 3; ++c) {
     out.least[kBase + c] = kMinBase, out.most[kBase + c] = kMaxBase;
     out.least[kF0 + c] = fixed ? formulas::kEngineF0 : 0, out.most[kF0 + c] = model.most_f0;
@@ -148,7 +148,7 @@ struct Normal {
     for (size_t i = first; i < first + 3; ++i)
       for (size_t j = first; j < first + 3; ++j) a[i][j] += by * (i == j ? 2.0 / 3 : -1.0 / 3);
   }
-  void solve(Unknowns& x, const Bounds& bounds) const {
+  void solve(Unknowns& x, const UnknownBounds& bounds) const {
     for (int round = 0; round < 200; ++round) {
       double moved = 0;
       for (size_t i = 0; i < kUnknowns; ++i) {
@@ -221,7 +221,7 @@ struct Problem {
   const EngineDirections directions;
   const EngineModel& model;
   Layout layout;
-  Bounds bounds;
+  UnknownBounds bounds;
 };
 
 /// Best factors for the given lobe widths and sheen roughness.

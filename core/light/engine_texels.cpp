@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "cloth/layer_plan.h"
+#include "cloth/layers.h"
 
 namespace weftlight::light {
 

@@ -1,6 +1,6 @@
 #include "platform/speech.h"
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/process.h"
 
 namespace weftlight::platform {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "print/page.h"
+#include "print/sheets.h"
 
 namespace weftlight::print {
 

@@ -18,7 +18,7 @@ struct Word {
   std::string text;
   int color = -1;  // in the palette; -1: none
 };
-struct Line {
+struct ListLine {
   std::string head;  // at the left; a heading if there are no words
   std::vector<Word> words;
   double pitch_mm = 0;  // from word to word in the columns of a table; 0: one after the other
@@ -33,12 +33,12 @@ struct PlannedCloth {
 };
 
 /// Size, sett, reed, ends, warping.
-void list_plan(std::vector<Line>& out, const PlannedCloth& cloth);
+void list_plan(std::vector<ListLine>& out, const PlannedCloth& cloth);
 /// Colours of the warp in the order of winding.
-void list_warp_order(std::vector<Line>& out, const PlannedCloth& cloth);
+void list_warp_order(std::vector<ListLine>& out, const PlannedCloth& cloth);
 /// A table of sleyings and reeds: the setts that are near the planned one.
-void list_sleyings(std::vector<Line>& out, const PlannedCloth& cloth);
-void list_heddles(std::vector<Line>& out, const PlannedCloth& cloth);
-void list_yarn(std::vector<Line>& out, const PlannedCloth& cloth);
+void list_sleyings(std::vector<ListLine>& out, const PlannedCloth& cloth);
+void list_heddles(std::vector<ListLine>& out, const PlannedCloth& cloth);
+void list_yarn(std::vector<ListLine>& out, const PlannedCloth& cloth);
 
 }  // namespace weftlight::print

@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "print/lines.h"
-#include "print/page.h"
+#include "print/sheets.h"
 
 namespace weftlight::print {
 
@@ -28,21 +28,21 @@ std::string marks_of(const BitMatrix& m, int row) {
 }
 
 /// The shafts or treadles of each thread, `group` threads per line.
-void list_rows(std::vector<Line>& out, const char* title, const BitMatrix& rows, int group) {
+void list_rows(std::vector<ListLine>& out, const char* title, const BitMatrix& rows, int group) {
   out.push_back({title, {}});
   for (int first = 0; first < rows.rows(); first += group) {
     if (out.size() > static_cast<size_t>(kMaxLines)) return out.push_back({"", {{tr("and so on"), -1}}});
     const int last = std::min(first + group, rows.rows());
-    Line line{std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(last), {}};
+    ListLine line{std::to_string(first + 1) + "\xE2\x80\x93" + std::to_string(last), {}};
     for (int i = first; i < last; ++i) line.words.push_back({marks_of(rows, i), -1});
     out.push_back(std::move(line));
   }
 }
 
 /// Runs of one colour, with their numbers of threads.
-void list_colors(std::vector<Line>& out, const char* title, const Threads& threads) {
+void list_colors(std::vector<ListLine>& out, const char* title, const Threads& threads) {
   out.push_back({title, {}});
-  Line line;
+  ListLine line;
   int first = 0;
   for (int i = 0; i < threads.size();) {
     int last = i;
@@ -59,9 +59,9 @@ void list_colors(std::vector<Line>& out, const char* title, const Threads& threa
   }
 }
 
-std::vector<Line> lines_of(const Design& design, const Draft& d, const PrintOptions& options) {
+std::vector<ListLine> lines_of(const Design& design, const Draft& d, const PrintOptions& options) {
   const PrintParts& parts = options.parts;
-  std::vector<Line> out;
+  std::vector<ListLine> out;
   constexpr int kGroup = 10;
   const PlannedCloth cloth{design, cloth_measures(design), options.units};
   if (parts.plan) list_plan(out, cloth);
@@ -82,7 +82,7 @@ std::vector<Line> lines_of(const Design& design, const Draft& d, const PrintOpti
   return out;
 }
 
-void draw_line(const Pen& pen, const Design& design, const Line& line, double x, double y, double width) {
+void draw_line(const Pen& pen, const Design& design, const ListLine& line, double x, double y, double width) {
   if (line.heading()) {
     pen.text(x, y - 1.3, kSize * 1.1, line.head, kInk, true);
     pen.line(x, y - 0.2, x + width, y - 0.2, 0.12, kMuted);
@@ -104,7 +104,7 @@ void draw_line(const Pen& pen, const Design& design, const Line& line, double x,
 /// One of the two columns of a sheet; on the first sheet the swatch is above them.
 struct Column {
   double x, y, width;
-  std::vector<Line> lines;
+  std::vector<ListLine> lines;
 };
 
 constexpr double kSwatchHeight = 60;
@@ -135,7 +135,7 @@ void draw_swatch(const Pen& pen, const Design& design, const BitMatrix& cells, c
 std::vector<Sheet> list_sheets(const Design& design, const Design& listed, const PrintOptions& options) {
   const double width = (options.paper.width_mm - 2 * kMargin - 8) / 2;
   const double bottom = options.paper.height_mm - kMargin;
-  const std::vector<Line> lines = lines_of(design, listed.draft, options);
+  const std::vector<ListLine> lines = lines_of(design, listed.draft, options);
   const bool swatch = options.parts.swatch;
   std::vector<std::vector<Column>> sheets;
   size_t next = 0;
@@ -164,7 +164,7 @@ std::vector<Sheet> list_sheets(const Design& design, const Design& listed, const
       for (const Column& column : columns) {
         double y = column.y;
         bool started = false;
-        for (const Line& line : column.lines) {
+        for (const ListLine& line : column.lines) {
           y += line.heading() && started ? 2 * kLine : kLine;
           started = true;
           draw_line(pen, design, line, column.x, y, column.width);

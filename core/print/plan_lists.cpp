@@ -25,12 +25,12 @@ namespace {
 
 constexpr size_t kRunsInLine = 6, kMaxRuns = 4000;
 
-void add(std::vector<Line>& out, std::string head, std::string text, int color = -1) {
+void add(std::vector<ListLine>& out, std::string head, std::string text, int color = -1) {
   if (!text.empty()) out.push_back({std::move(head), {{std::move(text), color}}});
 }
 
 /// Sentences are longer than a column: a line for every `width` characters, broken at blanks.
-void add_wrapped(std::vector<Line>& out, std::string head, std::string_view text) {
+void add_wrapped(std::vector<ListLine>& out, std::string head, std::string_view text) {
   constexpr size_t kWidth = 40;
   while (text.size() > kWidth) {
     size_t at = text.rfind(' ', kWidth);
@@ -42,7 +42,7 @@ void add_wrapped(std::vector<Line>& out, std::string head, std::string_view text
   add(out, std::move(head), std::string(text));
 }
 
-void list_sizes(std::vector<Line>& out, const PlannedCloth& c) {
+void list_sizes(std::vector<ListLine>& out, const PlannedCloth& c) {
   const ClothMeasures& m = c.measures;
   const ClothPlan& plan = c.design.plan;
   const auto text = [&](double mm) { return width_text(mm, c.units); };
@@ -56,7 +56,7 @@ void list_sizes(std::vector<Line>& out, const PlannedCloth& c) {
   add(out, tr("Picks"), std::to_string(m.picks));
 }
 
-void list_setts(std::vector<Line>& out, const PlannedCloth& c) {
+void list_setts(std::vector<ListLine>& out, const PlannedCloth& c) {
   const ClothMeasures& m = c.measures;
   const ClothPlan& plan = c.design.plan;
   add(out, tr("On the loom"), sett_text(m.loom_ends_per_cm, System::kWarp, c.units));
@@ -69,8 +69,8 @@ void list_setts(std::vector<Line>& out, const PlannedCloth& c) {
   add(out, "", fill(tr_n("{count} dent", "{count} dents", m.dents), arg("count", m.dents)));
 }
 
-void add_runs(std::vector<Line>& out, const std::vector<ThreadRun>& runs) {
-  Line line;
+void add_runs(std::vector<ListLine>& out, const std::vector<ThreadRun>& runs) {
+  ListLine line;
   for (size_t i = 0; i < runs.size(); ++i) {
     if (i == kMaxRuns) return out.push_back({"", {{tr("and so on"), -1}}});
     line.words.push_back({std::to_string(runs[i].threads), runs[i].color});
@@ -83,7 +83,7 @@ std::string cost_text(double value) { return fill("{value:.2f}", arg("value", va
 
 }  // namespace
 
-void list_plan(std::vector<Line>& out, const PlannedCloth& c) {
+void list_plan(std::vector<ListLine>& out, const PlannedCloth& c) {
   out.push_back({tr("Plan of the cloth"), {}});
   list_sizes(out, c);
   out.push_back({tr("Sett"), {}});
@@ -97,7 +97,7 @@ void list_plan(std::vector<Line>& out, const PlannedCloth& c) {
               selvedges_text(selvedges(drawdown(c.design.draft), last_end_of(c.design.draft, c.measures.ends))));
 }
 
-void list_warp_order(std::vector<Line>& out, const PlannedCloth& c) {
+void list_warp_order(std::vector<ListLine>& out, const PlannedCloth& c) {
   const ThreadOrder order = thread_order(c.design, System::kWarp, c.measures.ends);
   out.push_back({tr("Warp colour order"), {}});
   add_runs(out, order.repeat);
@@ -109,7 +109,7 @@ void list_warp_order(std::vector<Line>& out, const PlannedCloth& c) {
   add_runs(out, order.rest);
 }
 
-void list_sleyings(std::vector<Line>& out, const PlannedCloth& c) {
+void list_sleyings(std::vector<ListLine>& out, const PlannedCloth& c) {
   constexpr size_t kReeds = 6;
   constexpr double kFrom = 0.85, kTo = 1.18, kPitch_mm = 11;
   const double wanted = c.measures.wanted_ends_per_cm;
@@ -120,12 +120,12 @@ void list_sleyings(std::vector<Line>& out, const PlannedCloth& c) {
   for (const auto& one : near) reeds.push_back(one.reed);
   std::ranges::sort(reeds, {}, &Reed::dents);
   out.push_back({inch ? tr("Sleying: ends per inch") : tr("Sleying: ends per cm"), {}});
-  Line head{tr("Reed"), {}, kPitch_mm};
+  ListLine head{tr("Reed"), {}, kPitch_mm};
   for (const Reed& reed : reeds)
     head.words.push_back({inch ? fill("{dents:.4g}", arg("dents", reed.dents)) : reed_text(reed), -1});
   out.push_back(std::move(head));
   for (const std::vector<int>& sleying : sleying_patterns()) {
-    Line line{sleying_text(sleying), {}, kPitch_mm};
+    ListLine line{sleying_text(sleying), {}, kPitch_mm};
     bool any = false;
     for (const Reed& reed : reeds) {
       const double sett = sett_in_reed(reed, sleying);
@@ -137,7 +137,7 @@ void list_sleyings(std::vector<Line>& out, const PlannedCloth& c) {
   }
 }
 
-void list_heddles(std::vector<Line>& out, const PlannedCloth& c) {
+void list_heddles(std::vector<ListLine>& out, const PlannedCloth& c) {
   const int64_t ends = c.measures.ends > 0 ? c.measures.ends : c.design.draft.ends();
   out.push_back({fill(tr_n("Heddles for {count} end", "Heddles for {count} ends", ends), arg("count", ends)), {}});
   const Heddles heddles = heddles_for(c.design.draft, ends);
@@ -150,7 +150,7 @@ void list_heddles(std::vector<Line>& out, const PlannedCloth& c) {
   if (heddles.unthreaded_ends > 0) add(out, tr("On no shaft"), std::to_string(heddles.unthreaded_ends));
 }
 
-void list_yarn(std::vector<Line>& out, const PlannedCloth& c) {
+void list_yarn(std::vector<ListLine>& out, const PlannedCloth& c) {
   const YarnReport r = yarn_report(c.design, c.measures);
   const auto name = [&](int yarn) { return c.design.yarns[static_cast<size_t>(yarn)].name; };
   out.push_back({tr("Yarn"), {}});
@@ -161,7 +161,7 @@ void list_yarn(std::vector<Line>& out, const PlannedCloth& c) {
                     {name(need.yarn), -1}}});
   out.push_back({tr("Yarn to buy"), {}});
   for (const YarnToBuy& one : r.buy) {
-    Line line{"", {{bought_text(one, c.units), one.color}, {name(one.yarn), -1}}};
+    ListLine line{"", {{bought_text(one, c.units), one.color}, {name(one.yarn), -1}}};
     if (one.cost >= 0) line.words.push_back({cost_text(one.cost), -1});
     out.push_back(std::move(line));
   }

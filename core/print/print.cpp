@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "design/edits.h"
 #include "design/repeat.h"
-#include "print/page.h"
+#include "print/sheets.h"
 
 namespace weftlight::print {
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/loops.h"
-#include "cloth/layer_plan.h"
-#include "print/page.h"
+#include "cloth/layers.h"
+#include "print/sheets.h"
 
 namespace weftlight::print {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth/yarn_fibres.h"
-#include "reference/fibre_scene.h"
+#include "reference/fibre_patch.h"
 #include "reference/thread_paths.h"
 
 namespace weftlight::reference {

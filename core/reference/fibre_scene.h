@@ -5,34 +5,14 @@
 // Where a whole number of periods is no larger than the patch with its margins, the fibres repeat with them and the
 // cloth is infinite that way; otherwise it ends beyond the margins.
 
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 
 #include "base/result.h"
-#include "cloth/cloth.h"
 #include "light/formulas.h"
+#include "reference/fibre_patch.h"
 
 namespace weftlight::reference {
-
-using cloth::Cloth;
-
-struct FibreOptions {
-  glm::vec2 low_mm{0}, high_mm{8, 8};    // the patch that is seen
-  int64_t max_bytes = int64_t{2} << 30;  // more is refused before it is allocated
-  float raised = 0;                      // finish: hair that a nap has more (the cloth is laid out without it)
-  uint32_t seed = 1;
-};
-
-/// What the fibres of a patch are, and what they cost.
-struct FibreFigures {
-  glm::vec2 size_mm{0};  // of the cloth that is made, with its margins
-  int threads = 0;
-  int64_t fibres = 0, strays = 0;  // pieces of threads; hairs and loops
-  int64_t curves = 0;              // straight pieces of fibres
-  int64_t bytes = 0;               // estimated, while the scene is built: the most that it takes
-};
-FibreFigures fibre_figures(const Cloth& cloth, const FibreOptions& options);
 
 struct FibreHit {
   float t = 0;

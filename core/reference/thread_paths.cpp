@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/layer_plan.h"
+#include "cloth/layers.h"
 #include "cloth/thickness.h"
 
 namespace weftlight::reference {

@@ -1,8 +1,8 @@
 #include "render_data/shipped_lod_table.h"
 
-#include "base/files.h"
 #include "base/resources.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 
 namespace weftlight::render_data {
 

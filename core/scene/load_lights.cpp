@@ -1,8 +1,8 @@
 // Light from files: the shipped lighting presets, and environment maps.
 
-#include "base/files.h"
 #include "base/resources.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "design/lights.h"
 #include "files/environment.h"
 #include "scene/light_rig.h"

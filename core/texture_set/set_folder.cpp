@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "base/files.h"
 #include "base/hash.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "platform/durable_file.h"
 #include "platform/file.h"
 #include "platform/removed_at_end.h"

@@ -10,9 +10,9 @@
 
 #include "base/loops.h"
 #include "files/image_rows.h"
+#include "texture_set/export_progress.h"
 #include "texture_set/material_files.h"
 #include "texture_set/row_cascade.h"
-#include "texture_set/texture_set.h"
 
 namespace weftlight::texture_set {
 

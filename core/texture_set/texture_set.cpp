@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "platform/file.h"
@@ -351,8 +351,6 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
         "the gaps of a mask close in the distance if the program makes the mipmaps; use --alpha auto or --mips ktx2"));
   return out;
 }
-
-base::Failure stopped() { return base::failure(base::ErrorKind::kCancelled, tr("stopped")); }
 
 base::Result<void> check_set_folder(const std::string& folder, const TextureSetOptions& options) {
   return check_place(folder, identity_of(folder, options));

@@ -2,9 +2,7 @@
 // A texture set: one full repeat of structure and colour as named, packed images for an engine, with materials, a short
 // README, a contact sheet and a machine-readable texture_set.json.
 
-#include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -12,6 +10,7 @@
 #include "design/design.h"
 #include "drape/mesh.h"
 #include "files/mip_file.h"
+#include "texture_set/export_progress.h"
 #include "texture_set/face_source.h"
 #include "texture_set/targets.h"
 #include "texture_set/tile.h"
@@ -53,14 +52,6 @@ void set_density(TextureSetOptions& options, const Design& design, float texels_
 
 /// Warnings about the options for this design.
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);
-
-/// Progress report and cancellation.
-struct ExportProgress {
-  std::function<void(float fraction)> report{};  // 0..1, on the calling thread; may be empty
-  std::stop_token stop{};
-};
-/// The error of a set that was stopped, of kCancelled. The earlier set is unchanged.
-base::Failure stopped();
 
 /// Writes the set into `folder`, completely or not at all. Only files that an earlier set of the same draft and target
 /// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb.

@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "weaves/notation.h"
 #include "weaves/weave_values.h"
 #include "weaves/weaves.h"
 
@@ -16,22 +17,6 @@ namespace weftlight::weaves {
 
 using design::Design;
 using draft::BitMatrix, draft::Rgb, draft::kMaxShafts;
-
-// ---- weavers' notations (text.cpp)
-/// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... One number counts for both. Empty if it cannot be read:
-/// other signs, a 0, an odd number of numbers, or more than kMaxShafts threads.
-OverUnder read_ratio(std::string_view text);
-/// A profile: letters are blocks, each with its length or repeated: "A4 B2 CC".
-std::vector<int> read_profile(std::string_view text);
-/// Threads with ranges and repeats: "1-4 3x(5 6) 8-5". Numbers count from 1 in the text, from 0 in the result. Brackets
-/// may be nested.
-Noted<std::vector<int>> read_sequence(std::string_view text, int most = kMaxShafts);
-/// A tartan sett, runs of threads of one colour: "R8 K4 G24"; with pivots "R/8 K4 G/24" it reverses at both ends.
-struct Sett {
-  std::vector<Rgb> palette;
-  std::vector<Stripe> stripes;
-};
-Noted<Sett> read_sett(std::string_view text);
 
 // ---- draws.cpp
 /// Steps that make a satin on so many shafts: neither 1 nor shafts - 1, and without a common factor.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "weaves/table.h"
+#include "weaves/weave_kind.h"
 
 namespace weftlight::weaves {
 

@@ -142,7 +142,7 @@ int cost_of_change(BitMatrix& m, int row, int col, int longest) {
 }
 
 // A row or a column; cell indices are cyclic.
-struct Line {
+struct RowOrColumn {
   bool along_row = false;
   int number = 0;
   int size(const BitMatrix& m) const { return along_row ? m.cols() : m.rows(); }
@@ -157,7 +157,7 @@ struct Line {
 
 // The best cell to bind a run of `length` cells: where the fewest other floats exceed the limit, then closest to an
 // even division of the run.
-int best_binding(BitMatrix& m, const Line& line, int first, int length, int most) {
+int best_binding(BitMatrix& m, const RowOrColumn& line, int first, int length, int most) {
   const int bindings = length / (most + 1), even = (length - bindings) / (bindings + 1);
   int best = 0, least = 1 << 30;
   for (int k = 0; k <= most && k < length; ++k) {
@@ -170,7 +170,7 @@ int best_binding(BitMatrix& m, const Line& line, int first, int length, int most
 
 // Binds each run of the line that is longer than `most`; calls changed(cell) for each changed cell.
 template <typename Changed>
-void bind_line(BitMatrix& m, const Line& line, int most, std::mt19937& chance, const Changed& changed) {
+void bind_line(BitMatrix& m, const RowOrColumn& line, int most, std::mt19937& chance, const Changed& changed) {
   const int n = line.size(m);
   int start = 0;
   while (start < n && line.at(m, start) == line.at(m, start + n - 1)) ++start;

@@ -98,7 +98,7 @@ int own_shafts(const std::vector<Words>& units) {
 int last_block(const std::vector<int>& blocks) { return blocks.empty() ? 0 : *std::ranges::max_element(blocks); }
 
 /// A template read for a number of blocks.
-struct Units {
+struct ReadTemplate {
   std::vector<Words> ends, picks;
   int ties = 0, own = 0, blocks = 1;
 
@@ -132,7 +132,7 @@ std::vector<char> colors_of(const char* colors, int n, const std::vector<Words>&
   const Words order = UnitReader{colors, n}.words(0);
   std::vector<char> out;
   for (const int block : profile) {
-    const size_t threads = Units::of_block(units, block).size();
+    const size_t threads = ReadTemplate::of_block(units, block).size();
     for (size_t i = 0; i < threads; ++i) out.push_back(order[i % order.size()][0]);
     if (out.size() >= static_cast<size_t>(kMaxThreads)) break;
   }
@@ -150,10 +150,10 @@ Design with_unit_colors(Design design, System system, const std::vector<char>& c
 }
 
 /// The threading of the profile; the first word that names no shaft in `unknown`.
-std::vector<int> threading_of(const Units& units, const std::vector<int>& profile, std::string& unknown) {
+std::vector<int> threading_of(const ReadTemplate& units, const std::vector<int>& profile, std::string& unknown) {
   std::vector<int> threading;
   for (const int block : profile) {
-    for (const std::string& end : Units::of_block(units.ends, block)) {
+    for (const std::string& end : ReadTemplate::of_block(units.ends, block)) {
       const int shaft = units.shaft_of(end[0], block);
       if (shaft >= 0 && end.size() == 1) threading.push_back(shaft);
       else if (unknown.empty()) unknown = end;
@@ -163,13 +163,13 @@ std::vector<int> threading_of(const Units& units, const std::vector<int>& profil
   return threading;
 }
 
-void add_treadling(const Units& units, const std::vector<int>& profile, Recipe& recipe) {
+void add_treadling(const ReadTemplate& units, const std::vector<int>& profile, Recipe& recipe) {
   std::map<std::vector<int>, int> treadle_of;
   std::map<int, std::vector<int>> treadles_of_block;
   for (const int block : profile) {
     const auto [unit, first] = treadles_of_block.try_emplace(block);
     if (first)
-      for (const std::string& pick : Units::of_block(units.picks, block)) {
+      for (const std::string& pick : ReadTemplate::of_block(units.picks, block)) {
         const std::vector<int> lift = units.lift_of(pick, block);
         const auto [found, added] = treadle_of.try_emplace(lift, static_cast<int>(recipe.tieup.size()));
         if (added) recipe.tieup.push_back(lift);
@@ -192,7 +192,7 @@ std::span<const BlockTemplate> block_templates() { return kTemplates; }
 GeneratedWeave substituted(const BlockTemplate& unit, const Profile& profile, ClothSize size, int n, bool turn) {
   const std::vector<int> warp = profile.warp.empty() ? std::vector<int>{0} : profile.warp;
   const std::vector<int> weft = profile.weft.empty() ? warp : profile.weft;
-  Units units{alternatives(unit.warp, n), alternatives(unit.weft, n), std::clamp(unit.ties, 0, 9), 0, 1};
+  ReadTemplate units{alternatives(unit.warp, n), alternatives(unit.weft, n), std::clamp(unit.ties, 0, 9), 0, 1};
   units.own = std::max(own_shafts(units.ends), own_shafts(units.picks));
   units.blocks = std::max(last_block(warp), last_block(weft)) + 1;
   std::string unknown;

@@ -5,7 +5,10 @@
 #include <charconv>
 #include <cstdlib>
 #include <iterator>
+#include <string_view>
+#include <utility>
 
+#include "weaves/families.h"
 #include "weaves/kinds.h"
 
 namespace weftlight::weaves {
@@ -70,6 +73,19 @@ WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given) {
     if (best != all.end()) at->second = std::to_string(*best);
   }
   return values;
+}
+
+base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values) {
+  for (const WeaveParameter& parameter : kind.parameters) {
+    const std::string_view id = parameter.id;
+    if (id == "ratio") {
+      Noted<OverUnder> read = ratio(complete_values(kind, values));
+      if (!read.note.empty()) return base::failure(base::ErrorKind::kInput, std::move(read.note));
+    }
+    if (id == "code")
+      if (const auto read = read_iso_code(text(complete_values(kind, values), "code")); !read) return failed(read);
+  }
+  return {};
 }
 
 }  // namespace weftlight::weaves

@@ -4,8 +4,7 @@
 #include <charconv>
 
 #include "base/text.h"
-#include "weaves/families.h"
-#include "weaves/table.h"
+#include "weaves/notation.h"
 
 namespace weftlight::weaves {
 
@@ -34,19 +33,6 @@ Noted<OverUnder> ratio(const WeaveValues& values) {
           fill(tr("'{text}' is not a ratio. Write the threads that the warp passes over and under in turn: 2/2, or "
                   "3/1/1/3."),
                arg("text", text(values, "ratio")))};
-}
-
-base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values) {
-  for (const WeaveParameter& parameter : kind.parameters) {
-    const std::string_view id = parameter.id;
-    if (id == "ratio") {
-      Noted<OverUnder> read = ratio(complete_values(kind, values));
-      if (!read.note.empty()) return base::failure(base::ErrorKind::kInput, std::move(read.note));
-    }
-    if (id == "code")
-      if (const auto read = read_iso_code(text(complete_values(kind, values), "code")); !read) return failed(read);
-  }
-  return {};
 }
 
 Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id, int least) {

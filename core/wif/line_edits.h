@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "wif/sections.h"
+#include "wif/design_sections.h"
 
 namespace weftlight::wif {
 

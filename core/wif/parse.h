@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "wif/text.h"
 #include "wif/wif.h"
+#include "wif/wif_text.h"
 
 namespace weftlight::wif {
 

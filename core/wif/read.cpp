@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "draft/drawdown.h"
 #include "wif/private.h"
-#include "wif/rows.h"
+#include "wif/section_rows.h"
 
 namespace weftlight::wif {
 

@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "wif/foreign.h"
 #include "wif/numbers.h"
-#include "wif/text.h"
+#include "wif/wif_text.h"
 
 namespace weftlight::wif {
 

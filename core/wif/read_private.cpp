@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "design/lights.h"
 #include "wif/private.h"
-#include "wif/rows.h"
+#include "wif/section_rows.h"
 
 namespace weftlight::wif {
 

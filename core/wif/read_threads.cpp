@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "wif/rows.h"
+#include "wif/section_rows.h"
 
 namespace weftlight::wif {
 

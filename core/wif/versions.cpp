@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "base/text.h"
+#include "wif/design_sections.h"
 #include "wif/encoding.h"
 #include "wif/numbers.h"
 #include "wif/private.h"
-#include "wif/sections.h"
 
 namespace weftlight::wif {
 

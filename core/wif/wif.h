@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "design/design.h"
 
 namespace weftlight::wif {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "wif/design_sections.h"
 #include "wif/encoding.h"
 #include "wif/numbers.h"
 #include "wif/private.h"
-#include "wif/sections.h"
 
 namespace weftlight::wif {
 

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "actions/actions.h"
+#include "actions/action.h"
+#include "actions/subjects.h"
 #include "base/text.h"
 
 namespace weftlight::actions {

@@ -1,25 +1,14 @@
 #pragma once
 // The table of actions. It feeds the menus, the shortcuts, the toolbar and the command palette.
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "actions/action.h"
 #include "actions/subjects.h"
-#include "session/action_item.h"
 
 namespace weftlight::actions {
-
-using session::ActionItem;
-
-struct Action {
-  ActionItem item;  // `enabled` and `checked` are filled in by show()
-  std::function<void()> run;
-  std::function<bool()> enabled = nullptr;       // null: always
-  std::function<bool()> checked = nullptr;       // null: never
-  std::function<std::string()> label = nullptr;  // null: the label of the item
-};
 
 /// The rows keep references to `subjects`, which outlive the table.
 /// `recent`: files offered under File. `keys`: shortcuts set by the user, by action id (Settings::keys). `views`: names

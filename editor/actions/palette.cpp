@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "actions/action_parts.h"
-#include "session/editing/palette_edits.h"
+#include "session/editing/palette_deletion.h"
 
 namespace weftlight::actions {
 

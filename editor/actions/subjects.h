@@ -3,7 +3,7 @@
 // takes those subjects that it acts on, and nothing else.
 
 #include "actions/active_draft.h"
-#include "actions/clipboard.h"
+#include "actions/clipboard_access.h"
 #include "actions/cloth_actions.h"
 #include "actions/comparison_actions.h"
 #include "actions/draft_dialogs.h"

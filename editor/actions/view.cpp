@@ -5,6 +5,7 @@
 
 #include "actions/action_parts.h"
 #include "scene/named_views.h"
+#include "session/editing/follow_document.h"
 
 namespace weftlight::actions {
 

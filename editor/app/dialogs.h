@@ -12,7 +12,7 @@
 #include "app/messages.h"
 #include "platform/desktop.h"
 #include "session/session.h"
-#include "views/dialogs/dialogs.h"
+#include "views/dialogs/dialog.h"
 
 namespace weftlight::app {
 

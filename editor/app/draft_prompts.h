@@ -7,10 +7,10 @@
 
 #include "actions/draft_dialogs.h"
 #include "app/dialogs.h"
+#include "app/draft_files.h"
 #include "app/editing.h"
-#include "app/files.h"
 #include "app/messages.h"
-#include "session/editing/palette_edits.h"
+#include "session/editing/palette_deletion.h"
 
 namespace weftlight::app {
 

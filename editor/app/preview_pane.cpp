@@ -6,6 +6,7 @@
 #include "base/caught.h"
 #include "base/text.h"
 #include "gl/hidden_window.h"
+#include "gl/open_headless.h"
 
 namespace weftlight::app {
 
@@ -122,7 +123,7 @@ bool PreviewPane::draw_in_context() {
   Pipeline pipeline;
   const std::shared_ptr<const Design> first = first_design(pipeline);
   if (!first) return false;
-  auto opened = HeadlessContext::create([this] { return ask_for_hidden_window(); });
+  auto opened = gl::open_headless([this] { return ask_for_hidden_window(); });
   if (!opened) return fail(opened.error()), false;
   context_ = std::move(*opened);
   const gl::ResetWatch watch;

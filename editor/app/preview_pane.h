@@ -12,7 +12,7 @@
 
 #include "app/drawn_picture.h"
 #include "app/picture_maker.h"
-#include "gl/context.h"
+#include "gl/headless_context.h"
 #include "gl/reset_watch.h"
 
 namespace weftlight::app {

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "app/window.h"
-#include "base/files.h"
 #include "base/text.h"
-#include "platform/environment.h"
+#include "base/whole_files.h"
+#include "platform/environment_variables.h"
 #include "platform/process.h"
 #include "platform/unique_name.h"
 #include "views/analysis/plan_panel.h"

@@ -3,8 +3,8 @@
 
 #include "actions/comparison_actions.h"
 #include "app/dialogs.h"
+#include "app/draft_files.h"
 #include "app/editing.h"
-#include "app/files.h"
 #include "app/messages.h"
 #include "app/window.h"
 #include "session/files/user_files.h"

@@ -10,7 +10,7 @@
 #include "actions/file_actions.h"
 #include "app/background_tasks.h"
 #include "app/dialogs.h"
-#include "app/files.h"
+#include "app/draft_files.h"
 #include "app/messages.h"
 #include "session/files/user_files.h"
 #include "session/recovery/crash_reports.h"

@@ -10,7 +10,7 @@
 
 #include "actions/tab_actions.h"
 #include "app/dialogs.h"
-#include "app/files.h"
+#include "app/draft_files.h"
 #include "app/frame_schedule.h"
 #include "session/session.h"
 #include "views/shell/tab_strip.h"

@@ -13,6 +13,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "design/fibre.h"
 #include "design/repeat.h"
 #include "draft/factor.h"

@@ -9,14 +9,14 @@
 #include <iterator>
 #include <sstream>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "chart/bench.h"
 #include "chart/drapes.h"
 #include "chart/figures.h"
 #include "commands/commands.h"
 #include "commands/picture_setup.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 namespace weftlight::commands {
 

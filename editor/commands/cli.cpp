@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "base/caught.h"
-#include "base/files.h"
 #include "base/languages.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "commands/built_commit.h"
 #include "commands/closest_word.h"
 #include "commands/commands.h"
@@ -130,7 +130,7 @@ RunVerb add_verb(CLI::App& app, const Verb& verb) {
   return run;
 }
 
-/// What a verb throws, memory above all, becomes a message. Output files are whole or absent (base/files.h).
+/// What a verb throws, memory above all, becomes a message. Output files are whole or absent (base/whole_files.h).
 int run_verb(std::string_view name, const RunVerb& run) {
   try {
     return run();

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/floats.h"
 #include "base/result.h"
-#include "chart/rows.h"
+#include "chart/chart_rows.h"
 #include "collection/query.h"
 #include "commands/exit_codes.h"
 #include "commands/plan_options.h"
@@ -16,13 +15,10 @@
 #include "draft/factor.h"
 #include "files/picture_draft.h"
 #include "print/print.h"
-#include "wif/wif.h"
 
 namespace weftlight::commands {
 
-using design::Design;
 using draft::Face;
-using wif::Diagnostic, wif::WifFile;
 
 struct InfoOptions {
   std::string file;
@@ -174,20 +170,5 @@ struct CommandLine {
 std::string requested_language(int argc, char** argv);
 /// Parses the arguments and runs the verb that they name.
 CommandLine run_command_line(int argc, char** argv);
-
-struct OpenedDesign {
-  bool ok = false;
-  Design design;
-  WifFile file;
-  std::vector<Diagnostic> diagnostics;
-};
-/// "file:line: what; what to do" on stderr.
-void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
-std::string longest_float_text(const analysis::LongestFloats& floats);
-/// Prints a line of a report, its values in one column; labels and values are in the user's language.
-void print_row(const std::string& label, const std::string& value);
-/// Reads a draft and prints its problems on stderr; not `ok` if it cannot be used. `picture`: how a picture becomes a
-/// draft.
-OpenedDesign open_design(const std::string& path, bool print_warnings = false, const files::PictureDraft& picture = {});
 
 }  // namespace weftlight::commands

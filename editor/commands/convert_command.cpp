@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "design/edits.h"
 #include "design/palette_edits.h"
 #include "design/versions.h"

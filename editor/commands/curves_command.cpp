@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "commands/status_line.h"
 #include "draft/drawdown.h"
 #include "files/files.h"

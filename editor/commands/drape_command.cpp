@@ -4,9 +4,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "commands/status_line.h"
 #include "drape/stiffness.h"
 #include "files/design_drape.h"

@@ -5,10 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "commands/commands.h"
 #include "commands/drawdown_picture.h"
+#include "commands/open_design.h"
 
 namespace weftlight::commands {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "commands/drawdown_picture.h"
 
 namespace weftlight::commands {

@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "design/repeat.h"
 #include "weaves/families.h"
 
@@ -98,12 +99,6 @@ void print_text(const std::string& path, const OpenedDesign& opened, const Facts
 }
 
 }  // namespace
-
-std::string longest_float_text(const LongestFloats& floats) {
-  return fill(tr("warp {warp_front} front, {warp_back} back; weft {weft_front} front, {weft_back} back"),
-              arg("warp_front", floats.warp_front), arg("warp_back", floats.warp_back),
-              arg("weft_front", floats.weft_front), arg("weft_back", floats.weft_back));
-}
 
 int info_command(const InfoOptions& options) {
   const OpenedDesign opened = open_design(options.file);

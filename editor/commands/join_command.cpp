@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "design/edits.h"
 #include "weaves/joined_drafts.h"
 

@@ -1,12 +1,16 @@
+#include "commands/open_design.h"
+
 #include <cstdio>
 
 #include "base/text.h"
-#include "commands/commands.h"
+#include "base/whole_files.h"
+#include "commands/exit_codes.h"
 #include "files/picture_draft.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::commands {
 
+using analysis::LongestFloats;
 using base::ErrorKind, base::arg, base::fill, base::message, base::read_file, base::tr;
 using files::is_picture, files::read_picture_draft;
 using wif::Diagnostic, wif::Severity, wif::WifRead, wif::kMaxDraftBytes, wif::read_draft;
@@ -25,6 +29,12 @@ void print_row(const std::string& label, const std::string& value) {
   for (const char c : label) width += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;  // the heads of UTF-8
   const std::string gap(width < kColumn ? kColumn - width : 1, ' ');
   std::printf("%s%s%s\n", label.c_str(), gap.c_str(), value.c_str());
+}
+
+std::string longest_float_text(const LongestFloats& floats) {
+  return fill(tr("warp {warp_front} front, {warp_back} back; weft {weft_front} front, {weft_back} back"),
+              arg("warp_front", floats.warp_front), arg("warp_back", floats.warp_back),
+              arg("weft_front", floats.weft_front), arg("weft_back", floats.weft_back));
 }
 
 OpenedDesign open_design(const std::string& path, bool print_warnings, const files::PictureDraft& picture) {

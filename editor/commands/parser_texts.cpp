@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -53,8 +54,11 @@ std::string short_name(const CLI::Option& option) {
 std::string value_form(const CLI::Option& option) {
   if (option.get_type_size() == 0) return {};
   const std::string type = option.get_type_name();
+  // CLI11 writes TYPE:CHECK; a form of ours may have a colon, too: "A:B".
+  constexpr std::string_view kTypes[] = {"TEXT", "INT", "UINT", "FLOAT"};
   const size_t checks = type.find(':');
-  return checks == std::string::npos ? type : type.substr(checks + 1);
+  const bool typed = std::ranges::find(kTypes, std::string_view(type).substr(0, checks)) != std::end(kTypes);
+  return typed && checks != std::string::npos ? type.substr(checks + 1) : type;
 }
 
 std::string typed_form(const CLI::Option& option) {

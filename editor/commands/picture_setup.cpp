@@ -5,9 +5,11 @@
 #include <filesystem>
 
 #include "base/text.h"
+#include "commands/open_design.h"
 #include "design/lights.h"
 #include "files/design_drape.h"
 #include "files/files.h"
+#include "gl/open_headless.h"
 #include "gl/pipeline.h"
 #include "light/lod_table.h"
 #include "scene/named_views.h"
@@ -111,7 +113,7 @@ int PictureSetup::open_graphics() {
   const auto none = [](const base::Error& error) {
     return fail({base::ErrorKind::kGraphics, fill(tr("no graphics: {problem}"), arg("problem", message(error)))});
   };
-  auto opened = HeadlessContext::create();
+  auto opened = gl::open_headless();
   if (!opened) return none(opened.error());
   context = std::move(*opened);
   auto made = Renderer::create();

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "commands/progress.h"
+#include "commands/progress_line.h"
 #include "commands/status_line.h"
-#include "gl/context.h"
+#include "gl/headless_context.h"
 #include "gl/renderer.h"
 
 namespace weftlight::commands {

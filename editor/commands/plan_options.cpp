@@ -5,7 +5,8 @@
 #include <string_view>
 
 #include "base/text.h"
-#include "commands/commands.h"
+#include "commands/exit_codes.h"
+#include "commands/open_design.h"
 #include "commands/option_checks.h"
 #include "design/edits.h"
 

@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "commands/plan_options.h"
 #include "design/fibre.h"
 #include "draft/drawdown.h"

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "print/print.h"
 
 namespace weftlight::commands {

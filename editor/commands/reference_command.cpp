@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "commands/transparent.h"
 #include "render_data/reference_scene.h"
 

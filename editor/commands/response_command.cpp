@@ -7,10 +7,11 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "commands/picture_setup.h"
 #include "design/methods.h"
 #include "files/files.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 #include "gl/renderer.h"
 #include "render_data/face_cloth.h"
 #include "render_data/flat_radiance.h"
@@ -24,7 +25,7 @@ using cloth::Cloth, cloth::Period;
 using design::Design, design::Look, design::Method, design::method_from_name;
 using draft::BitMatrix, draft::Face, draft::drawdown;
 using files::Image;
-using gl::HeadlessContext, gl::Renderer;
+using gl::Renderer;
 using render_data::FlatDirections, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages,
     render_data::evaluated_radiance, render_data::face_cloth, render_data::traced_radiance, render_data::unit_direction;
 
@@ -76,7 +77,7 @@ base::Failure no_graphics(const base::Error& error) {
 }
 
 Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const std::vector<FlatDirections>& directions) {
-  const auto context = HeadlessContext::create();
+  const auto context = gl::open_headless();
   if (!context) return no_graphics(context.error());
   const auto made = Renderer::create();
   if (!made) return no_graphics(made.error());

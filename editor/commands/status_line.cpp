@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 namespace weftlight::commands {
 

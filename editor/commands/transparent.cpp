@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 
 namespace weftlight::commands {
 
-using cloth::srgb_decoded, cloth::srgb_encoded;
+using design::srgb_decoded, design::srgb_encoded;
 using files::PixelType, files::write_image;
 
 namespace {

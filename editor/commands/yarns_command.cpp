@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "commands/commands.h"
+#include "commands/open_design.h"
 #include "design/fibre.h"
 #include "design/written_count.h"
 #include "design/yarn_library.h"

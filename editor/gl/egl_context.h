@@ -1,7 +1,7 @@
 #pragma once
 // A context without a window or a display, through EGL (GPU or llvmpipe). Built where CMake finds EGL.
 
-#include "gl/context.h"
+#include "gl/headless_context.h"
 
 namespace weftlight::gl {
 

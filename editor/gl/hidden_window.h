@@ -2,7 +2,7 @@
 // A context of a window that is never shown, for systems without EGL. It needs a display; nothing is drawn into the
 // window itself.
 
-#include "gl/context.h"
+#include "gl/headless_context.h"
 
 namespace weftlight::gl {
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Collects the texts that the user reads from the sources: extract.sh [OUT.pot], without OUT into weftlight.pot here.
-# Keys are tr, tr_n, tr_in and mark (core/base/text.h).
+# Keys are tr, tr_n, tr_in and mark (core/base/translated.h, mark.h).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 out=${1:-$here/weftlight.pot}

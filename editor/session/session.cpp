@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "session/editing/follow_document.h"
 #include "session/editing/selection_state.h"
 #include "wif/wif.h"
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "base/files.h"
 #include "base/resources.h"
+#include "base/whole_files.h"
 #include "platform/catalogue.h"
-#include "platform/fonts.h"
+#include "platform/installed_fonts.h"
 #include "ui/imgui_compat.h"
 
 namespace weftlight::ui {

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "design/edits.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 #include "session/document/document.h"
 #include "ui/fonts.h"
 #include "ui/style.h"
@@ -47,7 +47,7 @@ inline Design design_of(Size size, ShedControl shed_control) {
 class Screen {
  public:
   Screen() {
-    auto opened = gl::HeadlessContext::create();
+    auto opened = gl::open_headless();
     problem_ = problem_of(opened);
     if (!opened) return;
     context_ = std::move(*opened);

@@ -10,6 +10,7 @@
 #include "design/selection_edits.h"
 #include "screen.h"
 #include "session/document/document.h"
+#include "session/editing/follow_document.h"
 #include "session/editing/paint.h"
 #include "views/draft/draft_panel.h"
 #include "wif/other_formats.h"

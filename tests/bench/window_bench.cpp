@@ -10,6 +10,7 @@
 
 #include "../unit/actions/bare_editor.h"
 #include "screen.h"
+#include "session/editing/follow_document.h"
 #include "session/report.h"
 #include "ui/damage.h"
 #include "views/analysis/analysis_panel.h"

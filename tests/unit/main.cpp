@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "paths.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 namespace {
 

@@ -10,14 +10,15 @@
 #include <sstream>
 #include <thread>
 
-#include "base/files.h"
 #include "base/hash.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "base/whole_files.h"
+#include "chart/charted_methods.h"
 #include "chart/flip.h"
-#include "chart/methods.h"
 #include "draft/drawdown.h"
 #include "files/files.h"
+#include "gl/open_headless.h"
 #include "gl/shader_program.h"
 #include "light/formulas.h"
 #include "platform/clock.h"
@@ -125,7 +126,7 @@ base::Result<std::unique_ptr<ChartBench>> ChartBench::create(const ChartEffort& 
   const auto none = [](const base::Error& why) {
     return base::failure(base::ErrorKind::kGraphics, fill(tr("no graphics: {problem}"), arg("problem", message(why))));
   };
-  auto context = HeadlessContext::create();
+  auto context = gl::open_headless();
   if (!context) return none(context.error());
   bench->context_ = std::move(*context);
   auto renderer = Renderer::create();

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "base/result.h"
+#include "chart/chart_rows.h"
 #include "chart/counter.h"
 #include "chart/drapes.h"
 #include "chart/error.h"
-#include "chart/rows.h"
 #include "chart/scene.h"
-#include "gl/context.h"
+#include "gl/headless_context.h"
 #include "gl/renderer.h"
 #include "reference/picture.h"
 #include "render_data/packed_maps.h"

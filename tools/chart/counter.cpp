@@ -5,7 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 namespace weftlight::chart {
 

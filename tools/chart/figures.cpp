@@ -7,16 +7,16 @@
 #include <map>
 #include <sstream>
 
-#include "base/files.h"
-#include "chart/methods.h"
+#include "base/whole_files.h"
+#include "chart/charted_methods.h"
 #include "chart/scene.h"
 
 namespace weftlight::chart {
 
 using base::write_file_atomically;
 using design::Method, design::method_name;
-using plot::Axis, plot::Curve, plot::Figure, plot::Ink, plot::KeyEntry, plot::Marker, plot::Panel, plot::PlotPoint,
-    plot::fit_log, plot::write_figure;
+using plot::PlotAxis, plot::Curve, plot::Figure, plot::Ink, plot::KeyEntry, plot::Marker, plot::PlotPanel,
+    plot::PlotPoint, plot::fit_log, plot::write_figure;
 
 namespace {
 
@@ -74,8 +74,8 @@ std::vector<double> values_of(const std::vector<ChartRow>& rows, double ChartRow
   return values;
 }
 
-Axis log_axis(const std::string& title, const std::vector<double>& values) {
-  Axis axis;
+PlotAxis log_axis(const std::string& title, const std::vector<double>& values) {
+  PlotAxis axis;
   axis.title = title;
   fit_log(axis, values);
   return axis;
@@ -110,11 +110,11 @@ Figure cost_figure(const std::vector<ChartRow>& rows, const std::string& device)
       device;
   figure.key = method_key(rows, false, false);
   figure.columns = scenes_in(rows);
-  const Axis x = log_axis("nanoseconds per pixel", values_of(rows, &ChartRow::ns_per_pixel));
-  const Axis y = log_axis("error", values_of(rows, &ChartRow::model_error));
+  const PlotAxis x = log_axis("nanoseconds per pixel", values_of(rows, &ChartRow::ns_per_pixel));
+  const PlotAxis y = log_axis("error", values_of(rows, &ChartRow::model_error));
   for (const int view : kChartViews) {
     for (const ChartScene& scene : kChartScenes) {
-      Panel panel{scene_title(scene.name, view), x, y, {}, kModelGoal, "goal 0.15"};
+      PlotPanel panel{scene_title(scene.name, view), x, y, {}, kModelGoal, "goal 0.15"};
       const std::vector<ChartRow> here = rows_at(rows, scene.name, view);
       if (here.empty()) continue;
       for (size_t f = 0; f < kChartFootprints.size(); ++f) {
@@ -131,13 +131,13 @@ Figure footprint_figure(const std::vector<ChartRow>& rows, double ChartRow::*err
   Figure figure;
   figure.title = title, figure.subtitle = subtitle;
   figure.columns = scenes_in(rows);
-  Axis x{"yarns per pixel", 0.05, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
-  const Axis y = log_axis("error", values_of(rows, error));
+  PlotAxis x{"yarns per pixel", 0.05, 10, true, {kChartFootprints.begin(), kChartFootprints.end()}, kFootprintNames};
+  const PlotAxis y = log_axis("error", values_of(rows, error));
   for (const int view : kChartViews) {
     for (const ChartScene& scene : kChartScenes) {
       std::ostringstream goal_name;
       goal_name << "goal " << goal;
-      Panel panel{scene_title(scene.name, view), x, y, {}, goal, goal_name.str()};
+      PlotPanel panel{scene_title(scene.name, view), x, y, {}, goal, goal_name.str()};
       const std::vector<ChartRow> here = rows_at(rows, scene.name, view);
       if (here.empty()) continue;
       for (const ChartMethod& s : kChartMethods) {
@@ -170,12 +170,12 @@ Figure albedo_figure(const std::vector<Brightness>& values) {
   for (const ChartScene& scene : kChartScenes) {
     std::string title = scene_title(scene.name, 0);
     title.resize(title.rfind(','));
-    Panel panel{title,
-                {"view, degrees from the normal", 0, 90, false, {0, 30, 60, 80}, {}},
-                {"albedo", 0, most * 1.05, false, {}, {}},
-                {},
-                0,
-                {}};
+    PlotPanel panel{title,
+                    {"view, degrees from the normal", 0, 90, false, {0, 30, 60, 80}, {}},
+                    {"albedo", 0, most * 1.05, false, {}, {}},
+                    {},
+                    0,
+                    {}};
     std::ostringstream unused;
     const double step = most > 2 ? 1 : most > 0.8 ? 0.2 : 0.1;
     for (int k = 0; k * step <= most * 1.05; ++k) panel.y.ticks.push_back(std::round(k * step * 100) / 100);
@@ -226,12 +226,12 @@ Figure memory_figure(const std::vector<Memory>& points, const std::vector<ChartR
   std::vector<double> bytes, errors;
   for (const Memory& m : points) bytes.push_back(m.bytes), errors.push_back(m.error);
   for (size_t f = 0; f < kChartFootprints.size(); ++f) {
-    Panel panel{kFootprintNames[f] + (kChartFootprints[f] > 1 ? " yarns per pixel" : " yarn per pixel"),
-                log_axis("bytes", bytes),
-                log_axis("error", errors),
-                {},
-                kModelGoal,
-                "goal 0.15"};
+    PlotPanel panel{kFootprintNames[f] + (kChartFootprints[f] > 1 ? " yarns per pixel" : " yarn per pixel"),
+                    log_axis("bytes", bytes),
+                    log_axis("error", errors),
+                    {},
+                    kModelGoal,
+                    "goal 0.15"};
     for (const Memory& m : points) {
       if (m.yarns_per_pixel != kChartFootprints[f]) continue;
       panel.curves.push_back(

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "chart/rows.h"
+#include "chart/chart_rows.h"
 
 namespace weftlight::chart {
 

@@ -12,7 +12,7 @@ using glm::dvec2;
 using glm::dvec3;
 constexpr double kPi = std::numbers::pi;
 
-struct Plane {
+struct Channels {
   int width, height;
   std::vector<dvec3> at;
   const dvec3& clamped(int x, int y) const {  // coordinates beyond the border are clamped
@@ -54,7 +54,7 @@ double distance(const dvec3& a, const dvec3& b) {
 }
 
 /// Filters each opponent channel by its contrast sensitivity function, as sums of Gaussians over degrees.
-Plane csf_filtered(const Plane& in, double ppd) {
+Channels csf_filtered(const Channels& in, double ppd) {
   constexpr double kMaxWidth = 0.04;
   const auto gauss = [](double a, double b, double d2) {
     return a * std::sqrt(kPi / b) * std::exp(-kPi * kPi * d2 / b);
@@ -69,7 +69,7 @@ Plane csf_filtered(const Plane& in, double ppd) {
       sum += weight.back();
     }
   }
-  Plane out{in.width, in.height, {}};
+  Channels out{in.width, in.height, {}};
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
       dvec3 filtered(0);
@@ -106,7 +106,7 @@ Detector detector(double ppd) {
 }
 
 /// Strength of edges and of points at a pixel; the lightness 0..1 in y of `in`.
-dvec2 features(const Plane& in, const Detector& d, int x, int y) {
+dvec2 features(const Channels& in, const Detector& d, int x, int y) {
   dvec2 edge(0), point(0);
   for (int j = -d.radius; j <= d.radius; ++j) {
     const size_t row = static_cast<size_t>(j + d.radius);
@@ -127,13 +127,13 @@ double flip_error(std::span<const glm::vec3> picture, std::span<const glm::vec3>
                   double pixels_per_degree) {
   constexpr double kColourPower = 0.7, kFeaturePower = 0.5, kKnee = 0.4, kAtKnee = 0.95;
   const auto plane = [&](std::span<const glm::vec3> in) {
-    Plane p{width, height, {}};
+    Channels p{width, height, {}};
     for (const glm::vec3& v : in) p.at.push_back(opponents(glm::clamp(dvec3(v), 0.0, 1.0)));
     return p;
   };
-  Plane a = plane(picture), b = plane(truth);
-  const Plane seen_a = csf_filtered(a, pixels_per_degree), seen_b = csf_filtered(b, pixels_per_degree);
-  for (Plane* p : {&a, &b})
+  Channels a = plane(picture), b = plane(truth);
+  const Channels seen_a = csf_filtered(a, pixels_per_degree), seen_b = csf_filtered(b, pixels_per_degree);
+  for (Channels* p : {&a, &b})
     for (dvec3& v : p->at) v.x = (v.x + 16) / 116;
   const Detector d = detector(pixels_per_degree);
   const double most = std::pow(distance(lab({0, 1, 0}), lab({0, 0, 1})), kColourPower), knee = kKnee * most;

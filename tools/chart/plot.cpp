@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 
 namespace weftlight::chart::plot {
 
@@ -109,10 +109,10 @@ void draw_marker(cairo_t* c, const PlotPoint& p, Ink ink, double x, double y) {
 
 /// Maps values to positions on the sheet.
 struct Frame2D {
-  const Panel& panel;
+  const PlotPanel& panel;
   double x0, y0, width, height;  // y0: top
 
-  static double fraction(const Axis& a, double v) {
+  static double fraction(const PlotAxis& a, double v) {
     if (!a.log) return (v - a.from) / (a.to - a.from);
     return std::log(std::max(v, 1e-30) / a.from) / std::log(a.to / a.from);
   }
@@ -128,7 +128,7 @@ std::string short_number(double v) {
   return text;
 }
 
-std::vector<double> ticks_of(const Axis& a) {
+std::vector<double> ticks_of(const PlotAxis& a) {
   if (!a.ticks.empty()) return a.ticks;
   std::vector<double> ticks;
   if (a.log) {
@@ -150,12 +150,12 @@ std::vector<double> ticks_of(const Axis& a) {
   return ticks;
 }
 
-std::string tick_label(const Axis& a, size_t i, double v) {
+std::string tick_label(const PlotAxis& a, size_t i, double v) {
   return i < a.tick_labels.size() ? a.tick_labels[i] : short_number(v);
 }
 
 void draw_axes(cairo_t* c, const Frame2D& f) {
-  const Panel& p = f.panel;
+  const PlotPanel& p = f.panel;
   cairo_set_line_width(c, 0.8);
   const std::vector<double> xs = ticks_of(p.x), ys = ticks_of(p.y);
   for (size_t i = 0; i < xs.size(); ++i) {
@@ -225,7 +225,7 @@ void draw_tags(cairo_t* c, const Frame2D& f) {
   for (const Tag& tag : tags) write(c, f.x0 + f.width + 6, tag.y + 3.4, tag.text, 9.5, tag.ink);
 }
 
-void draw_panel(cairo_t* c, const Panel& panel, double x, double y, const Figure& figure) {
+void draw_panel(cairo_t* c, const PlotPanel& panel, double x, double y, const Figure& figure) {
   const Frame2D f{panel, x + kLeft, y + kTop, figure.panel_width - kLeft - kRight,
                   figure.panel_height - kTop - kBottom};
   draw_axes(c, f);
@@ -317,7 +317,7 @@ base::Result<void> write_figure(const Figure& figure, const std::string& base) {
   return write_png(figure, base + ".png");
 }
 
-void fit_log(Axis& axis, const std::vector<double>& values) {
+void fit_log(PlotAxis& axis, const std::vector<double>& values) {
   double least = 1e300, most = 0;
   for (const double v : values) {
     if (v > 0) least = std::min(least, v), most = std::max(most, v);

@@ -29,7 +29,7 @@ struct Curve {
   std::vector<PlotPoint> points;
 };
 
-struct Axis {
+struct PlotAxis {
   std::string title;
   double from = 0, to = 1;
   bool log = false;
@@ -37,9 +37,9 @@ struct Axis {
   std::vector<std::string> tick_labels;  // one for each tick, or empty
 };
 
-struct Panel {
+struct PlotPanel {
   std::string title;
-  Axis x, y;
+  PlotAxis x, y;
   std::vector<Curve> curves;
   double goal = 0;         // > 0: a dotted line at this y
   std::string goal_label;  // label of that line
@@ -56,7 +56,7 @@ struct Figure {
   std::string title, subtitle;
   int columns = 4;
   double panel_width = 270, panel_height = 220;
-  std::vector<Panel> panels;  // row by row
+  std::vector<PlotPanel> panels;  // row by row
   std::vector<KeyEntry> key;
 };
 
@@ -64,6 +64,6 @@ struct Figure {
 base::Result<void> write_figure(const Figure& figure, const std::string& base);
 
 /// Sets a logarithmic axis with some room around the values.
-void fit_log(Axis& axis, const std::vector<double>& values);
+void fit_log(PlotAxis& axis, const std::vector<double>& values);
 
 }  // namespace weftlight::chart::plot

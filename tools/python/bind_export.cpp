@@ -37,12 +37,12 @@ std::optional<MipContainer> container_of(const std::optional<std::string>& mips)
   if (!mips) return std::nullopt;
   if (*mips == "dds") return MipContainer::kDds;
   if (*mips == "ktx2") return MipContainer::kKtx2;
-  bad_value(fmt::format("'{}' is none of 'dds', 'ktx2'", *mips));
+  bad_value(fmt::format("'{}' is not one of 'dds', 'ktx2'", *mips));
 }
 
 Alpha alpha_of(const std::string& name) {
   if (const auto alpha = alpha_named(name)) return *alpha;
-  bad_value(fmt::format("'{}' is none of 'auto', 'opaque', 'mask', 'hashed', 'blend'", name));
+  bad_value(fmt::format("'{}' is not one of 'auto', 'opaque', 'mask', 'hashed', 'blend'", name));
 }
 
 void check_size(int size) {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "files/picture_draft.h"
 #include "python/bindings.h"
 #include "python/long_call.h"

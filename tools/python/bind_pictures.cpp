@@ -11,7 +11,7 @@
 #include "design/methods.h"
 #include "files/design_drape.h"
 #include "files/files.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
 #include "python/arrays.h"
@@ -58,7 +58,7 @@ class Graphics {
     const auto no_window = [] {
       return HeadlessContext::Opened(failure(ErrorKind::kGraphics, "a window is not opened from Python"));
     };
-    auto opened = HeadlessContext::create(no_window);
+    auto opened = gl::open_headless(no_window);
     if (!opened) throw Failed({ErrorKind::kGraphics, message(opened.error())});
     context_ = std::move(*opened);
     auto made = gl::Renderer::create();
@@ -227,7 +227,7 @@ PixelType pixel_type(const std::string& depth) {
   constexpr std::array<std::string_view, 4> kNames{"8", "16", "half", "float"};
   for (size_t i = 0; i < kNames.size(); ++i)
     if (depth == kNames[i]) return static_cast<PixelType>(i);
-  bad_value(fmt::format("'{}' is none of '8', '16', 'half', 'float'", depth));
+  bad_value(fmt::format("'{}' is not one of '8', '16', 'half', 'float'", depth));
 }
 
 /// An array of bytes means 0..255, any other 0..1.

@@ -23,7 +23,7 @@ struct News {
 };
 
 /// What the working thread tells the waiting one: the latest report alone.
-class Line {
+class NewsLine {
  public:
   void report(float share, const std::string& sentence) {
     const std::lock_guard lock(mutex_);
@@ -62,7 +62,7 @@ bool goes_on(const py::object& progress, const News& news) {
 void run_long(const py::object& progress, const std::function<void(const TaskProgress&)>& work) {
   if (!progress.is_none() && !PyCallable_Check(progress.ptr()))
     throw py::type_error("progress must be a function of a share and a sentence, or None");
-  Line line;
+  NewsLine line;
   std::stop_source stop;
   std::exception_ptr of_work, of_python;
   const TaskProgress task(stop.get_token(), [&line](float share, const std::string& s) { line.report(share, s); });

@@ -62,7 +62,7 @@ E enum_of(std::string_view text) {
     if (EnumNames<E>::kNames[i] == text) return static_cast<E>(i);
     all.append(i == 0 ? "'" : ", '").append(EnumNames<E>::kNames[i]).append("'");
   }
-  throw py::value_error(std::string("'").append(text).append("' is none of ").append(all));
+  throw py::value_error(std::string("'").append(text).append("' is not one of ").append(all));
 }
 template <class E>
 std::string_view enum_name(E value) {

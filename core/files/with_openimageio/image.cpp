@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "files/files.h"
 #include "files/image_rows.h"
 #include "files/image_shape.h"

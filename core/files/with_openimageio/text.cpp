@@ -2,7 +2,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include "files/files.h"
-#include "platform/fonts.h"
+#include "platform/installed_fonts.h"
 
 namespace weftlight::files {
 namespace {

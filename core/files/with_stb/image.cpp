@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "base/files.h"
 #include "base/text.h"
+#include "base/whole_files.h"
 #include "files/files.h"
 #include "files/image_rows.h"
 #include "files/image_shape.h"

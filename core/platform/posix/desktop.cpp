@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/posix/dialog_program.h"
 #include "platform/process.h"
 

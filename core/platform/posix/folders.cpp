@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 #ifdef __APPLE__
 #include <mach-o/dyld.h>

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "platform/catalogue.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 namespace weftlight::platform {
 namespace {

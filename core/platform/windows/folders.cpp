@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/windows/wide.h"
 
 namespace weftlight::platform {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "platform/fonts.h"
+#include "platform/installed_fonts.h"
 
 namespace weftlight::platform {
 

@@ -4,7 +4,7 @@
 #include <list>
 
 #include "platform/catalogue.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/file.h"
 #include "platform/without_gettext/compiled_catalogue.h"
 #include "platform/without_gettext/system_language.h"

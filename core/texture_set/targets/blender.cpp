@@ -1,6 +1,6 @@
 // Blender 3.4 and 4: a script that builds its principled material. Based on: its manual.
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "texture_set/targets.h"
 #include "texture_set/targets/gltf.h"
 

@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 #include "files/files.h"
 #include "files/mesh_uv.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
 
-using cloth::srgb_decoded;
+using design::srgb_decoded;
 using draft::Face;
 using files::GltfAlpha, files::GltfImage, files::GltfMaterial, files::MeshUv, files::encode_png, files::write_mesh;
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/files.h"
 #include "base/mark.h"
+#include "base/whole_files.h"
 #include "files/zip.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "base/files.h"
 #include "base/json.h"
+#include "base/whole_files.h"
 #include "draft/drawdown.h"
 #include "files/fabric_physics.h"
 #include "files/zip.h"

@@ -1,6 +1,6 @@
 #include "texture_set/targets/unity.h"
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {

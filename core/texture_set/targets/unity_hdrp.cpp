@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "base/mark.h"
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 #include "texture_set/targets.h"
 #include "texture_set/targets/unity.h"
 
 namespace weftlight::texture_set {
 
-using cloth::srgb_encoded;
+using design::srgb_encoded;
 using draft::Face;
 using light::EngineModel;
 

@@ -1,7 +1,7 @@
 // Unreal Engine 5: images by its naming rules, and a script that imports them and builds cloth materials. Based on: its
 // manual of the cloth shading model and its Python API.
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
 

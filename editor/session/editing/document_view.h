@@ -17,10 +17,7 @@
 
 namespace weftlight::session {
 
-using draft::CellRect;
 using wif::WifUnit;
-
-class Document;
 
 /// The units of thickness and spacing in the opened file.
 struct FileUnits {
@@ -39,12 +36,5 @@ struct DocumentView {
   AtLoom at_loom;
   FileUnits units;
 };
-
-/// The view of a document that was just opened: fitted, with the camera of the draft.
-DocumentView view_of(const Document& document);
-/// Called after every change of the design: limits selection, cursor, colour and yarn to what still exists.
-void follow_document(DocumentView& view, const Document& document);
-/// Scrolls difference `index` to the middle of the pane.
-void show_place(DocumentView& view, int index, const CellRect& place);
 
 }  // namespace weftlight::session

@@ -6,11 +6,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/files.h"
 #include "base/json.h"
 #include "base/languages.h"
 #include "base/user_folders.h"
 #include "base/utf8.h"
+#include "base/whole_files.h"
 
 namespace weftlight::session {
 

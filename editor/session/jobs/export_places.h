@@ -13,7 +13,7 @@ namespace weftlight::session {
 
 class ExportPlaces {
  public:
-  struct Look {
+  struct Found {
     std::vector<std::string> in_the_way{};  // files of others, in words
     int replaced = 0;                       // files of an earlier export
   };
@@ -26,10 +26,10 @@ class ExportPlaces {
   /// True if a look has ended since the last call.
   bool poll() { return runner_.take(); }
   /// Of the last look; null until it has ended.
-  const Look* found() const { return found_ ? &*found_ : nullptr; }
+  const Found* found() const { return found_ ? &*found_ : nullptr; }
 
  private:
-  std::optional<Look> found_;
+  std::optional<Found> found_;
   base::TaskRunner runner_;
 };
 

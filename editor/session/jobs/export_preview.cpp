@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 #include "texture_set/set_preview.h"
 
 namespace weftlight::session {
@@ -76,7 +76,7 @@ Range range_of(const Image& image) {
 /// Linear colours are encoded as sRGB; all other values are shown as stored.
 float shown(const PreviewImage& image, const Range& range, float value) {
   const bool colour = image.channels.front().starts_with("base colour");
-  return colour && !image.srgb ? cloth::srgb_encoded(std::clamp(value, 0.0f, 1.0f)) : range.of(value);
+  return colour && !image.srgb ? design::srgb_encoded(std::clamp(value, 0.0f, 1.0f)) : range.of(value);
 }
 
 ShownImage lay(Sheet& sheet, const PreviewImage& image, int side) {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include "base/files.h"
 #include "base/text.h"
 #include "base/user_folders.h"
+#include "base/whole_files.h"
 
 namespace weftlight::session {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "loom/line.h"
+#include "loom/open_line.h"
 #include "loom/protocol.h"
 #include "platform/line.h"
 

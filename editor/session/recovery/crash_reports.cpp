@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "platform/crash_report.h"
 #include "platform/file.h"
 

@@ -71,10 +71,10 @@ Journal::~Journal() {
 }
 
 /// The newest request for a document replaces the waiting one.
-void Journal::post(uint64_t document, Task task) {
+void Journal::post(uint64_t document, WaitingWork task) {
   {
     const std::lock_guard lock(mutex_);
-    Task& waiting = waiting_[document];
+    WaitingWork& waiting = waiting_[document];
     task.then.splice(task.then.begin(), waiting.then);
     if (!task.keep && !task.forget) {
       task.keep = std::move(waiting.keep);
@@ -170,11 +170,11 @@ void Journal::work() {
 }
 
 /// Allocates nothing before the task is queued again, since the error may be a lack of memory.
-void Journal::try_again(std::map<uint64_t, Task>::node_type task, base::Error error) {
+void Journal::try_again(std::map<uint64_t, WaitingWork>::node_type task, base::Error error) {
   next_ = Clock::now() + kRetry;
   const uint64_t document = task.key();
   if (auto placed = waiting_.insert(std::move(task)); !placed.inserted) {
-    Task &newer = placed.position->second, &older = placed.node.mapped();
+    WaitingWork &newer = placed.position->second, &older = placed.node.mapped();
     newer.then.splice(newer.then.end(), older.then);
     if (!newer.keep && !newer.forget) {
       newer.keep = std::move(older.keep);
@@ -184,7 +184,7 @@ void Journal::try_again(std::map<uint64_t, Task>::node_type task, base::Error er
   caught([&] { errors_[document] = std::move(error); });
 }
 
-base::Result<void> Journal::perform(uint64_t document, const Task& task) {
+base::Result<void> Journal::perform(uint64_t document, const WaitingWork& task) {
   base::Result<void> done;
   if (task.keep) done = write(document, *task.keep);
   if (task.forget) {

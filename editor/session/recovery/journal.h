@@ -57,16 +57,16 @@ class Journal {
     size_t appended = 0, entries = 0;
     bool whole = false;  // the file is intact, so that entries can be appended
   };
-  struct Task {  // waiting work of a document
+  struct WaitingWork {  // waiting work of a document
     std::optional<State> keep;
     bool forget = false;
     std::list<LeftWork> then;  // discarded after success
   };
-  void post(uint64_t document, Task task);
+  void post(uint64_t document, WaitingWork task);
   void work();
   void flush();
-  void try_again(std::map<uint64_t, Task>::node_type task, base::Error error);
-  base::Result<void> perform(uint64_t document, const Task& task);
+  void try_again(std::map<uint64_t, WaitingWork>::node_type task, base::Error error);
+  base::Result<void> perform(uint64_t document, const WaitingWork& task);
   base::Result<void> write(uint64_t document, const State& state);
   bool settled() const;
 
@@ -75,7 +75,7 @@ class Journal {
   std::map<uint64_t, Written> written_;  // used by the writing thread only
   mutable std::mutex mutex_;
   std::condition_variable wake_, flush_, settled_;
-  std::map<uint64_t, Task> waiting_;  // by document; 0 for tasks without a document
+  std::map<uint64_t, WaitingWork> waiting_;  // by document; 0 for tasks without a document
   std::map<uint64_t, base::Error> errors_;
   std::chrono::steady_clock::time_point next_{};  // earliest time of the next write
   std::set<std::string> unflushed_;               // journals

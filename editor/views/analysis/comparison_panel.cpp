@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "session/editing/follow_document.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 

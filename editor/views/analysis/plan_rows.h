@@ -4,11 +4,14 @@
 #include <functional>
 #include <string>
 
-#include "views/analysis/plan_panel.h"
+#include "session/document/edit.h"
+#include "views/analysis/plan_state.h"
+#include "views/common/panel.h"
 
 namespace weftlight::views {
 
 using design::ClothPlan;
+using session::MaybeEdit;
 
 struct PlanPanel : PanelContext {
   const PlanState& state;

@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "session/editing/true_distance.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 
 namespace weftlight::views {
 
@@ -62,7 +62,7 @@ void drag_corner(PanelContext& c, CardPrompt& p, ImVec2 a, ImVec2 room) {
 
 }  // namespace
 
-DialogResult draw_card(PanelContext& c, CardPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, CardPrompt& p) {
   const ImVec2 room = room_of(c);
   p.px_a_mm = held(p.px_a_mm, room);
   heading(c, tr("Measure the screen"));

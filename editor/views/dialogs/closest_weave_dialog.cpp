@@ -7,9 +7,10 @@
 
 #include "analysis/difference.h"
 #include "base/text.h"
+#include "session/editing/follow_document.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 
 namespace weftlight::views {
 
@@ -42,7 +43,7 @@ void draw_places(PanelContext& c, ClosestWeavePrompt& p) {
 
 }  // namespace
 
-DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p) {
+DialogResult draw_prompt(PanelContext& c, ClosestWeavePrompt& p) {
   const ClosestWeave& n = *p.closest;
   heading(c, tr("Closest weave"));
   ImGui::PushTextWrapPos(c.style.px(kWidth));

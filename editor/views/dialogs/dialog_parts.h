@@ -4,12 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "views/dialogs/dialogs.h"
+#include "views/common/panel.h"
+#include "weaves/table.h"
 
 namespace weftlight::views {
 
 using session::MaybeEdit;
 using weaves::WeaveKind, weaves::WeaveValues;
+
+/// kOpen while the dialog is open, kDone with `button`, kCancelled by Cancel or Escape.
+enum class DialogOutcome { kOpen, kDone, kCancelled };
+struct DialogResult {
+  DialogOutcome outcome = DialogOutcome::kOpen;
+  int button = -1;
+  MaybeEdit edit{};  // of a dialog whose draft follows, also while it is open
+};
 
 void heading(PanelContext& c, const std::string& text);
 /// The id of the text field in ImGui::InputInt with steps, under its id.
@@ -29,24 +38,5 @@ DialogResult edited(MaybeEdit edit, DialogResult buttons);
 bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float width, float height);
 /// A row for each parameter of the weave. True if one changed.
 bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values);
-DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p);
-/// The edit that restores the draft as the dialog found it.
-MaybeEdit restored(const WeaveOverPrompt& p);
-DialogResult draw_sections(PanelContext& c, SectionsPrompt& p);
-MaybeEdit restored(const SectionsPrompt& p);
-DialogResult draw_join(PanelContext& c, JoinPrompt& p);
-MaybeEdit restored(const JoinPrompt& p);
-DialogResult draw_gradient(PanelContext& c, GradientPrompt& p);
-MaybeEdit restored(const GradientPrompt& p);
-DialogResult draw_closest_weave(PanelContext& c, ClosestWeavePrompt& p);
-MaybeEdit restored(const ClosestWeavePrompt& p);
-DialogResult draw_picture(PanelContext& c, PicturePrompt& p);
-DialogResult draw_versions(PanelContext& c, VersionsPrompt& p);
-DialogResult draw_yarns(PanelContext& c, YarnsPrompt& p);
-DialogResult draw_card(PanelContext& c, CardPrompt& p);
-DialogResult draw_gallery(PanelContext& c, GalleryPrompt& p);
-DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p);
-DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p);
-DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p);
 
 }  // namespace weftlight::views

@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -225,7 +224,7 @@ void draw_progress(PanelContext& c, const ExportPrompt& p, const Exporter::State
   } else if (!state.written.empty()) {
     words(written_text(state.written), c.style.color.text);
     c.map.add_item("export.written");
-  } else if (const ExportPlaces::Look* there = p.places->found(); there == nullptr) {
+  } else if (const ExportPlaces::Found* there = p.places->found(); there == nullptr) {
     if (p.wants_export) words(tr("Checking the folder\xE2\x80\xA6"), c.style.color.muted);
   } else if (there->replaced > 0) {
     words(fill(tr_n("Replaces {count} file of the last export; other files are kept.",
@@ -339,7 +338,7 @@ DialogResult press(ExportPrompt& p, int button, bool busy) {
 
 /// Exports what was asked for, once it is known what is in the folders; what is in the way is asked about first.
 void export_once_looked(ExportPrompt& p) {
-  const ExportPlaces::Look* there = p.places->found();
+  const ExportPlaces::Found* there = p.places->found();
   if (!p.wants_export || there == nullptr) return;
   p.wants_export = false;
   p.conflicts = there->in_the_way;
@@ -348,7 +347,7 @@ void export_once_looked(ExportPrompt& p) {
 
 }  // namespace
 
-DialogResult draw_export_prompt(PanelContext& c, ExportPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, ExportPrompt& p) {
   const DialogSizes room = sizes_in(c);
   const Exporter::State state = p.exporter->state();
   heading(c, tr("Export texture set"));

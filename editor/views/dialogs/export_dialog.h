@@ -13,6 +13,7 @@
 #include "session/jobs/exporter.h"
 #include "ui/pixel_texture.h"
 #include "views/common/panel.h"
+#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -52,5 +53,7 @@ struct ExportPrompt {
 
   enum Button { kExport = 0, kClose = 1, kFolder = 2 };
 };
+
+DialogResult draw_prompt(PanelContext& c, ExportPrompt& p);
 
 }  // namespace weftlight::views

@@ -1,7 +1,7 @@
 #pragma once
 // The cards of the gallery: a thumbnail with words below it, and what a click on it asks for.
 
-#include "views/dialogs/gallery.h"
+#include "views/dialogs/gallery_pictures.h"
 
 namespace weftlight::views {
 

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 
 namespace weftlight::views {
 
@@ -99,7 +99,7 @@ void draw_band(PanelContext& c, const GradientPrompt& p) {
 
 }  // namespace
 
-DialogResult draw_gradient(PanelContext& c, GradientPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, GradientPrompt& p) {
   heading(c, tr("Gradient"));
   constexpr const char* kSystems[] = {mark("Ends"), mark("Picks")};
   constexpr const char* kWays[] = {mark("Stripes"), mark("Blended")};

@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 
 namespace weftlight::views {
 
@@ -49,7 +49,7 @@ const char* explanation(JoinBy by) {
 
 }  // namespace
 
-DialogResult draw_join(PanelContext& c, JoinPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, JoinPrompt& p) {
   heading(c, tr("Join with another draft"));
   muted_text(c, fitted(p.name, c.style.px(kWidth)));
   constexpr const char* kWays[] = {mark("Ends"), mark("Picks"), mark("Layers")};

@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
 #include "weaves/families.h"
 
 namespace weftlight::views {
@@ -269,7 +268,7 @@ base::Result<PictureChoices> chosen_picture(const PicturePrompt& p) {
   return out;
 }
 
-DialogResult draw_picture(PanelContext& c, PicturePrompt& p) {
+DialogResult draw_prompt(PanelContext& c, PicturePrompt& p) {
   heading(c, tr("Weave a picture"));
   muted_text(c, fitted(p.name, 2 * box_side(c)));
   ImGui::BeginGroup();

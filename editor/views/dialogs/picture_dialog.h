@@ -11,6 +11,7 @@
 #include "session/jobs/picture_weaver.h"
 #include "ui/pixel_texture.h"
 #include "views/common/panel.h"
+#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -59,5 +60,7 @@ struct ShelfWeave {
 std::span<const ShelfWeave> picture_shelf();
 /// The choices with the weaves of the colours, or why one of them is none.
 base::Result<PictureChoices> chosen_picture(const PicturePrompt& p);
+
+DialogResult draw_prompt(PanelContext& c, PicturePrompt& p);
 
 }  // namespace weftlight::views

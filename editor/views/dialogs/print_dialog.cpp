@@ -12,7 +12,6 @@
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -200,7 +199,7 @@ void draw_format(PanelContext& c, PrintPrompt& p, float width) {
 
 }  // namespace
 
-DialogResult draw_print_prompt(PanelContext& c, PrintPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, PrintPrompt& p) {
   heading(c, tr("Print draft"));
   const PrintOptions options = chosen_options(p);
   ImGui::BeginGroup();

@@ -9,6 +9,7 @@
 #include "print/print.h"
 #include "ui/pixel_texture.h"
 #include "views/common/panel.h"
+#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -66,5 +67,7 @@ struct PrintPrompt {
 print::PrintOptions chosen_options(const PrintPrompt& p);
 /// ".pdf", ".svg" or ".png".
 const char* ending_of(print::PrintFormat format);
+
+DialogResult draw_prompt(PanelContext& c, PrintPrompt& p);
 
 }  // namespace weftlight::views

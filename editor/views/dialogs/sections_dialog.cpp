@@ -12,7 +12,7 @@
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 #include "weaves/sections.h"
 
 namespace weftlight::views {
@@ -237,7 +237,7 @@ void draw_result(PanelContext& c, const Page& page) {
 
 }  // namespace
 
-DialogResult draw_sections(PanelContext& c, SectionsPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, SectionsPrompt& p) {
   constexpr const char* kPages[] = {mark("Threading"), mark("Treadling")};
   heading(c, tr("Threads from sections"));
   int shown = p.system == System::kWarp ? 0 : 1;

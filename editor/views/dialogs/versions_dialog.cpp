@@ -14,7 +14,6 @@
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -185,7 +184,7 @@ MaybeEdit draw_name_row(PanelContext& c, VersionsPrompt& p) {
 
 }  // namespace
 
-DialogResult draw_versions(PanelContext& c, VersionsPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, VersionsPrompt& p) {
   p.chosen = std::min(p.chosen, static_cast<int>(c.design.versions.size()) - 1);
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 size = card_size(c);

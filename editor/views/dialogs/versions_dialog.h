@@ -9,6 +9,7 @@
 #include "session/jobs/cloth_pictures.h"
 #include "ui/pixel_texture.h"
 #include "views/common/panel.h"
+#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -46,5 +47,7 @@ struct VersionsPrompt {
   std::shared_ptr<const Design> now{};  // the draft of `revision`, for its picture
   uint64_t revision = 0;
 };
+
+DialogResult draw_prompt(PanelContext& c, VersionsPrompt& p);
 
 }  // namespace weftlight::views

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 
 namespace weftlight::views {
 
@@ -68,7 +68,7 @@ WeavePrompt prompt_for(int kind, ClothSize about) {
   return p;
 }
 
-DialogResult draw_weave_prompt(PanelContext& c, WeavePrompt& p) {
+DialogResult draw_prompt(PanelContext& c, WeavePrompt& p) {
   heading(c, tr("New draft"));
   if (draw_weave_list(c, p.kind, p.typed, kListWidth, kHeight)) {
     p.values = allowed_values(kind_of(p), {});

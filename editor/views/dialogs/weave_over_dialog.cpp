@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
+#include "views/dialogs/prompts.h"
 
 namespace weftlight::views {
 
@@ -38,7 +38,7 @@ MaybeEdit preview_edit(WeaveOverPrompt& p) {
 
 }  // namespace
 
-DialogResult draw_weave_over(PanelContext& c, WeaveOverPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, WeaveOverPrompt& p) {
   MaybeEdit edit;
   heading(c, p.whole ? tr("Weave over the draft") : tr("Weave over the selected threads"));
   bool changed = draw_weave_list(c, p.kind, p.typed, kListWidth, kHeight);

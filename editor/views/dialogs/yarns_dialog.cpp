@@ -17,7 +17,6 @@
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
 #include "ui/widgets.h"
-#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -416,7 +415,7 @@ void use(PanelContext& c, const LibraryYarn& yarn, int color) {
 
 }  // namespace
 
-DialogResult draw_yarns(PanelContext& c, YarnsPrompt& p) {
+DialogResult draw_prompt(PanelContext& c, YarnsPrompt& p) {
   const float room = ImGui::GetMainViewport()->WorkSize.y - c.style.px(220);
   const float height = std::clamp(room, c.style.px(160), c.style.px(430));
   const bool active = draw_head(c, p), searching = std::exchange(p.searching, active) || active;

@@ -9,6 +9,7 @@
 #include "session/library/yarn_shelf.h"
 #include "views/common/panel.h"
 #include "views/common/yarn_strip.h"
+#include "views/dialogs/dialog_parts.h"
 
 namespace weftlight::views {
 
@@ -36,5 +37,7 @@ struct YarnsPrompt {
   };
   std::shared_ptr<Strips> strips = std::make_shared<Strips>();
 };
+
+DialogResult draw_prompt(PanelContext& c, YarnsPrompt& p);
 
 }  // namespace weftlight::views

@@ -9,6 +9,7 @@
 #include "session/editing/selection_state.h"
 #include "session/editing/shapes.h"
 #include "ui/imgui_compat.h"
+#include "ui/pixel_rect.h"
 #include "views/draft/held_layout.h"
 
 namespace weftlight::views {
@@ -21,7 +22,7 @@ using session::ActiveShape, session::BarPaint, session::Cell, session::CellMask,
     session::constrained, session::fill_bar_edit, session::fill_region, session::finish_shape, session::has_ends,
     session::has_picks, session::images_of, session::is_on, session::is_shape, session::leaves_others,
     session::mirror_of, session::region_about;
-using ui::Axis, ui::Colors, ui::Style, ui::blend, ui::font_size, ui::reading_color, ui::with_alpha;
+using ui::PixelRect, ui::Axis, ui::Colors, ui::Style, ui::blend, ui::font_size, ui::reading_color, ui::with_alpha;
 
 namespace {
 
@@ -65,10 +66,6 @@ const GridPane* pane_of(const DraftLayout& l, GridId grid) {
     if (pane->id == grid) return pane;
   return nullptr;
 }
-
-struct PixelRect {
-  ImVec2 min, max;
-};
 
 /// The pixels from one cell to another, inclusive.
 PixelRect rect_between(const GridPane& p, Cell one, Cell other) {

@@ -7,6 +7,7 @@
 
 #include "session/editing/paint.h"
 #include "ui/imgui_compat.h"
+#include "ui/pixel_rect.h"
 #include "views/common/cell_image.h"
 #include "views/draft/leading_marks.h"
 
@@ -16,7 +17,7 @@ using design::Design;
 using draft::BitMatrix, draft::CellRect, draft::Draft, draft::Face, draft::Threads;
 using session::BarPaint, session::Cell, session::ClosestWeave, session::DrawdownStyle, session::GridId, session::Report,
     session::is_on;
-using ui::Colors, ui::blend, ui::font_size, ui::label_step, ui::reading_color, ui::with_alpha;
+using ui::PixelRect, ui::Colors, ui::blend, ui::font_size, ui::label_step, ui::reading_color, ui::with_alpha;
 
 namespace {
 
@@ -50,11 +51,6 @@ void draw_centered(ImDrawList* dl, ImFont* font, ImVec2 middle, ImU32 color, con
                static_cast<float>(static_cast<int>(middle.y - size.y / 2 + 0.5f))},
               color, text.c_str());
 }
-
-struct PixelRect {
-  ImVec2 min, max;
-  ImVec2 middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
-};
 
 /// Low and high pixel of the cells `first` to `end`, exclusive, in either direction of the axis.
 float low_of(const Axis& axis, int first, int end) { return std::min(axis.low(first), axis.low(end - 1)); }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "ui/pixel_rect.h"
 #include "ui/widgets.h"
 
 namespace weftlight::views {
@@ -13,19 +14,13 @@ namespace weftlight::views {
 using base::tr;
 using draft::Draft, draft::System;
 using session::DocumentView, session::DrawdownStyle;
-using ui::Axis, ui::Colors, ui::clamp_scroll, ui::hit_area, ui::with_alpha;
+using ui::PixelRect, ui::Axis, ui::Colors, ui::clamp_scroll, ui::hit_area, ui::with_alpha;
 
 namespace {
 
 // Pixels at 96 dpi.
 constexpr float kLongest = 150, kShortest = 26, kMargin = 10, kPad = 4, kMinPane = 150;
 constexpr float kMaxOfPane = 0.42f;  // at most this fraction of each side of the pane
-
-struct PixelRect {
-  ImVec2 min, max;
-  float width() const { return max.x - min.x; }
-  float height() const { return max.y - min.y; }
-};
 
 /// The rectangle of the minimap's image, in the corner opposite to end 1 and pick 1. None if the whole draft is visible
 /// or the pane is too small.

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "session/editing/selection_state.h"
+#include "ui/pixel_rect.h"
 
 namespace weftlight::views {
 
 using draft::BitGrid, draft::BitMatrix, draft::Face, draft::Selection, draft::turned_for;
 using session::ActiveBlock, session::Cell, session::grid_id_of;
-using ui::Axis, ui::blend, ui::with_alpha;
+using ui::PixelRect, ui::Axis, ui::blend, ui::with_alpha;
 
 namespace {
 
@@ -21,10 +22,6 @@ const GridPane* pane_of(const DraftLayout& l, BitGrid grid) {
     if (pane->id == grid_id_of(grid)) return pane;
   return nullptr;
 }
-
-struct PixelRect {
-  ImVec2 min, max;
-};
 
 /// The pixels of a range of cells, which may extend beyond the grid.
 PixelRect rect_of(const GridPane& p, int a0, int a1, int b0, int b1) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
+#include "ui/pixel_rect.h"
 
 namespace weftlight::views {
 
 using design::Repeat;
-using ui::font_size, ui::reading_color, ui::with_alpha;
+using ui::PixelRect, ui::font_size, ui::reading_color, ui::with_alpha;
 
 namespace {
 
@@ -26,9 +27,6 @@ void draw_part(ImDrawList* dl, ImTextureID picture, const GridPane& pane, ImVec2
 }
 
 /// The pixels of the first cells.
-struct PixelRect {
-  ImVec2 min, max;
-};
 PixelRect rect_of(const GridPane& p, int ends, int picks) {
   return {{std::min(p.x.low(0), p.x.low(ends - 1)), std::min(p.y.low(0), p.y.low(picks - 1))},
           {std::max(p.x.high(0), p.x.high(ends - 1)), std::max(p.y.high(0), p.y.high(picks - 1))}};

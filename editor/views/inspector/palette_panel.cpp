@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "session/editing/paint.h"
-#include "session/editing/palette_edits.h"
+#include "session/editing/palette_deletion.h"
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"

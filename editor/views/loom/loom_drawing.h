@@ -3,15 +3,14 @@
 
 #include <imgui.h>
 
-#include "views/loom/loom_panel.h"
+#include "session/loom/shown_step.h"
+#include "ui/pixel_rect.h"
+#include "views/common/panel.h"
 
 namespace weftlight::views {
 
-struct PixelRect {
-  ImVec2 min, max;
-  float width() const { return max.x - min.x; }
-  float height() const { return max.y - min.y; }
-};
+using session::ShownStep;
+using ui::PixelRect;
 
 void draw_text(ImFont* font, float size, ImVec2 at, ImU32 color, const std::string& text);
 float width_of(ImFont* font, float size, const std::string& text);

@@ -15,6 +15,7 @@
 #include "design/versions.h"
 #include "draft/block_text.h"
 #include "draft/factor.h"
+#include "session/editing/follow_document.h"
 #include "session/editing/selection_state.h"
 
 namespace weftlight::actions {

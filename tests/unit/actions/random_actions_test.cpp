@@ -9,6 +9,7 @@
 
 #include "bare_editor.h"
 #include "design/edits.h"
+#include "session/editing/follow_document.h"
 #include "session/editing/paint.h"
 #include "session/editing/selection_state.h"
 #include "session/editing/shapes.h"

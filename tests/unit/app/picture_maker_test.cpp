@@ -10,13 +10,12 @@
 #include "../straight_draft.h"
 #include "app/drawn_picture.h"
 #include "base/caught.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 
 namespace weftlight::app {
 
 using base::problem_of;
 using design::Design;
-using gl::HeadlessContext;
 using session::Compare;
 
 namespace {
@@ -47,7 +46,7 @@ double apart(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
 }
 
 TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
-  const auto context = HeadlessContext::create();
+  const auto context = gl::open_headless();
   if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   Design design = straight_draft(8);
   design.scene.mesh = "plane";
@@ -74,7 +73,7 @@ TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
 }
 
 TEST(PictureMakerTest, WhereverMemoryEndsTheNextPictureIsWhole) {
-  const auto context = HeadlessContext::create();
+  const auto context = gl::open_headless();
   if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   gl::Pipeline pipeline;
   PictureMaker maker(pipeline, 1);

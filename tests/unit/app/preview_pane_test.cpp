@@ -15,9 +15,11 @@
 #include <stdexcept>
 #include <thread>
 
+#include "../comes_true.h"
 #include "../scarce_memory.h"
 #include "../straight_draft.h"
 #include "../variable.h"
+#include "gl/open_headless.h"
 
 namespace weftlight::app {
 
@@ -25,16 +27,9 @@ using design::Design;
 
 namespace {
 
-template <class Holds>
-bool comes_true(const Holds& holds) {
-  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-    if (holds()) return true;
-  return false;
-}
-
 bool asks_for_window() {
   bool asked = false;
-  gl::HeadlessContext::create([&asked] {
+  gl::open_headless([&asked] {
     asked = true;
     return base::failure(base::ErrorKind::kGraphics, "not now");
   });

@@ -12,8 +12,9 @@
 #include <thread>
 #include <vector>
 
+#include "../comes_true.h"
 #include "../straight_draft.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 
 namespace weftlight::app {
 
@@ -22,11 +23,10 @@ namespace {
 /// Gives turns until it holds; false if it never does.
 template <class Holds>
 bool comes_true(PreviewSlices& pane, const Holds& holds) {
-  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
+  return weftlight::comes_true([&] {
     pane.poll();
-    if (holds(pane.picture())) return true;
-  }
-  return false;
+    return holds(pane.picture());
+  });
 }
 
 size_t colors(unsigned texture, int width, int height) {
@@ -37,7 +37,7 @@ size_t colors(unsigned texture, int width, int height) {
 }
 
 TEST(PreviewSlicesTest, DrawsInTheContextThatIsThere) {
-  const auto context = gl::HeadlessContext::create();
+  const auto context = gl::open_headless();
   if (!context) GTEST_SKIP() << "no graphics: " << context.error().text;
   PreviewSlices pane([] {});
   EXPECT_FALSE(pane.poll()) << "nothing was submitted";
@@ -70,7 +70,7 @@ struct Driver {
 class LostContextOfSlices : public ::testing::Test {
  protected:
   void SetUp() override {
-    context_ = gl::HeadlessContext::create();
+    context_ = gl::open_headless();
     if (!context_) GTEST_SKIP() << "no graphics: " << context_.error().text;
     PictureRequest request;
     request.width = 96, request.height = 64;

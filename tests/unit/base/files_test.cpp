@@ -1,7 +1,5 @@
 // Files are written atomically: completely or not at all.
 
-#include "base/files.h"
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +11,7 @@
 
 #include "../scratch_fixture.h"
 #include "base/user_folders.h"
+#include "base/whole_files.h"
 
 namespace weftlight::base {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/folders.h"
 
 namespace weftlight::base {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cloth/centre_line.h"
+#include "cloth/layers.h"
 #include "cloth/maps.h"
 #include "cloth/thread_scene.h"
 #include "drafts.h"

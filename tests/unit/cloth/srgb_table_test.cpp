@@ -6,9 +6,13 @@
 
 #include <cmath>
 
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 
 namespace weftlight::cloth {
+
+using design::srgb_decoded;
+using design::srgb_encoded;
+
 namespace {
 
 TEST(SrgbTable, every_byte_comes_back) {

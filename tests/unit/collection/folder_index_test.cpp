@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "../scratch_fixture.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "design/design.h"
 #include "wif/wif.h"
 

@@ -11,14 +11,14 @@
 #include <iterator>
 #include <set>
 
+#include "chart/chart_rows.h"
 #include "chart/counter.h"
 #include "chart/drapes.h"
 #include "chart/error.h"
 #include "chart/flip.h"
-#include "chart/rows.h"
 #include "chart/scene.h"
 #include "commands/commands.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::commands {
@@ -33,7 +33,6 @@ using chart::ChartLight, chart::ChartRow, chart::ChartScene, chart::ChartSelecti
     chart::pixel_steps, chart::read_chart, chart::relative_rmse;
 using design::Design, design::Method;
 using draft::Rgb;
-using gl::HeadlessContext;
 using light::LodPoint, light::LodTable, light::choose, light::expected_cost, light::expected_error,
     light::read_lod_table;
 using weaves::plain;
@@ -183,8 +182,7 @@ TEST(draw_counter, is_empty_if_drawing_fails) {
 class ChartRun : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (const auto context = HeadlessContext::create(); !context)
-      GTEST_SKIP() << "no graphics: " << problem_of(context);
+    if (const auto context = gl::open_headless(); !context) GTEST_SKIP() << "no graphics: " << problem_of(context);
     dir_ = fs::path(::testing::TempDir()) / ("weftlight-chart-" + std::to_string(::getpid()));
   }
   void TearDown() override {

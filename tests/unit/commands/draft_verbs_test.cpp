@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/json.h"
+#include "commands/open_design.h"
 #include "files/design_drape.h"
 #include "files/files.h"
 #include "scratch_folder.h"

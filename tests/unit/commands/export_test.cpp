@@ -8,8 +8,8 @@
 #include <csignal>
 #include <thread>
 
-#include "base/files.h"
 #include "base/json.h"
+#include "base/whole_files.h"
 #include "scratch_folder.h"
 
 namespace weftlight::commands {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "base/files.h"
 #include "base/resources.h"
+#include "base/whole_files.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "reference/fibre_scene.h"

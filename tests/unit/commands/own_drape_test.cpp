@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "commands/open_design.h"
 #include "files/design_drape.h"
 #include "scratch_folder.h"
 

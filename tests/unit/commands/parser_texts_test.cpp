@@ -70,6 +70,8 @@ TEST(ParserTexts, help_shows_options_as_they_are_typed) {
         "\n  --paper a4|a3|a5|letter|legal\n                              Paper size; default: a4\n",
         "\n  --scale 0.5..20             Side of a grid cell in mm"})
     EXPECT_NE(help.find(line), std::string::npos) << line << help;
+  const std::string join = run({"join", "--help"}).out;
+  EXPECT_NE(join.find("\n  --picks A:B "), std::string::npos) << join;
   for (const char* verb : names_of_verbs()) {
     std::istringstream lines(run({verb, "--help"}).out);
     for (std::string line; std::getline(lines, line);) {

@@ -1,12 +1,11 @@
 // Progress of slow commands, on a terminal and for programs, and what --help says.
 
-#include "commands/progress.h"
-
 #include <CLI/CLI.hpp>
 #include <sstream>
 
 #include "base/json.h"
 #include "commands/option_checks.h"
+#include "commands/progress_line.h"
 #include "commands/verbs.h"
 #include "scratch_folder.h"
 

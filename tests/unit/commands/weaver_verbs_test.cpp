@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/json.h"
+#include "commands/open_design.h"
 #include "files/files.h"
 #include "scratch_folder.h"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "../scratch_fixture.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "design/edits.h"
 #include "drape/stiffness.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "../scratch.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "files/files.h"
 
 namespace weftlight::files {

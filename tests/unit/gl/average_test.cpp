@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "gl/context.h"
+#include "gl/open_headless.h"
 
 namespace weftlight::gl {
 
@@ -55,7 +55,7 @@ struct Picture {
 
 // Once the cloth went dark in the window when its picture was refined close up.
 TEST(Average, OfEqualPicturesIsThatPictureWhateverItsMemoryHeldBefore) {
-  const auto context = HeadlessContext::create();
+  const auto context = open_headless();
   if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   Average average;
   ASSERT_EQ(problem_of(average.build()), "");

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "../variable.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 
 namespace weftlight::gl {
 namespace {
@@ -21,20 +21,19 @@ std::string said(const HeadlessContext::Opened& opened) {
 
 TEST(Offscreen, IsTurnedOffByItsVariable) {
   const Variable way("WEFTLIGHT_OFFSCREEN", "none");
-  const auto context = HeadlessContext::create();
+  const auto context = open_headless();
   EXPECT_EQ(said(context), "drawing is turned off (WEFTLIGHT_OFFSCREEN is none)");
   EXPECT_EQ(context.error().kind, base::ErrorKind::kGraphics);
 }
 
 TEST(Offscreen, SaysWhatItsVariableTakes) {
   const Variable way("WEFTLIGHT_OFFSCREEN", "glx");
-  EXPECT_EQ(said(HeadlessContext::create()),
-            "WEFTLIGHT_OFFSCREEN is 'glx': write egl, window or none, or leave it unset");
+  EXPECT_EQ(said(open_headless()), "WEFTLIGHT_OFFSCREEN is 'glx': write egl, window or none, or leave it unset");
 }
 
 TEST(Offscreen, ByAWindowNeedsADisplay) {
   const Variable way("WEFTLIGHT_OFFSCREEN", "window"), x11("DISPLAY", ""), wayland("WAYLAND_DISPLAY", "");
-  const auto context = HeadlessContext::create();
+  const auto context = open_headless();
   if (context) GTEST_SKIP() << "windows need no variable here";
   EXPECT_EQ(context.error().kind, base::ErrorKind::kGraphics);
   EXPECT_NE(problem_of(context).find("draw where there is a display"), std::string::npos) << problem_of(context);
@@ -42,7 +41,7 @@ TEST(Offscreen, ByAWindowNeedsADisplay) {
 
 TEST(Offscreen, AsksForAWindowOnlyWithoutEgl) {
   bool asked = false;
-  const auto context = HeadlessContext::create([&asked] {
+  const auto context = open_headless([&asked] {
     asked = true;
     return no_window();
   });
@@ -52,12 +51,12 @@ TEST(Offscreen, AsksForAWindowOnlyWithoutEgl) {
         << problem_of(context);
   }
   const Variable way("WEFTLIGHT_OFFSCREEN", "window");
-  EXPECT_EQ(said(HeadlessContext::create(no_window)),
+  EXPECT_EQ(said(open_headless(no_window)),
             "no hidden window can be opened (the screen is dark): draw where there is a display");
 }
 
 TEST(Offscreen, MovesToAnotherThreadAndBack) {
-  const auto context = HeadlessContext::create();
+  const auto context = open_headless();
   if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
   const auto version = [] {
     GLint major = 0;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../render_data/designs.h"
-#include "gl/context.h"
+#include "gl/open_headless.h"
 #include "gl/pipeline.h"
 #include "gl/renderer.h"
 #include "render_data/stages.h"
@@ -43,7 +43,7 @@ class PictureTest : public testing::Test {
   static constexpr int kSide = 64;  // pixels
 
   static void SetUpTestSuite() {
-    auto opened = HeadlessContext::create();
+    auto opened = open_headless();
     error = problem_of(opened);
     if (!opened) return;
     context = std::move(*opened);

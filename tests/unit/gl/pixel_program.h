@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gl/context.h"
 #include "gl/gl_objects.h"
+#include "gl/open_headless.h"
 #include "gl/shader_program.h"
 #include "light/formulas.h"
 #include "shaders/interop.h"
@@ -104,7 +104,7 @@ std::vector<glm::vec4> run_pixels(const GlProgram& program, const std::vector<Ca
 class PixelTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    auto opened = HeadlessContext::create();
+    auto opened = open_headless();
     if (!opened) GTEST_SKIP() << "no graphics: " << problem_of(opened);
     context_ = std::move(*opened);
   }

@@ -11,7 +11,7 @@
 #include "../loom_port.h"
 #include "../loom_terminal.h"
 #include "../scratch.h"
-#include "loom/line.h"
+#include "loom/open_line.h"
 #include "loom/weaving.h"
 
 namespace weftlight::loom {

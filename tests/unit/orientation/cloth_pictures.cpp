@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "commands/picture_setup.h"
+#include "gl/open_headless.h"
 #include "scene/camera.h"
 #include "scene/named_views.h"
 
@@ -15,7 +16,7 @@ using design::Method, design::Scene, design::method_name;
 using draft::Face;
 using drape::Mesh;
 using files::Image;
-using gl::Frame, gl::HeadlessContext;
+using gl::Frame;
 using scene::Camera, scene::bounds_of, scene::drawn_scene, scene::place_camera, scene::view_named;
 
 namespace {
@@ -61,7 +62,7 @@ Seen on_plane(std::string name, Image image, const Scene& scene, float yarns_per
 }  // namespace
 
 std::vector<Seen> rendered_cloths(const Workplace& at, std::string& skipped) {
-  if (const auto context = HeadlessContext::create(); !context) {
+  if (const auto context = gl::open_headless(); !context) {
     skipped = "no graphics: " + problem_of(context);
     return {};
   }
@@ -101,7 +102,7 @@ std::vector<Seen> rendered_cloths(const Workplace& at, std::string& skipped) {
 }
 
 std::vector<Seen> traced_cloths(const Workplace& at, std::string& skipped) {
-  if (const auto context = HeadlessContext::create(); !context) {
+  if (const auto context = gl::open_headless(); !context) {
     skipped = "no graphics: " + problem_of(context);
     return {};
   }

@@ -4,7 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "command.h"
 #include "session/jobs/thumbnail.h"
 #include "views/common/cell_image.h"

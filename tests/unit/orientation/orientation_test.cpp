@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "makers.h"
 #include "wif/wif.h"
 

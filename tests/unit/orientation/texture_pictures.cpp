@@ -4,8 +4,8 @@
 #include <cstring>
 #include <regex>
 
-#include "base/files.h"
 #include "base/json.h"
+#include "base/whole_files.h"
 #include "command.h"
 #include "texture_set/contact_sheet.h"
 #include "texture_set/material_files.h"

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "../scratch.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/posix/dialog_program.h"
 
 namespace weftlight::platform {

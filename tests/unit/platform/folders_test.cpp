@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 
 namespace weftlight::platform {
 namespace {

@@ -1,10 +1,10 @@
 // Fonts that are installed are found by name.
 
-#include "platform/fonts.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
+
+#include "platform/installed_fonts.h"
 
 namespace weftlight::platform {
 namespace {

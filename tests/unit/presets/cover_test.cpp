@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "cloth/maps.h"
 #include "cloth/thickness.h"
 #include "paths.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "../scratch.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "design/edits.h"
 
 namespace weftlight::render_data {

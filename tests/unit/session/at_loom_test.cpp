@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "../comes_true.h"
 #include "../hanging_lookup.h"
 #include "../loom_port.h"
 #include "../loom_terminal.h"
@@ -190,11 +191,6 @@ std::string read_line(int fd) {
   std::string line;
   for (char c; ::read(fd, &c, 1) == 1 && c != '\n';) line += c;
   return line;
-}
-
-bool comes_true(const std::function<bool()>& holds) {
-  for (int i = 0; i < 3000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return holds();
 }
 
 /// The window's part: greets, hears, answers.

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <latch>
 
+#include "../comes_true.h"
 #include "../scratch_fixture.h"
 
 namespace weftlight::session {
@@ -13,17 +14,7 @@ using base::read_file, base::write_file_atomically;
 
 namespace {
 
-class BackgroundWriterTest : public ScratchTest {
- protected:
-  template <class Holds>
-  static bool comes_true(Holds holds) {
-    for (int i = 0; i < 500; ++i) {
-      if (holds()) return true;
-      usleep(10'000);
-    }
-    return false;
-  }
-};
+class BackgroundWriterTest : public ScratchTest {};
 
 TEST_F(BackgroundWriterTest, RetriesUntilTheFolderExists) {
   BackgroundWriter writer;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "../comes_true.h"
 #include "../scratch_fixture.h"
 #include "design/edits.h"
 #include "files/design_drape.h"
@@ -39,12 +40,6 @@ class DraperTest : public ScratchTest {
     const std::string path = files::kept_drape_path(d);
     fs::create_directories(fs::path(path).parent_path());
     fs::copy_file(fs::path(presets_dir()) / "meshes" / mesh, path, fs::copy_options::overwrite_existing);
-  }
-  template <class Holds>
-  static bool comes_true(const Holds& holds) {
-    for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(10)))
-      if (holds()) return true;
-    return false;
   }
   static void follow_till_it_falls(Draper& draper, const std::shared_ptr<const Design>& design) {
     draper.follow(design);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "../comes_true.h"
 #include "../scratch.h"
 #include "session/jobs/export_plan.h"
 #include "session/jobs/export_preview.h"
@@ -33,13 +34,6 @@ ExportPlan plan_into(const std::string& folder, std::vector<const ExportTarget*>
   ExportPlan plan;
   plan.folder = folder, plan.targets = std::move(targets), plan.size = size;
   return plan;
-}
-
-template <class Holds>
-bool comes_true(const Holds& holds) {
-  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-    if (holds()) return true;
-  return false;
 }
 
 TEST(ExportPlanTest, EachTargetHasItsOwnFolder) {

@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "../scratch_fixture.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "wif/wif.h"
 
 namespace weftlight::session {

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "../scratch_fixture.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "design/edits.h"
 #include "paths.h"
 #include "session/files/user_files.h"

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "../comes_true.h"
 #include "../scarce_memory.h"
 #include "../scratch_fixture.h"
 #include "../variable.h"
@@ -43,12 +44,6 @@ namespace weftlight::session {
 namespace {
 
 constexpr int kMax = 500;  // calls of operator new
-
-bool comes_true(const std::function<bool()>& holds) {
-  for (int i = 0; i < 30'000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(1)))
-    if (holds()) return true;
-  return false;
-}
 
 /// Numbers from 1 to kMax, denser at the start, where a job is set up.
 std::vector<int> numbers() {

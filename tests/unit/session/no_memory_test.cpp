@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "../comes_true.h"
 #include "../scarce_memory.h"
 #include "../scratch_fixture.h"
 #include "draft/drawdown.h"
@@ -42,13 +43,6 @@ class NoMemory : public ScratchTest {
  protected:
   const std::shared_ptr<const Design> design_ = std::make_shared<const Design>(twill({2, 2}, Lean::kRight, {8, 8}));
 };
-
-template <class Holds>
-bool comes_true(const Holds& holds) {
-  for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-    if (holds()) return true;
-  return false;
-}
 
 bool tells_of_memory(const std::string& said) { return said.find("not enough memory") != std::string::npos; }
 

@@ -1,8 +1,8 @@
 // Deleting colours and yarns of the draft in the window's words; the active ones keep their place by what they are.
 
-#include "session/editing/palette_edits.h"
-
 #include <gtest/gtest.h>
+
+#include "session/editing/palette_deletion.h"
 
 namespace weftlight::session {
 

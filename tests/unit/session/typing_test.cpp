@@ -4,6 +4,7 @@
 
 #include "../hand_drafts.h"
 #include "session/document/document.h"
+#include "session/editing/follow_document.h"
 
 namespace weftlight::session {
 

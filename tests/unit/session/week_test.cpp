@@ -14,6 +14,7 @@
 #include <random>
 #include <thread>
 
+#include "../comes_true.h"
 #include "../loom_port.h"
 #include "../scratch_fixture.h"
 #include "base/loops.h"
@@ -70,13 +71,6 @@ Held held() {
 double long_run_s() {
   const char* wanted = std::getenv("WEFTLIGHT_WEEK");
   return wanted != nullptr ? std::atof(wanted) : 0;
-}
-
-template <class Holds>
-bool comes_true(const Holds& holds) {
-  for (int i = 0; i < 12000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-    if (holds()) return true;
-  return false;
 }
 
 Design plain(int threads) {

@@ -10,13 +10,13 @@
 
 #include "../files/sheet.h"
 #include "../scratch.h"
-#include "cloth/srgb.h"
+#include "design/srgb.h"
 #include "sample_set.h"
 
 namespace weftlight::texture_set {
 
 using base::problem_of;
-using cloth::srgb_decoded;
+using design::srgb_decoded;
 using drape::sheet;
 using files::read_image;
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "paths.h"
 #include "texture_set/targets.h"
 #include "texture_set/texture_set.h"

@@ -10,7 +10,7 @@
 
 #include "../files/sheet.h"
 #include "../scratch.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "paths.h"
 #include "sample_set.h"
 #include "texture_set/material_files.h"

@@ -7,7 +7,7 @@
 
 #include "../files/sheet.h"
 #include "../scratch.h"
-#include "base/files.h"
+#include "base/whole_files.h"
 #include "sample_set.h"
 
 namespace weftlight::texture_set {

@@ -14,7 +14,7 @@
 #include "../../unit/scratch.h"
 #include "platform/catalogue.h"
 #include "platform/clock.h"
-#include "platform/environment.h"
+#include "platform/environment_variables.h"
 #include "platform/folders.h"
 #include "platform/language.h"
 #include "platform/line.h"

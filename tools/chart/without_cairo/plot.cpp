@@ -11,6 +11,6 @@ base::Result<void> write_figure(const Figure& /*figure*/, const std::string& bas
                        base + ".svg");
 }
 
-void fit_log(Axis& /*axis*/, const std::vector<double>& /*values*/) {}
+void fit_log(PlotAxis& /*axis*/, const std::vector<double>& /*values*/) {}
 
 }  // namespace weftlight::chart::plot

@@ -1,0 +1,224 @@
+#include "weaves/notation.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "base/text.h"
+
+namespace weftlight::weaves {
+
+using base::arg, base::fill, base::tr;
+using draft::Rgb, draft::kMaxShafts, draft::kMaxThreads;
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+// The number at `at`, at most kMaxThreads; -1 if there is none.
+int number_at(std::string_view text, size_t& at) {
+  if (at >= text.size() || !is_digit(text[at])) return -1;
+  int value = 0;
+  while (at < text.size() && is_digit(text[at])) value = std::min(value * 10 + (text[at++] - '0'), kMaxThreads);
+  return value;
+}
+
+void skip_blanks(std::string_view text, size_t& at) {
+  while (at < text.size() && (text[at] == ' ' || text[at] == ',' || text[at] == '\t' || text[at] == '\n')) ++at;
+}
+
+constexpr int kMaxDepth = 32;  // of nested brackets
+
+struct SequenceReader {
+  std::string_view text;
+  int most;
+  size_t at = 0;
+  std::string note;
+
+  void fail(const std::string& what) {
+    if (note.empty()) note = fill(tr("{problem} at character {at}"), arg("problem", what), arg("at", at + 1));
+    at = text.size();
+  }
+  void append(std::vector<int>& to, const std::vector<int>& part, int times) {
+    for (int i = 0; i < times; ++i) {
+      if (to.size() + part.size() > static_cast<size_t>(kMaxThreads)) return fail(tr("too many threads"));
+      to.insert(to.end(), part.begin(), part.end());
+    }
+  }
+  void run(std::vector<int>& to, int from, int last) {
+    if (from < 1 || last < 1 || from > most || last > most)
+      return fail(fill(tr("a number outside 1 to {most}"), arg("most", most)));
+    const int step = from <= last ? 1 : -1;
+    std::vector<int> threads;
+    for (int i = from; i != last + step; i += step) threads.push_back(i - 1);
+    append(to, threads, 1);
+  }
+  // Until a closing bracket or the end.
+  std::vector<int> parts(int depth) {
+    std::vector<int> out;
+    for (;;) {
+      skip_blanks(text, at);
+      if (at >= text.size() || text[at] == ')') return out;
+      int times = 1;
+      const size_t begin = at;
+      const int first = number_at(text, at);
+      if (first >= 0) {
+        skip_blanks(text, at);
+        const bool sign = at < text.size() && (text[at] == 'x' || text[at] == '*');
+        if (sign) ++at, skip_blanks(text, at);
+        if (at < text.size() && text[at] == '(') {
+          times = first;
+        } else if (sign) {
+          fail(tr("a repeat count without a bracket after it"));
+          return out;
+        } else {
+          int last = first;
+          if (at < text.size() && text[at] == '-') {
+            ++at;
+            skip_blanks(text, at);
+            last = number_at(text, at);
+          }
+          run(out, first, last);
+          continue;
+        }
+      }
+      if (at >= text.size() || text[at] != '(' || depth >= kMaxDepth) {
+        at = begin;
+        fail(depth >= kMaxDepth ? tr("brackets nested too deeply") : tr("neither a number nor a bracket"));
+        return out;
+      }
+      ++at;
+      const std::vector<int> inside = parts(depth + 1);
+      if (at >= text.size()) {
+        if (note.empty()) note = tr("a bracket is not closed");
+        return out;
+      }
+      ++at;
+      append(out, inside, times);
+    }
+  }
+};
+
+struct NamedColor {
+  std::string_view code;
+  Rgb rgb;
+};
+
+constexpr Rgb bytes(int r, int g, int b) {
+  return {static_cast<float>(r) / 255, static_cast<float>(g) / 255, static_cast<float>(b) / 255};
+}
+
+// Letters of the tartan registers; a prefix L or D means light or dark. The shades are our choice.
+constexpr std::array kTartanColors = {
+    NamedColor{"K", bytes(24, 24, 26)},    NamedColor{"R", bytes(190, 30, 38)},  NamedColor{"B", bytes(38, 58, 120)},
+    NamedColor{"G", bytes(22, 88, 52)},    NamedColor{"Y", bytes(228, 184, 40)}, NamedColor{"W", bytes(240, 238, 230)},
+    NamedColor{"N", bytes(132, 132, 130)}, NamedColor{"T", bytes(98, 66, 42)},   NamedColor{"A", bytes(96, 148, 196)},
+    NamedColor{"P", bytes(96, 46, 110)},   NamedColor{"O", bytes(220, 112, 36)}, NamedColor{"C", bytes(150, 26, 60)},
+    NamedColor{"M", bytes(112, 24, 46)},   NamedColor{"S", bytes(206, 52, 40)},
+};
+
+Rgb mixed(Rgb a, Rgb b, float weight) {
+  return {a.r + (b.r - a.r) * weight, a.g + (b.g - a.g) * weight, a.b + (b.b - a.b) * weight};
+}
+
+std::optional<Rgb> tartan_color(std::string_view code) {
+  for (const NamedColor& c : kTartanColors)
+    if (c.code == code) return c.rgb;
+  if (code.size() != 2 || (code[0] != 'L' && code[0] != 'D')) return {};
+  const std::optional<Rgb> plain = tartan_color(code.substr(1));
+  if (!plain) return {};
+  return code[0] == 'L' ? mixed(*plain, {1, 1, 1}, 0.35f) : mixed(*plain, {0, 0, 0}, 0.4f);
+}
+
+// "#rrggbb" at `at`.
+std::optional<Rgb> hex_color(std::string_view text, size_t& at) {
+  if (at + 7 > text.size() || text[at] != '#') return {};
+  int value = 0;
+  for (size_t i = at + 1; i < at + 7; ++i) {
+    const char c = upper(text[i]);
+    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    if (digit < 0) return {};
+    value = value * 16 + digit;
+  }
+  at += 7;
+  return bytes(value >> 16, (value >> 8) & 255, value & 255);
+}
+
+int palette_index(std::vector<Rgb>& palette, Rgb color) {
+  const auto found = std::ranges::find(palette, color);
+  if (found != palette.end()) return static_cast<int>(found - palette.begin());
+  palette.push_back(color);
+  return static_cast<int>(palette.size()) - 1;
+}
+
+}  // namespace
+
+OverUnder read_ratio(std::string_view text) {
+  constexpr std::string_view kBetween = " /,-:";
+  OverUnder order;
+  int sum = 0;
+  for (size_t at = 0; at < text.size();) {
+    const int n = number_at(text, at);
+    if (n == 0 || sum + n > kMaxShafts) return {};
+    if (n < 0 && kBetween.find(text[at++]) == kBetween.npos) return {};
+    if (n < 0) continue;
+    order.push_back(n);
+    sum += n;
+  }
+  if (order.size() == 1 && 2 * sum <= kMaxShafts) order.push_back(order[0]);
+  return order.size() % 2 == 1 ? OverUnder{} : order;
+}
+
+std::vector<int> read_profile(std::string_view text) {
+  std::vector<int> blocks;
+  for (size_t at = 0; at < text.size();) {
+    const char c = upper(text[at++]);
+    if (c < 'A' || c > 'Z') continue;
+    const int n = number_at(text, at);
+    const size_t room = static_cast<size_t>(kMaxThreads) - blocks.size();
+    blocks.insert(blocks.end(), std::min(room, static_cast<size_t>(n < 0 ? 1 : n)), c - 'A');
+  }
+  return blocks;
+}
+
+Noted<std::vector<int>> read_sequence(std::string_view text, int most) {
+  SequenceReader reader{text, most, 0, {}};
+  std::vector<int> threads = reader.parts(0);
+  if (reader.note.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"));
+  return {std::move(threads), std::move(reader.note)};
+}
+
+Noted<Sett> read_sett(std::string_view text) {
+  Noted<Sett> read;
+  Sett& out = read.value;
+  bool pivots = false;
+  for (size_t at = 0; at < text.size();) {
+    skip_blanks(text, at);
+    if (at >= text.size()) break;
+    const size_t begin = at;
+    std::optional<Rgb> color = hex_color(text, at);
+    if (!color) {
+      std::string code;
+      while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at]))) code += upper(text[at++]);
+      color = tartan_color(code);
+    }
+    skip_blanks(text, at);
+    if (at < text.size() && text[at] == '/') {
+      pivots = true;
+      ++at;
+    }
+    const int threads = number_at(text, at);
+    if (!color || threads < 0) {
+      read.note = fill(tr("'{text}' is not a colour with a number of threads"), arg("text", text.substr(begin, 12)));
+      break;
+    }
+    out.stripes.push_back({palette_index(out.palette, *color), threads});
+  }
+  if (pivots)
+    for (int i = static_cast<int>(out.stripes.size()) - 2; i > 0; --i)
+      out.stripes.push_back(Stripe(out.stripes[static_cast<size_t>(i)]));
+  return read;
+}
+
+}  // namespace weftlight::weaves

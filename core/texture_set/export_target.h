@@ -13,7 +13,7 @@
 
 namespace weftlight::texture_set {
 
-using files::MipContainer;
+using files::MipFormat;
 using light::EngineModel;
 
 struct SetFacts;
@@ -56,7 +56,7 @@ struct ExportTarget {
 
   Alpha open = Alpha::kBlend;  // best mode for cloth with gaps
   // The container of colours with mipmaps, if the engine would average encoded colours and its material names ours.
-  std::optional<MipContainer> color_mips{};
+  std::optional<MipFormat> color_mips{};
   bool names_dds = false;    // the materials name .dds images, which have mipmaps, where the set has them
   bool keeps_masks = false;  // mipmaps keep the coverage of a mask, or there are none
 

@@ -13,7 +13,7 @@ using base::content_hash;
 using cloth::Cloth, cloth::ThreadBody;
 using design::Lobes;
 using drape::Vec2, drape::compute_frames;
-using files::MeshUv, files::MipContainer, files::extension_of, files::write_mesh;
+using files::MeshUv, files::MipFormat, files::extension_of, files::write_mesh;
 
 namespace {
 
@@ -59,13 +59,13 @@ std::string image_named(const SetFacts& set, const std::string& suffix, Face fac
 }
 
 bool has_dds(const SetFacts& set, const ImageRow& row, Face face) {
-  return set.target.names_dds && set.mips.container == MipContainer::kDds && has_mips(row, set.mips) &&
+  return set.target.names_dds && set.mips.format && is_dds(*set.mips.format) && has_mips(row, set.mips) &&
          !set.constants.contains(image_file(set.target, row, set.name, face));
 }
 
 std::string dds_file(const ExportTarget& target, const ImageRow& row, const std::string& name, Face face) {
   const std::string file = image_file(target, row, name, face);
-  return file.substr(0, file.size() - std::string_view(row.extension).size()) + extension_of(MipContainer::kDds);
+  return file.substr(0, file.size() - std::string_view(row.extension).size()) + extension_of(MipFormat::kDds);
 }
 
 std::string mipped_image_named(const SetFacts& set, const std::string& suffix, Face face) {

@@ -10,7 +10,7 @@
 namespace weftlight::texture_set {
 
 using base::Result;
-using files::MipContainer, files::PixelType, files::extension_of;
+using files::MipFormat, files::PixelType, files::extension_of;
 
 namespace {
 
@@ -46,30 +46,30 @@ std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size) {
   }
 }
 
-MipChoice mips_for(const ExportTarget& target, std::optional<MipContainer> requested) {
+MipChoice mips_for(const ExportTarget& target, std::optional<MipFormat> requested) {
   if (requested) return {requested, false};
   return {target.color_mips, true};
 }
 
 bool has_mips(const ImageRow& row, const MipChoice& choice) {
-  // No container has two channels.
-  return choice.container && row.type == PixelType::kU8 && channels_of(row) != 2 && (row.srgb || !choice.colors_only);
+  return choice.format && row.type == PixelType::kU8 && holds(*choice.format, channels_of(row)) &&
+         (row.srgb || !choice.colors_only);
 }
 
 MipImages::MipImages(std::span<const ImageRow> rows, const FaceSource& source, const MipChoice& choice, bool cut_out)
     : source_(source), choice_(choice), all_rows_(rows), cascade_(source.size()) {
-  if (choice.container && cut_out) scales_ = mask_scales(source.small(), source.size());
+  if (choice.format && cut_out) scales_ = mask_scales(source.small(), source.size());
 }
 
 Result<void> MipImages::open(const std::vector<std::string>& stems) {
-  if (!choice_.container) return {};
+  if (!choice_.format) return {};
   const TextureSize size = source_.size();
   for (size_t i = 0; i < all_rows_.size(); ++i) {
     names_.emplace_back();
     const ImageRow& row = all_rows_[i];
     if (!has_mips(row, choice_)) continue;
-    const std::string path = stems[i] + extension_of(*choice_.container);
-    auto file = MipFile::open(path, *choice_.container, size.width, size.height, channels_of(row), row.srgb);
+    const std::string path = stems[i] + extension_of(*choice_.format);
+    auto file = MipFile::open(path, *choice_.format, size.width, size.height, channels_of(row), row.srgb);
     if (!file) return base::failed(file);
     files_.push_back(std::move(*file));
     rows_.push_back(row), names_.back() = std::filesystem::path(path).filename().string();

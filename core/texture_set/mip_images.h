@@ -1,6 +1,7 @@
 #pragma once
-// The images of a face with prefiltered mipmaps, in KTX2 or DDS. The variance of the normals that a level loses goes
-// into its roughness, colours are averaged in linear light and by coverage, and a mask keeps its coverage.
+// The images of a face with prefiltered mipmaps, in KTX2 or DDS, compressed or not. The variance of the normals that a
+// level loses goes into its roughness, colours are averaged in linear light and by coverage, and a mask keeps its
+// coverage.
 
 #include <memory>
 #include <optional>
@@ -16,19 +17,19 @@
 
 namespace weftlight::texture_set {
 
-using files::Image, files::MipContainer, files::MipFile;
+using files::Image, files::MipFormat, files::MipFile;
 
 /// Factors on the coverage of each level, from the finest of `size` on, so that the same fraction of texels as in the
 /// finest is above one half. Levels finer than `small` have factor 1.
 std::vector<float> mask_scales(const SurfaceTexels& small, TextureSize size);
 
-/// Which images have files with mipmaps: none without a container.
+/// Which images have files with mipmaps: none without a format.
 struct MipChoice {
-  std::optional<MipContainer> container{};
+  std::optional<MipFormat> format{};
   bool colors_only = false;  // of sRGB images alone
 };
-/// The requested container for all images, or what the target needs.
-MipChoice mips_for(const ExportTarget& target, std::optional<MipContainer> requested);
+/// The requested format for all images, or what the target needs.
+MipChoice mips_for(const ExportTarget& target, std::optional<MipFormat> requested);
 bool has_mips(const ImageRow& row, const MipChoice& choice);
 
 class MipImages {
@@ -37,7 +38,7 @@ class MipImages {
   MipImages(std::span<const ImageRow> rows, const FaceSource& source, const MipChoice& choice, bool cut_out);
   /// Opens stem.dds or stem.ktx2 for the 8-bit rows; one stem per row.
   base::Result<void> open(const std::vector<std::string>& stems);
-  bool wanted() const { return choice_.container.has_value(); }
+  bool wanted() const { return choice_.format.has_value(); }
   int levels() const { return files_.empty() ? 0 : files_[0]->levels(); }
   /// File names, one entry per row; empty for a row without a file.
   const std::vector<std::string>& names() const { return names_; }

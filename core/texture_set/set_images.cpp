@@ -235,7 +235,7 @@ base::Result<void> keep_constant(SetImages& set, const ImageRow& row, TextureSiz
   std::error_code ec;
   if (has_mips(row, set.mips)) {
     std::filesystem::path mipped(path);
-    std::filesystem::remove(mipped.replace_extension(extension_of(*set.mips.container)), ec);
+    std::filesystem::remove(mipped.replace_extension(extension_of(*set.mips.format)), ec);
   }
   set.constants[file] = values;
   if (row.factor) {

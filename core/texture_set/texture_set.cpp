@@ -282,7 +282,8 @@ std::string file_name_of(const std::string& text) {
 std::string key_of(const TextureSetOptions& o) {
   return o.program_version + " " + o.target->id + " " + o.name + " " + std::to_string(o.size) + " " +
          alpha_name(o.alpha) + " " + number(static_cast<double>(o.distance_m)) + " " +
-         number(static_cast<double>(o.tile_mm)) + (o.mips ? extension_of(*o.mips) : "") + (o.masks ? " masks" : "") +
+         number(static_cast<double>(o.tile_mm)) + (o.mips ? std::string(" ") + name_of(*o.mips) : "") +
+         (o.masks ? " masks" : "") +
          (o.uv.unit == UvUnit::kMm && o.uv.right_mm == 0 && o.uv.up_mm == 0
               ? ""
               : std::string(" uv ") + uv_unit_name(o.uv.unit) + " " + number(static_cast<double>(o.uv.right_mm)) + " " +

@@ -21,7 +21,7 @@ using cloth::Cloth;
 using design::Design;
 using draft::Face;
 using drape::Mesh;
-using files::MipContainer;
+using files::MipFormat;
 
 struct TextureSetOptions {
   const ExportTarget* target = &targets::kGltf;  // never null
@@ -32,11 +32,11 @@ struct TextureSetOptions {
   int size = 1024;     // texels of the longer side, a power of two 16..8192
   bool force = false;  // writes into a folder with other files, and replaces those of the same names
   Alpha alpha = Alpha::kAuto;
-  float distance_m = 1;                // viewing distance of the footprint in the roughness; 0: no footprint
-  std::optional<MipContainer> mips{};  // images with prefiltered mipmaps beside the others
-  UvMapping uv{};                      // of the meshes that wear the material
-  bool masks = false;                  // images for recolouring (texture_set/recolour.h)
-  float tile_mm = 0;  // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
+  float distance_m = 1;             // viewing distance of the footprint in the roughness; 0: no footprint
+  std::optional<MipFormat> mips{};  // images with prefiltered mipmaps beside the others
+  UvMapping uv{};                   // of the meshes that wear the material
+  bool masks = false;               // images for recolouring (texture_set/recolour.h)
+  float tile_mm = 0;                // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
   std::string modified = "2000-01-01T00:00:00Z";  // time of the draft, ISO 8601, for formats that need it
   std::string key;                                // hash of all inputs of the set, for is_complete()
   bool archived = false;                          // for texture_set.json: a .zip of the same name is beside the folder

@@ -84,7 +84,7 @@ struct ExportOptions {
   float texels_per_mm = 0;  // 0: `size` decides
   float tile_cm = 0;        // 0: as the yarns need
   float distance_m = 1;
-  std::string mips;  // container of mipmaps beside the images, "dds" or "ktx2"; empty: none
+  std::string mips;  // format of mipmaps beside the images, a name of kMipFormats; empty: none
   bool force = false, zip = false, watch = false, resume = false;
   bool versions = false;  // a set of each version of a draft, too
   bool quiet = false;     // neither progress nor the folders of the sets

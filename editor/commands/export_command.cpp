@@ -37,8 +37,8 @@ namespace weftlight::commands {
 using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr, base::tr_n;
 using design::Design, design::at_version, design::version_named;
 using drape::Mesh;
-using files::MipContainer, files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape,
-    files::load_drape, files::plain_zip_size, files::write_zip;
+using files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape, files::load_drape,
+    files::plain_zip_size, files::write_zip;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::UvUnit,
     texture_set::alpha_named, texture_set::digest, texture_set::file_name_of, texture_set::fill_template,
     texture_set::is_complete, texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files,
@@ -198,7 +198,7 @@ std::vector<Job> jobs_of(const ExportOptions& options, const MaterialOptions& ma
         o.distance_m = options.distance_m, o.tile_mm = options.tile_cm <= 0 ? kTileOfYarns : 10 * options.tile_cm;
         o.modified = changed(file), o.masks = material.masks;
         o.uv = {uv_unit_named(material.uv).value_or(UvUnit::kMm), material.uv_right_mm, material.uv_up_mm};
-        if (!options.mips.empty()) o.mips = options.mips == "dds" ? MipContainer::kDds : MipContainer::kKtx2;
+        o.mips = files::mip_format_named(options.mips);
         std::error_code ec;
         jobs.push_back({file, folder_of(options.out, form, o), version, o, form, fs::last_write_time(file, ec)});
       }

@@ -18,7 +18,7 @@ namespace weftlight::python {
 using base::TaskProgress;
 using design::Design;
 using drape::Mesh;
-using files::MipContainer;
+using files::MipFormat;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::alpha_named,
     texture_set::file_name_of, texture_set::kTargets, texture_set::target_named, texture_set::write_texture_set;
 
@@ -33,11 +33,10 @@ const ExportTarget& target_of(const std::string& id) {
   bad_value(fmt::format("no target is called '{}'; the targets are {}", id, ids));
 }
 
-std::optional<MipContainer> container_of(const std::optional<std::string>& mips) {
+std::optional<MipFormat> mip_format_of(const std::optional<std::string>& mips) {
   if (!mips) return std::nullopt;
-  if (*mips == "dds") return MipContainer::kDds;
-  if (*mips == "ktx2") return MipContainer::kKtx2;
-  bad_value(fmt::format("'{}' is not one of 'dds', 'ktx2'", *mips));
+  if (const auto format = files::mip_format_named(*mips)) return format;
+  bad_value(fmt::format("'{}' is not one of 'dds', 'ktx2', 'dds-bc', 'ktx2-bc'", *mips));
 }
 
 Alpha alpha_of(const std::string& name) {
@@ -68,7 +67,7 @@ std::vector<std::string> export_set(const Design& design, const fs::path& folder
   options.program_version = base::version();
   options.size = size, options.force = force;
   options.alpha = alpha_of(alpha);
-  options.mips = container_of(mips);
+  options.mips = mip_format_of(mips);
   options.distance_m = static_cast<float>(distance_m);
   options.tile_mm = tile_mm ? static_cast<float>(*tile_mm) : texture_set::kTileOfYarns;
   return long_call(progress, [&](const TaskProgress& task) {

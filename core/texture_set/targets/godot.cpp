@@ -10,7 +10,7 @@ namespace weftlight::texture_set {
 
 using base::write_file_atomically;
 using draft::Face;
-using files::MipContainer;
+using files::MipFormat;
 
 namespace {
 
@@ -94,7 +94,7 @@ const ExportTarget targets::kGodot{
     .sheen = "none",
     // Its Compatibility renderer draws hashed transparency opaque; depth of the opaque parts first works in all three.
     .open = Alpha::kBlend,
-    .color_mips = MipContainer::kDds,
+    .color_mips = MipFormat::kDds,
     .names_dds = true,
     .material = ".tres",
     .write_material = write_material,

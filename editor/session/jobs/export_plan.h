@@ -11,7 +11,7 @@
 namespace weftlight::session {
 
 using design::Design;
-using files::MipContainer;
+using files::MipFormat;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::SetFigures, texture_set::TextureSetOptions;
 
 struct ExportPlan {
@@ -21,9 +21,9 @@ struct ExportPlan {
   float texels_per_mm = 40;  // with by_density: the least density
   float tile_cm = -1;        // least width and height of the tile; 0: one repeat; negative: as its yarns need
   Alpha alpha = Alpha::kAuto;
-  std::optional<MipContainer> mips;  // files with mipmaps beside the images; raw sets have their own
-  std::string folder;                // each set is a folder inside it
-  bool watch = false;                // exports again after each edit
+  std::optional<MipFormat> mips;  // files with mipmaps beside the images; raw sets have their own
+  std::string folder;             // each set is a folder inside it
+  bool watch = false;             // exports again after each edit
 };
 
 /// One texture set in its own folder.

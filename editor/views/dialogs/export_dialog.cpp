@@ -16,7 +16,7 @@
 namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
-using files::MipContainer;
+using files::kMipFormats;
 using session::PictureRect, session::PreviewSizes, session::ShownChannel, session::ShownImage, session::bytes_on_disk,
     session::figures_of, session::in_the_way, session::jobs_of, session::replaced_files, session::shown_bytes,
     session::toggle;
@@ -124,14 +124,15 @@ void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
 }
 
 void draw_mips(PanelContext& c, ExportPlan& plan, float width) {
-  constexpr const char* kNames[] = {mark("None"), ".dds", ".ktx2"};
-  row_label(c, tr("Mipmaps"),
-            tr("None: the target program makes its own. Otherwise each image is also written with mipmaps that move "
-               "lost detail of the normals into roughness and keep the coverage of gaps"));
-  int way = !plan.mips ? 0 : *plan.mips == MipContainer::kDds ? 1 : 2;
+  constexpr const char* kNames[] = {mark("None"), ".dds", ".ktx2", ".dds BC", ".ktx2 BC"};
+  row_label(
+      c, tr("Mipmaps"),
+      tr("None: the target program makes its own. Otherwise each image is also written with mipmaps that move "
+         "lost detail of the normals into roughness and keep the coverage of gaps. BC: compressed as graphics cards "
+         "read it, a quarter the size"));
+  int way = plan.mips ? 1 + static_cast<int>(*plan.mips) : 0;
   segmented(c, "export.mips", kNames, way, width);
-  plan.mips.reset();
-  if (way > 0) plan.mips = way == 1 ? MipContainer::kDds : MipContainer::kKtx2;
+  plan.mips = way > 0 ? std::optional(kMipFormats[static_cast<size_t>(way - 1)].format) : std::nullopt;
 }
 
 /// True if the button that chooses the folder was pressed.

@@ -20,7 +20,7 @@ namespace weftlight::session {
 
 using design::Design;
 using draft::Face;
-using files::MipContainer;
+using files::MipFormat;
 using texture_set::ExportTarget, texture_set::TextureSetOptions;
 using weaves::Lean, weaves::twill;
 
@@ -54,9 +54,9 @@ TEST(ExportPlanTest, EachTargetHasItsOwnFolder) {
 TEST(ExportPlanTest, MipFilesAreWrittenOnlyForTargetsWithoutTheirOwn) {
   ExportPlan plan = plan_into("out", {&texture_set::targets::kGodot, &texture_set::targets::kRaw});
   EXPECT_FALSE(jobs_of(plan, sample(), "", "1")[0].options.mips);
-  plan.mips = MipContainer::kKtx2;
+  plan.mips = MipFormat::kKtx2;
   const std::vector<ExportJob> jobs = jobs_of(plan, sample(), "", "1");
-  EXPECT_EQ(jobs[0].options.mips, MipContainer::kKtx2);
+  EXPECT_EQ(jobs[0].options.mips, MipFormat::kKtx2);
   EXPECT_FALSE(jobs[1].options.mips) << "a raw set has mips of its own";
 }
 

@@ -84,8 +84,8 @@ TEST_F(OwnOutput, UiMapsThatAreBombsAreRefused) {
     return [this] { return problem_of(check_ui_map(path("map.json"), "")); };
   };
   const std::string head = R"({"frame": 3, "controls": [], "grids": )";
-  expect_harmless(says(head + std::string(5'000'000, '[')), "is no map of the window");
-  expect_harmless(says(head + "[]}" + std::string(40'000'000, ' ')), "is no map of the window");
+  expect_harmless(says(head + std::string(5'000'000, '[')), "is not a map of the window");
+  expect_harmless(says(head + "[]}" + std::string(40'000'000, ' ')), "is not a map of the window");
 }
 
 }  // namespace

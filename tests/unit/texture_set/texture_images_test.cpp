@@ -18,7 +18,7 @@ using cloth::Cloth, cloth::Maps, cloth::Period, cloth::bake, cloth::lay_out;
 using design::Design, design::Twist, design::Yarn;
 using draft::Face, draft::Rgb, draft::System, draft::drawdown;
 using drape::sheet;
-using files::Image, files::MipContainer, files::read_image;
+using files::Image, files::MipFormat, files::read_image;
 using weaves::Lean, weaves::plain, weaves::twill;
 
 namespace {
@@ -266,7 +266,7 @@ TEST(TextureSet, PrefilteredMipsGrowRougherAndKeepTheMask) {
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
   for (Yarn& yarn : design.yarns) yarn.lobes.along_width = yarn.lobes.across_width = 0.1f;
   TextureSetOptions options = options_for(targets::kGltf, 256);
-  options.mips = MipContainer::kDds, options.alpha = Alpha::kMask, options.distance_m = 0;
+  options.mips = MipFormat::kDds, options.alpha = Alpha::kMask, options.distance_m = 0;
   ASSERT_EQ(problem_of(write_texture_set(scratch / "set", design, sheet(), options)), "");
   const json list = list_of(scratch / "set");
   EXPECT_EQ(list["maps"].size(), 12u) << "each image that is not constant and its mips, both faces";

@@ -26,7 +26,7 @@ using cloth::Cloth, cloth::Period, cloth::lay_out;
 using design::Design, design::Yarn;
 using draft::Face, draft::System, draft::drawdown;
 using drape::Mesh, drape::sheet;
-using files::Image, files::MipContainer, files::read_image;
+using files::Image, files::MipFormat, files::read_image;
 using weaves::plain;
 
 namespace {
@@ -290,7 +290,7 @@ TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
     EXPECT_TRUE(fs::exists(scratch / "set/sample_albedo.dds"));
   }
   TextureSetOptions all = options_for(targets::kGodot, 32);
-  all.mips = MipContainer::kDds;
+  all.mips = MipFormat::kDds;
   ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), all)), "");
   EXPECT_NE(text_of(scratch / "set/sample_back.tres").find("path=\"sample_back_normal.dds\""), std::string::npos);
 }
@@ -304,7 +304,7 @@ TEST(TextureSet, UnityMaterialsNameTheMipsThatTheSetHas) {
   };
   for (const bool mips : {true, false}) {
     TextureSetOptions options = options_for(targets::kUnityUrp, 32);
-    if (mips) options.mips = MipContainer::kDds;
+    if (mips) options.mips = MipFormat::kDds;
     ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
     const std::string image = std::string("sample_BaseMap") + (mips ? ".dds.meta" : ".png.meta");
     EXPECT_NE(text_of(scratch / "set/sample.mat").find(guid_in(image)), std::string::npos) << image;
@@ -385,7 +385,7 @@ TEST(TextureSet, WarnsIfTheGapsOfAMaskWouldClose) {
   EXPECT_TRUE(warnings_of(design, options).empty()) << "a dense cloth";
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
   EXPECT_EQ(warnings_of(design, options).size(), 1u);
-  options.mips = MipContainer::kKtx2;
+  options.mips = MipFormat::kKtx2;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "prefiltered mipmaps keep the mask";
   options.mips = {}, options.target = &targets::kUnreal;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer keeps the coverage";

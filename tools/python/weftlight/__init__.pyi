@@ -969,7 +969,7 @@ def export(
     alpha: Literal["auto", "opaque", "mask", "hashed", "blend"] = "auto",
     distance_m: float = 1.0,
     tile_mm: float | None = None,
-    mips: Literal["dds", "ktx2"] | None = None,
+    mips: Literal["dds", "ktx2", "dds-bc", "ktx2-bc"] | None = None,
     force: bool = False,
     progress: Progress | None = None,
 ) -> list[str]:

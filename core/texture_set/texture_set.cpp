@@ -24,7 +24,7 @@ using base::arg, base::fill, base::tr, base::write_file_atomically;
 using cloth::ThreadBody;
 using design::Yarn;
 using draft::BitMatrix, draft::drawdown;
-using files::PixelType, files::extension_of, files::write_image;
+using files::PixelType, files::write_image;
 using light::EngineCheck, light::EngineFit, light::EngineScore, light::kFootprintMmAtOneMetre;
 
 namespace {

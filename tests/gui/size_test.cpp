@@ -54,12 +54,12 @@ TEST_F(SizeTest, TheScreenIsMeasuredByACard) {
   ASSERT_NO_FATAL_FAILURE(command(w, "rulers"));
   display_.key("shift+d");
   ASSERT_TRUE(comes_true([&] { return w.has("card.corner"); })) << "a screen that was never measured is";
-  const auto [card, unused] = w.place_of("card");
+  const Point card = w.place_of("card").first;
   const Point corner = w.middle_of("card.corner");
   const double scale = 5 * 85.6 / (corner.x - card.x);
   display_.drag({corner, {card.x + (corner.x - card.x) * scale, card.y + (corner.y - card.y) * scale}});
   ASSERT_TRUE(comes_true([&] { return std::abs(w.middle_of("card.corner").x - card.x - 5 * 85.6) < 3; }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "Keep"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Save"));
   EXPECT_TRUE(comes_true([&] { return w.has("view.seen_from") && w.has("view.rulers"); }));
   display_.key("shift+d");
   EXPECT_TRUE(comes_true([&] { return !w.has("view.seen_from"); }));

@@ -18,8 +18,7 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using files::kMipFormats;
 using session::PictureRect, session::PreviewSizes, session::ShownChannel, session::ShownImage, session::bytes_on_disk,
-    session::figures_of, session::in_the_way, session::jobs_of, session::replaced_files, session::shown_bytes,
-    session::toggle;
+    session::figures_of, session::jobs_of, session::shown_bytes, session::toggle;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::alpha_name, texture_set::kTargets,
     texture_set::key_of;
 using ui::begin_combo, ui::begin_list, ui::end_combo, ui::fitted, ui::hit_area, ui::muted_text, ui::push_font,

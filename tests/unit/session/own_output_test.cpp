@@ -85,7 +85,9 @@ TEST_F(OwnOutput, UiMapsThatAreBombsAreRefused) {
   };
   const std::string head = R"({"frame": 3, "controls": [], "grids": )";
   expect_harmless(says(head + std::string(5'000'000, '[')), "is not a map of the window");
-  expect_harmless(says(head + "[]}" + std::string(40'000'000, ' ')), "is not a map of the window");
+  std::string blanks;
+  blanks.resize(40'000'000, ' ');
+  expect_harmless(says(head + "[]}" + blanks), "is not a map of the window");
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ base::Failure not_written(const std::string& path) {
 }
 
 /// Texels as bytes of the layout's channels; those that the image lacks are 255.
-std::vector<uint8_t> bytes_of(const Image& rows, const Layout& layout, bool blue_first) {
+std::vector<uint8_t> stored_texels(const Image& rows, const Layout& layout, bool blue_first) {
   const size_t texels = static_cast<size_t>(rows.width) * static_cast<size_t>(rows.height);
   const auto stored = static_cast<size_t>(layout.channels), channels = static_cast<size_t>(rows.channels);
   std::vector<uint8_t> bytes(texels * stored, 255);
@@ -299,7 +299,7 @@ Result<void> MipFile::add(int level, const Image& rows) {
   Level& l = f.levels[static_cast<size_t>(level)];
   if (rows.width != l.width || rows.channels != f.channels || l.next + rows.height > l.height)
     return failure(ErrorKind::kOutput, tr("rows do not fit the mip level"), f.path);
-  const std::vector<uint8_t> bytes = bytes_of(rows, f.layout, f.blue_first);
+  const std::vector<uint8_t> bytes = stored_texels(rows, f.layout, f.blue_first);
   l.next += rows.height;
   if (!(f.layout.blocks ? f.write_blocks(l, bytes) : f.write(l, bytes))) return not_written(f.path);
   return {};

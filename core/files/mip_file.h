@@ -28,6 +28,7 @@ std::optional<MipFormat> mip_format_named(std::string_view name);
 const char* extension_of(MipFormat format);
 inline bool is_dds(MipFormat format) { return format == MipFormat::kDds || format == MipFormat::kDdsBlocks; }
 inline bool has_blocks(MipFormat format) { return format == MipFormat::kDdsBlocks || format == MipFormat::kKtx2Blocks; }
+inline MipFormat without_blocks(MipFormat format) { return is_dds(format) ? MipFormat::kDds : MipFormat::kKtx2; }
 /// Blocks hold any number of channels from 1 to 4; without them there is no form for two.
 inline bool holds(MipFormat format, int channels) { return channels != 2 || has_blocks(format); }
 

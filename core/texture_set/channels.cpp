@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/loops.h"
 #include "base/text.h"
@@ -167,6 +168,15 @@ float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, boo
 
 int channels_of(const ImageRow& row) {
   return static_cast<int>(std::find(row.channels.begin(), row.channels.end(), Channel::kNone) - row.channels.begin());
+}
+
+bool holds_directions(const ImageRow& row) {
+  constexpr Channel kDirections[] = {Channel::kNormalX,     Channel::kNormalY,       Channel::kNormalZ,
+                                     Channel::kFibreX,      Channel::kFibreY,        Channel::kFibreZ,
+                                     Channel::kWideX,       Channel::kWideY,         Channel::kWideAngle,
+                                     Channel::kNormalYDown, Channel::kDetailNormalX, Channel::kDetailNormalY};
+  return std::ranges::any_of(row.channels,
+                             [&](Channel c) { return std::ranges::find(kDirections, c) != std::end(kDirections); });
 }
 
 const char* channel_description(Channel channel) {

@@ -86,6 +86,8 @@ struct ImageRow {
 };
 
 int channels_of(const ImageRow& row);
+/// Whether it holds directions: normals, fibres, axes, or their angle.
+bool holds_directions(const ImageRow& row);
 
 /// English text for texture_set.json; tr() of it for the window.
 const char* channel_description(Channel channel);

@@ -51,9 +51,10 @@ MipChoice mips_for(const ExportTarget& target, std::optional<MipFormat> requeste
   return {target.color_mips, true};
 }
 
-bool has_mips(const ImageRow& row, const MipChoice& choice) {
-  return choice.format && row.type == PixelType::kU8 && holds(*choice.format, channels_of(row)) &&
-         (row.srgb || !choice.colors_only);
+std::optional<MipFormat> mip_format_of(const ImageRow& row, const MipChoice& choice) {
+  if (!choice.format || row.type != PixelType::kU8 || (!row.srgb && choice.colors_only)) return std::nullopt;
+  const MipFormat format = holds_directions(row) ? without_blocks(*choice.format) : *choice.format;
+  return holds(format, channels_of(row)) ? std::optional(format) : std::nullopt;
 }
 
 MipImages::MipImages(std::span<const ImageRow> rows, const FaceSource& source, const MipChoice& choice, bool cut_out)
@@ -67,9 +68,10 @@ Result<void> MipImages::open(const std::vector<std::string>& stems) {
   for (size_t i = 0; i < all_rows_.size(); ++i) {
     names_.emplace_back();
     const ImageRow& row = all_rows_[i];
-    if (!has_mips(row, choice_)) continue;
-    const std::string path = stems[i] + extension_of(*choice_.format);
-    auto file = MipFile::open(path, *choice_.format, size.width, size.height, channels_of(row), row.srgb);
+    const std::optional<MipFormat> format = mip_format_of(row, choice_);
+    if (!format) continue;
+    const std::string path = stems[i] + extension_of(*format);
+    auto file = MipFile::open(path, *format, size.width, size.height, channels_of(row), row.srgb);
     if (!file) return base::failed(file);
     files_.push_back(std::move(*file));
     rows_.push_back(row), names_.back() = std::filesystem::path(path).filename().string();

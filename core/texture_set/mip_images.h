@@ -30,7 +30,10 @@ struct MipChoice {
 };
 /// The requested format for all images, or what the target needs.
 MipChoice mips_for(const ExportTarget& target, std::optional<MipFormat> requested);
-bool has_mips(const ImageRow& row, const MipChoice& choice);
+/// The format of the row's file; empty: it has none. Directions are never in blocks: where a thread has few texels,
+/// those of a block lie on no line, and would be off by up to a tenth (docs/engines.md, Mips).
+std::optional<MipFormat> mip_format_of(const ImageRow& row, const MipChoice& choice);
+inline bool has_mips(const ImageRow& row, const MipChoice& choice) { return mip_format_of(row, choice).has_value(); }
 
 class MipImages {
  public:

@@ -320,8 +320,11 @@ SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
   for (const ImageRow& row : options.target->images) {
     // Graphics cards store one, two or four channels.
     const int channels = channels_of(row), held = channels == 3 ? 4 : channels;
+    const auto format = mip_format_of(row, mips_for(*options.target, options.mips));
+    const int64_t bytes = format && has_blocks(*format) ? (channels == 1 ? texels / 2 : texels)
+                                                        : texels * held * (row.type == PixelType::kU8 ? 1 : 2);
     out.images += 2;
-    out.texel_bytes += 2 * texels * held * (row.type == PixelType::kU8 ? 1 : 2) * 4 / 3;
+    out.texel_bytes += 2 * bytes * 4 / 3;
   }
   return out;
 }

@@ -64,7 +64,8 @@ struct SetFigures {
   size_t ends = 0, picks = 0;        // in it
   TextureSize size;
   int images = 0;
-  int64_t texel_bytes = 0;  // of all images with mipmaps, uncompressed in the memory of a graphics card
+  int64_t texel_bytes =
+      0;  // of all images with mipmaps in the memory of a graphics card; compressed are those in blocks alone
 };
 /// Zeros for a draft without cloth.
 SetFigures figures_of(const Design& design, const TextureSetOptions& options);

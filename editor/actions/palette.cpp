@@ -12,7 +12,6 @@ using base::mark, base::tr;
 using design::ColorOrder, design::Design, design::Yarn, design::with_merged_colors, design::with_merged_yarns,
     design::with_sorted_colors, design::with_sorted_yarns, design::with_swapped_lightness, design::with_swapped_systems,
     design::without_unused_colors, design::without_unused_yarns;
-using draft::Rgb;
 using session::Edit, session::keeping_active;
 
 namespace {

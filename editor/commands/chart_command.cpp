@@ -20,7 +20,7 @@
 
 namespace weftlight::commands {
 
-using base::arg, base::fill, base::tr, base::write_file_atomically;
+using base::tr, base::write_file_atomically;
 using chart::Brightness, chart::ChartBench, chart::ChartEffort, chart::ChartLight, chart::ChartRow,
     chart::ChartSelection, chart::CountedDraw, chart::DrapeRow, chart::DrawCounter, chart::TruthNoise,
     chart::chart_cells, chart::chart_csv, chart::chart_effort, chart::drape_cells, chart::drapes_csv,

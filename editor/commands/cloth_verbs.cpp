@@ -210,8 +210,8 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
       ->check(number_in(0.0, 1000.0));
   verb.add_option(
           "--mips", o.mips,
-          tr("Format for 8-bit images with prefiltered mipmaps, written beside each image; dds-bc and ktx2-bc are "
-             "compressed (BC4, BC5, BC7), a quarter the size; default: none, for godot dds of the colours"))
+          tr("Format for 8-bit images with prefiltered mipmaps, written beside each image; in dds-bc and ktx2-bc "
+             "colours and masks are compressed (BC4, BC5, BC7); default: none, for godot dds of the colours"))
       ->check(one_of({"dds", "ktx2", "dds-bc", "ktx2-bc"}));
   verb.add_option("--mesh", o.mesh, tr("Drape that the .glb shows; default: plane"))->type_name(tr("NAME|FILE"));
 }

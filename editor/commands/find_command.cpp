@@ -16,8 +16,8 @@
 namespace weftlight::commands {
 
 using base::arg, base::as_utf8, base::fill, base::tr, base::tr_n;
-using collection::DraftEntry, collection::DraftQuery, collection::FolderIndex, collection::found_drafts,
-    collection::kColourNames, collection::look_through;
+using collection::DraftEntry, collection::FolderIndex, collection::found_drafts, collection::kColourNames,
+    collection::look_through;
 
 namespace {
 

@@ -11,7 +11,7 @@
 namespace weftlight::commands {
 
 using analysis::LongestFloats;
-using base::ErrorKind, base::arg, base::fill, base::message, base::read_file, base::tr;
+using base::ErrorKind, base::arg, base::fill, base::read_file, base::tr;
 using files::is_picture, files::read_picture_draft;
 using wif::Diagnostic, wif::Severity, wif::WifRead, wif::kMaxDraftBytes, wif::read_draft;
 

@@ -9,9 +9,9 @@
 namespace weftlight::session {
 
 using base::arg, base::fill, base::tr, base::tr_n;
-using design::Yarn, design::closest_color, design::closest_yarn, design::uses_of_colors, design::uses_of_yarns,
-    design::without_color, design::without_yarn;
-using draft::Rgb, draft::Threads;
+using design::closest_color, design::closest_yarn, design::uses_of_colors, design::uses_of_yarns, design::without_color,
+    design::without_yarn;
+using draft::Threads;
 
 namespace {
 

@@ -39,7 +39,7 @@ struct ExportFigures {
   SetFigures set;                // of the first target; size and repeat hold for all
   float texels_a_thread = 0;     // the smaller of warp and weft
   int images = 0;                // in all sets
-  int64_t texel_bytes = 0;       // of all sets, uncompressed in GPU memory
+  int64_t texel_bytes = 0;       // of all sets, in GPU memory
   std::vector<std::string> why;  // warnings
 };
 ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& jobs);

@@ -57,7 +57,7 @@ class Journal {
     size_t appended = 0, entries = 0;
     bool whole = false;  // the file is intact, so that entries can be appended
   };
-  struct WaitingWork {  // waiting work of a document
+  struct WaitingWork {  // of a document
     std::optional<State> keep;
     bool forget = false;
     std::list<LeftWork> then;  // discarded after success

@@ -124,11 +124,10 @@ void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
 
 void draw_mips(PanelContext& c, ExportPlan& plan, float width) {
   constexpr const char* kNames[] = {mark("None"), ".dds", ".ktx2", ".dds BC", ".ktx2 BC"};
-  row_label(
-      c, tr("Mipmaps"),
-      tr("None: the target program makes its own. Otherwise each image is also written with mipmaps that move "
-         "lost detail of the normals into roughness and keep the coverage of gaps. BC: compressed as graphics cards "
-         "read it, a quarter the size"));
+  row_label(c, tr("Mipmaps"),
+            tr("None: the target program makes its own. Otherwise each image is also written with mipmaps that move "
+               "lost detail of the normals into roughness and keep the coverage of gaps. BC: colours and masks are "
+               "compressed as graphics cards read them"));
   int way = plan.mips ? 1 + static_cast<int>(*plan.mips) : 0;
   segmented(c, "export.mips", kNames, way, width);
   plan.mips = way > 0 ? std::optional(kMipFormats[static_cast<size_t>(way - 1)].format) : std::nullopt;

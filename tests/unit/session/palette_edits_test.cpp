@@ -6,7 +6,7 @@
 
 namespace weftlight::session {
 
-using design::ColorOrder, design::Yarn, design::with_sorted_colors;
+using design::ColorOrder, design::with_sorted_colors;
 using draft::blank_draft;
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "../files/sheet.h"
 #include "../scratch.h"
+#include "base/whole_files.h"
 #include "files/files.h"
 #include "sample_set.h"
 
@@ -279,6 +280,55 @@ TEST(TextureSet, PrefilteredMipsGrowRougherAndKeepTheMask) {
   const Image image = *read_image(scratch / "set/sample_orm.png"), finest = *read_image(scratch / "set/sample_orm.dds");
   for (size_t i = 0; i < 256 * 256; i += 97)
     EXPECT_NEAR(image.texels[3 * i + 1], finest.texels[static_cast<size_t>(finest.channels) * i + 1], 2.0f / 255);
+}
+
+std::string read_whole(const std::string& path) {
+  const base::Result<std::string> read = base::read_file(path, base::kMaxFileBytes);
+  EXPECT_TRUE(read) << problem_of(read);
+  return read ? *read : std::string{};
+}
+
+/// Of a .dds in blocks. OpenImageIO 2.4 knows BC7 alone, not BC7 in sRGB, whose blocks are the same.
+Image read_blocks(const std::string& path, int level) {
+  constexpr size_t kFormat = 128;
+  constexpr char kBc7 = 98, kBc7Srgb = 99;
+  std::string bytes = read_whole(path);
+  if (bytes[kFormat] == kBc7Srgb) bytes[kFormat] = kBc7;
+  const std::string known = path + ".known.dds";
+  std::ofstream(known, std::ios::binary) << bytes;
+  const base::Result<Image> read = read_image(known, level);
+  EXPECT_TRUE(read) << problem_of(read);
+  return read ? *read : Image{};
+}
+
+/// Root mean square of the difference, of 255.
+double rms(const Image& a, const Image& b) {
+  EXPECT_EQ(a.texels.size(), b.texels.size());
+  double sum = 0;
+  for (size_t i = 0; i < std::min(a.texels.size(), b.texels.size()); ++i)
+    sum += std::pow(255.0 * static_cast<double>(a.texels[i] - b.texels[i]), 2);
+  return std::sqrt(sum / static_cast<double>(a.texels.size()));
+}
+
+TEST(TextureSet, MipsInBlocksKeepColoursAndMasksAndLeaveDirections) {
+  const Scratch scratch("blocks");
+  TextureSetOptions options = options_for(targets::kUnityHdrp, 256);
+  for (const auto& [folder, format] : {std::pair{"plain", MipFormat::kDds}, {"blocks", MipFormat::kDdsBlocks}}) {
+    options.mips = format;
+    ASSERT_EQ(problem_of(write_texture_set(scratch / folder, sample_design(), sheet(), options)), "");
+  }
+  for (const char* image : {"NormalMap", "ThreadMap"})
+    EXPECT_EQ(read_whole(scratch / (std::string("blocks/sample_") + image + ".dds")),
+              read_whole(scratch / (std::string("plain/sample_") + image + ".dds")))
+        << image;
+  for (const char* image : {"BaseMap", "MaskMap"}) {
+    const std::string plain = scratch / (std::string("plain/sample_") + image + ".dds"),
+                      blocks = scratch / (std::string("blocks/sample_") + image + ".dds");
+    EXPECT_LT(3.9 * static_cast<double>(read_whole(blocks).size()), static_cast<double>(read_whole(plain).size()))
+        << image;
+    for (int level = 0; level < 5; ++level)
+      EXPECT_LT(rms(*read_image(plain, level), read_blocks(blocks, level)), 9) << image << " " << level;
+  }
 }
 
 std::vector<std::string> channel_names(const std::string& image) {

@@ -133,7 +133,8 @@ if wants recovery; then
   settle; away; shot recovery
 fi
 if wants export; then
-  open_window "$root/presets/cloths/denim.wif" "$quiet"
+  cp "$root/presets/cloths/denim.wif" "$work"
+  open_window "$work/denim.wif" "$quiet"
   key ctrl+e; sleep 2
   away; shot export; key Escape
 fi

@@ -5,6 +5,6 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=$root/docs/$1
 weftlight=${2:-$root/build/release/weftlight}
 drafts=$root/presets/drafts
-work=$(mktemp -d)
+work=$(mktemp -d /tmp/weaver.XXX)  # pictures of the window show it
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$out"

@@ -1,5 +1,5 @@
-// EGL without a surface: Mesa's surfaceless platform first (a GPU or llvmpipe), then the default display
-// of the vendor's driver.
+// EGL without a surface: graphics cards first, then Mesa's surfaceless platform (llvmpipe too), then the default display.
+// Where a card's own driver stands beside Mesa, the surfaceless platform would be Mesa's and draw in software.
 
 #include "gl/egl_context.h"
 
@@ -9,9 +9,12 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
+#include "platform/environment_variables.h"
 #include "platform/shared_library.h"
 
 namespace weftlight::gl {
@@ -31,14 +34,44 @@ std::string missing_library() {
   return {};
 }
 
-EGLDisplay open_display() {
-  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-  }
-  const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-  return EGL_NO_DISPLAY;
+bool initialized(EGLDisplay display) {
+  return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE;
+}
+
+/// Mesa's own wish for software. Another driver does not know it, so its card is left alone.
+bool software_is_wanted() {
+  const std::string wish = platform::variable("LIBGL_ALWAYS_SOFTWARE");
+  return wish == "1" || wish == "true";
+}
+
+bool is_software(EGLDeviceEXT device) {
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  return extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+}
+
+std::vector<EGLDisplay> displays_of_cards() {
+  if (software_is_wanted() || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
+      !(epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base") ||
+        (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
+         epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_query"))))
+    return {};
+  std::array<EGLDeviceEXT, 16> devices{};
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) return {};
+  std::vector<EGLDisplay> displays;
+  for (EGLint k = 0; k < count; ++k)
+    if (const EGLDeviceEXT device = devices[static_cast<size_t>(k)]; !is_software(device))
+      displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+  return displays;
+}
+
+/// In the order in which they are tried; some may not work.
+std::vector<EGLDisplay> displays() {
+  std::vector<EGLDisplay> all = displays_of_cards();
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+    all.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  all.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+  return all;
 }
 
 EGLContext open_context(EGLDisplay display) {
@@ -109,12 +142,15 @@ void EglContext::release() {
 
 HeadlessContext::Opened open_egl() {
   if (std::string missing = missing_library(); !missing.empty()) return none(std::move(missing));
-  const EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY)
-    return none(tr("no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)"));
-  auto context = std::make_unique<EglContext>(display);
-  if (const auto opened = context->open(); !opened) return base::failed(opened);
-  return context;
+  base::Failure why = none(tr("no EGL display: install a graphics driver (Debian: libegl1 and libgl1-mesa-dri)"));
+  for (const EGLDisplay display : displays()) {
+    if (!initialized(display)) continue;
+    auto context = std::make_unique<EglContext>(display);
+    const auto opened = context->open();
+    if (opened) return context;
+    why = base::failed(opened);
+  }
+  return why;
 }
 
 }  // namespace weftlight::gl

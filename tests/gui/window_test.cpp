@@ -210,8 +210,10 @@ TEST_F(WindowTest, ComparesWithTheRayTracedThreads) {
   ASSERT_TRUE(comes_true([&] { return w.has("view.reference"); })) << "nothing was traced";
   const auto [pane, size] = w.place_of("view");
   const auto half = [&, pane = pane, size = size](double left, double right) {
-    return display_.picture({pane.x + left * size.x, pane.y + 60}, {(right - left) * size.x, size.y - 140});
+    return display_.picture({pane.x + left * size.x, pane.y + 90}, {(right - left) * size.x, size.y - 170});
   };
+  const auto [buttons, buttons_size] = w.place_of("views");
+  EXPECT_GE(w.place_of("view.comparison").first.y, buttons.y + buttons_size.y) << "its note lies under the buttons";
   const std::string quarter = half(0.3, 0.45);
   display_.drag({w.middle_of("view.compare"), {pane.x + 0.25 * size.x, pane.y + 0.5 * size.y}});
   EXPECT_TRUE(comes_true([&, pane = pane, size = size] {

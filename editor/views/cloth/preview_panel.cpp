@@ -172,7 +172,8 @@ void drag_split(PanelContext& c, ImVec2 a, ImVec2 pane) {
   ImGui::SetCursorScreenPos(a);
 }
 
-void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a, ImVec2 b) {
+/// `note_y` is where its note stands, below the buttons.
+void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a, ImVec2 b, float note_y) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float x = std::floor(a.x + (b.x - a.x) * c.settings.compare_split);
   if (r.texture != 0) {
@@ -187,10 +188,12 @@ void draw_comparison(const PanelContext& c, const ReferencePicture& r, ImVec2 a,
                     c.style.px(4));
   dl->AddRect({x - c.style.px(4), y - 2 * grip}, {x + c.style.px(4), y + 2 * grip}, c.style.color.line_strong,
               c.style.px(4));
-  const std::string text = reference_line(r, c.settings.compare);
+  const std::string text = note_that_fits(c, reference_line(r, c.settings.compare), b.x - a.x);
   ImFont* font = c.style.font.small;
-  const float width = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str()).x;
-  draw_note(c, {b.x - width - c.style.px(16), a.y + c.style.px(14)}, text);
+  const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
+  const ImVec2 at{b.x - size.x - c.style.px(16), note_y};
+  draw_note(c, at, text);
+  c.map.add("view.comparison", at.x, at.y, size.x, size.y);
 }
 
 void draw_problem(const PanelContext& c, ImVec2 a, ImVec2 b, const std::string& text) {
@@ -248,12 +251,12 @@ void draw_grazing_button(Panel& c, ImVec2 at) {
 }
 
 /// Draped or flat, and the views, at the upper right; in a narrow pane one below the other. Called before the view
-/// below them, so that they get the pointer first.
-void draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
+/// below them, so that they get the pointer first. Returns their lower edge.
+float draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
   constexpr const char* kWays[] = {mark("Drape"), mark("Flat")};
   const Style& s = c.style;
   const float margin = s.px(kButtonMargin), row = ImGui::GetFrameHeight() + s.px(6);
-  if (pane.x < s.px(kWaysWidth) + 2 * margin || pane.y < 2 * row) return;
+  if (pane.x < s.px(kWaysWidth) + 2 * margin || pane.y < 2 * row) return a.y;
   ImDrawList* dl = ImGui::GetWindowDrawList();
   dl->ChannelsSetCurrent(1);
   const float right = a.x + pane.x - margin;
@@ -271,6 +274,7 @@ void draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
   if (c.view.flat) draw_grazing_button(c, place(s.px(kGrazingWidth)));
   dl->ChannelsSetCurrent(0);
   ImGui::SetCursorScreenPos(a);
+  return left.y + ImGui::GetFrameHeight();
 }
 
 // The bar of the true distance, pixels at 96 dpi.
@@ -337,7 +341,7 @@ void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
   if (pane.x < 8 || pane.y < 8) return;
   const bool comparing = c.settings.compare != Compare::kOff;
   if (comparing) drag_split(c, a, pane);
-  draw_view_buttons(c, a, pane);
+  const float below_buttons = draw_view_buttons(c, a, pane);
   draw_true_distance(c, a, pane);
   hit_area("view", pane,
            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
@@ -353,7 +357,7 @@ void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
   ImDrawList* dl = ImGui::GetWindowDrawList();
   if (picture.texture != 0) {
     dl->AddImage(texture_of(picture.texture), a, b, {0, 1}, {1, 0});
-    if (comparing) draw_comparison(c, picture.reference, a, b);
+    if (comparing) draw_comparison(c, picture.reference, a, b, below_buttons + c.style.px(14));
     if (c.settings.show_methods)
       draw_method_legend(c, {a.x + rulers_of(c, c.view).wide + c.style.px(16), a.y + c.style.px(14)},
                          picture.stats.method);

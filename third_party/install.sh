@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs the packages of packages.txt that are missing (Debian/Ubuntu, apt).
-# Usage: third_party/install.sh build|test|web|windows      (test includes build, the others include both)
+# Usage: third_party/install.sh build|test|web|windows|coverage    (test includes build, the others include both)
 # Asks nothing when all is there; elsewhere than on apt it prints the names.
 set -euo pipefail
 want=${1:-build}
 list=$(dirname "$0")/packages.txt
 kinds=" build $want "
-[[ $want == web || $want == windows ]] && kinds+="test "
+[[ $want == web || $want == windows || $want == coverage ]] && kinds+="test "
 mapfile -t names < <(awk -v kinds="$kinds" '!/^#/ && NF && index(kinds, " " $2 " ") {print $1}' "$list")
 if ! command -v dpkg-query >/dev/null 2>&1; then
   # Not Debian: CMake names whatever is missing.

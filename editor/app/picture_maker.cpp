@@ -19,6 +19,7 @@ constexpr double kRestS = 0.15;         // rest before full resolution
 constexpr double kBusyRestS = 2;        // the same while the pipeline works: its result replaces the picture soon
 constexpr double kBusyPollS = 0.01;     // polling interval of the pipeline
 constexpr double kTracePollS = 0.1;     // polling interval of the ray tracer
+constexpr double kCompilePollS = 0.1;   // polling interval of the driver's compiler
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
 constexpr int kMaxAPass = 4;            // the lattice of 8 samples
 // That of 2. Each sample stands for its part of the pixel: one alone, as wide as all of it, is 4 % too dark near
@@ -74,6 +75,7 @@ Frame PictureMaker::frame_of(const PictureRequest& request) const {
   frame.width = request.width;
   frame.height = request.height;
   frame.false_color_methods = request.show_methods;
+  frame.at_once = true;
   return frame;
 }
 
@@ -87,7 +89,7 @@ bool PictureMaker::draw(const PictureRequest& request, bool moving, double now_s
   if (changed && (moving || other || pipeline_.busy())) moved_s_ = now_s;
   const bool resting = now_s - moved_s_ >= rest_s();
   const float scale = resting ? 1.0f : moving_scale();
-  const bool anew = changed || drawn_scale_ < scale, finer = !anew && can_refine();
+  const bool anew = changed || stats_.compiling || drawn_scale_ < scale, finer = !anew && can_refine();
   if (anew) {
     begin_passes();
     held_used_ = false;
@@ -107,7 +109,7 @@ double PictureMaker::rest_s() const { return pipeline_.busy() ? kBusyRestS : kRe
 bool PictureMaker::can_refine() const {
   const bool threads =
       stats_.method == Method::kYarn || (stats_.method == Method::kAuto && stats_.method_weights[0] > 0.005f);
-  return threads && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < refine_ms_;
+  return threads && !stats_.compiling && drawn_scale_ == 1 && samples_ < all_samples_ && spent_ms_ < refine_ms_;
 }
 
 Look PictureMaker::look_for(const PictureRequest& request) {
@@ -138,6 +140,10 @@ void PictureMaker::draw_pass(const PictureRequest& request, float scale) {
   stats_ = renderer_->draw(request.scene, look_for(request), frame);
   pipeline_.set_visible_part(renderer_->visible_part());
   if (scale == 1) stats_ = renderer_->measure();
+  if (stats_.compiling) {
+    drawn_scale_ = scale;
+    return;
+  }
   // The time of the compiler would be taken for that of every pass, and the picture would get no further samples.
   if (scale == 1 && stats_.first_of_program) return draw_pass(request, scale);
   if (scale == 1 && passes_ == 0 && request.budget_ms > 0 && stats_.method == Method::kAuto) {
@@ -171,7 +177,7 @@ void PictureMaker::follow_reference(const PictureRequest& request, bool changed)
     comparison_ = session::PictureComparison{};
   }
   if (request.compare == Compare::kOff) return;
-  if (!traced_ && drawn_scale_ == 1 && !can_refine() && !pipeline_.busy()) {
+  if (!traced_ && drawn_scale_ == 1 && !can_refine() && !busy()) {
     tracer_.start(job_of(request));
     traced_ = true;
   }
@@ -200,6 +206,7 @@ double PictureMaker::next_s(double now_s) const {
   double next = busy_ || pipeline_.busy() ? kBusyPollS : -1;
   const auto sooner = [&next](double s) { next = next < 0 ? s : std::min(next, s); };
   if (tracer_.busy()) sooner(kTracePollS);
+  if (stats_.compiling) sooner(kCompilePollS);
   if (can_refine()) sooner(0);
   if (drawn_scale_ > 0 && drawn_scale_ < 1) {
     sooner(std::max(0.0, moved_s_ + rest_s() - now_s));

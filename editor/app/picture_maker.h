@@ -61,8 +61,12 @@ class PictureMaker {
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// The one that the picture shows; null before the first.
   std::shared_ptr<const Design> drawn_design() const { return pipeline_.uploaded(); }
-  /// True while the newest design is being processed.
-  bool busy() const { return renderer_ && pipeline_.busy(); }
+  /// True while the newest design is being processed, or its shaders are compiled.
+  bool busy() const { return renderer_ && (pipeline_.busy() || stats_.compiling); }
+  /// For tests: Renderer::hold_programs.
+  void hold_programs(bool held) {
+    if (renderer_) renderer_->hold_programs(held);
+  }
   /// True if more samples of the threads would refine the resting picture.
   bool can_refine() const;
 

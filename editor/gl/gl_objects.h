@@ -49,6 +49,9 @@ inline void make_query(GLuint& n) { glGenQueries(1, &n); }
 inline void free_query(GLuint n) { glDeleteQueries(1, &n); }
 inline void make_program(GLuint& n) { n = glCreateProgram(); }
 inline void free_program(GLuint n) { glDeleteProgram(n); }
+inline void make_vertex_shader(GLuint& n) { n = glCreateShader(GL_VERTEX_SHADER); }
+inline void make_fragment_shader(GLuint& n) { n = glCreateShader(GL_FRAGMENT_SHADER); }
+inline void free_shader(GLuint n) { glDeleteShader(n); }
 }  // namespace gl_detail
 
 using GlTexture = GlName<gl_detail::make_texture, gl_detail::free_texture>;
@@ -58,5 +61,7 @@ using GlFramebuffer = GlName<gl_detail::make_target, gl_detail::free_target>;
 using GlRenderbuffer = GlName<gl_detail::make_plane, gl_detail::free_plane>;
 using GlQuery = GlName<gl_detail::make_query, gl_detail::free_query>;
 using GlProgram = GlName<gl_detail::make_program, gl_detail::free_program>;
+using GlVertexShader = GlName<gl_detail::make_vertex_shader, gl_detail::free_shader>;
+using GlFragmentShader = GlName<gl_detail::make_fragment_shader, gl_detail::free_shader>;
 
 }  // namespace weftlight::gl

@@ -48,11 +48,15 @@ struct Frame {
   int all_samples = formulas::kMaxYarnSamples;
   bool exact_samples = false;  // not by tolerance: the largest lattice of at most `samples`
   bool timed = false;          // wait for the cloth on a software renderer, to measure gpu_ms there, too
+  // Wait for no shader: while the driver of a graphics card compiles the right program on threads of its own, a coarser
+  // one draws.
+  bool at_once = false;
 };
 
 struct FrameStats {
   double gpu_ms = 0;              // the cloth's pass: timer query, or the clock of a timed frame
   bool first_of_program = false;  // its program was drawn with for the first time: gpu_ms has the compiler's time, too
+  bool compiling = false;         // a coarser program drew, and gpu_ms is its time
   double shaded_pixels = 0;
   float yarns_per_pixel = 0;      // footprint at the centre of the picture
   Method method = Method::kAuto;  // the method that was drawn
@@ -67,7 +71,7 @@ struct FrameStats {
 
 class Renderer {
  public:
-  /// Compiles the shaders of shaders/.
+  /// Compiles the shaders of shaders/, but for the cloth's on a graphics card, of which each takes its driver seconds.
   static base::Result<std::unique_ptr<Renderer>> create();
   ~Renderer();
 
@@ -105,6 +109,8 @@ class Renderer {
   VisiblePart visible_part() const;
   /// Software rendering (Mesa's llvmpipe).
   bool is_software() const;
+  /// For tests: as on a graphics card whose driver has not compiled what is drawn from now on.
+  void hold_programs(bool held);
   /// Whether the shipped LOD table was read; without it the built-in one is used.
   const base::Result<void>& lod_table_read() const;
   /// Graphics card and driver.

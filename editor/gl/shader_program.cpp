@@ -64,17 +64,19 @@ std::string method_of(const std::vector<std::string>& defines) {
   return {};
 }
 
-Result<GLuint> compile(GLenum stage, const std::string& name, const std::string& text) {
-  const GLuint shader = glCreateShader(stage);
+/// Asks for no status: that would wait for the driver.
+void compile(GLuint shader, const std::string& text) {
   const char* source = text.c_str();
   glShaderSource(shader, 1, &source, nullptr);
   glCompileShader(shader);
+}
+
+Result<void> compiled(GLuint shader, const std::string& name) {
   GLint ok = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (ok) return shader;
+  if (ok) return {};
   char log[4096] = "";
   glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  glDeleteShader(shader);
   return failure(ErrorKind::kGraphics,
                  fill(tr("{file} does not compile: {log}"), arg("file", name), arg("log", std::string(log))));
 }
@@ -121,47 +123,53 @@ Result<std::string> shader_text(const std::string& file, const std::vector<std::
   return text;
 }
 
-Result<GlProgram> build_program(const std::string& vert, const std::string& frag,
-                                const std::vector<std::string>& defines) {
+Result<CompilingProgram> CompilingProgram::begin(const std::string& vert, const std::string& frag,
+                                                 const std::vector<std::string>& defines) {
   const Result<std::string> vert_text = shader_text(vert, defines);
   if (!vert_text) return failed(vert_text);
   const Result<std::string> frag_text = shader_text(frag, defines);
   if (!frag_text) return failed(frag_text);
-  const Result<GLuint> v = compile(GL_VERTEX_SHADER, vert, *vert_text);
-  if (!v) return failed(v);
-  const Result<GLuint> f = compile(GL_FRAGMENT_SHADER, frag, *frag_text);
-  if (!f) {
-    glDeleteShader(*v);
-    return failed(f);
-  }
-  GlProgram program;
-  glAttachShader(program.get(), *v);
-  glAttachShader(program.get(), *f);
-  for (GLuint slot = 0; slot < kAttributeCount; ++slot)
-    glBindAttribLocation(program.get(), slot, kAttributeNames[slot]);
-  opengl::name_output(program.get(), "out_color");
-  glLinkProgram(program.get());
-  glDeleteShader(*v);
-  glDeleteShader(*f);
+  CompilingProgram begun;
+  begun.vert_name_ = vert, begun.frag_name_ = frag;
+  compile(begun.vert_.get(), *vert_text);
+  compile(begun.frag_.get(), *frag_text);
+  const GLuint program = begun.program_.get();
+  glAttachShader(program, begun.vert_.get());
+  glAttachShader(program, begun.frag_.get());
+  for (GLuint slot = 0; slot < kAttributeCount; ++slot) glBindAttribLocation(program, slot, kAttributeNames[slot]);
+  opengl::name_output(program, "out_color");
+  glLinkProgram(program);
+  return begun;
+}
+
+bool CompilingProgram::is_done() const { return !opengl::compiles_aside() || opengl::is_linked(program_.name()); }
+
+Result<GlProgram> CompilingProgram::finished() {
+  if (auto ok = compiled(vert_.get(), vert_name_); !ok) return failed(ok);
+  if (auto ok = compiled(frag_.get(), frag_name_); !ok) return failed(ok);
+  const GLuint program = program_.get();
   GLint ok = GL_FALSE;
-  glGetProgramiv(program.get(), GL_LINK_STATUS, &ok);
+  glGetProgramiv(program, GL_LINK_STATUS, &ok);
   if (!ok) {
     char log[4096] = "";
-    glGetProgramInfoLog(program.get(), sizeof log, nullptr, log);
-    return failure(ErrorKind::kGraphics, fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert),
-                                              arg("fragment", frag), arg("log", std::string(log))));
+    glGetProgramInfoLog(program, sizeof log, nullptr, log);
+    return failure(ErrorKind::kGraphics,
+                   fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert_name_),
+                        arg("fragment", frag_name_), arg("log", std::string(log))));
   }
-  bind_slots(program.get());
-  if (auto bound = bind_block(program.get(), "FrameBlock", kFrameBinding, sizeof(interop::FrameData)); !bound)
+  bind_slots(program);
+  if (auto bound = bind_block(program, "FrameBlock", kFrameBinding, sizeof(interop::FrameData)); !bound)
     return failed(bound);
-  if (auto bound = bind_block(program.get(), "ClothBlock", kClothBinding, sizeof(interop::ClothData)); !bound)
+  if (auto bound = bind_block(program, "ClothBlock", kClothBinding, sizeof(interop::ClothData)); !bound)
     return failed(bound);
-  return program;
+  return std::move(program_);
 }
 
 Result<void> build_into(GlProgram& program, const std::string& vert, const std::string& frag,
                         const std::vector<std::string>& defines) {
-  Result<GlProgram> built = build_program(vert, frag, defines);
+  Result<CompilingProgram> begun = CompilingProgram::begin(vert, frag, defines);
+  if (!begun) return failed(begun);
+  Result<GlProgram> built = begun->finished();
   if (!built) return failed(built);
   program = std::move(*built);
   return {};

@@ -9,6 +9,8 @@
 #include <epoxy/gl.h>
 #endif
 
+#include <string_view>
+
 #if WEFTLIGHT_GLES
 // third_party/web/glfw_rest.js
 extern "C" int weftlight_lost_contexts(void);
@@ -172,5 +174,24 @@ inline double counted(GLuint query) {
 }
 
 #endif
+
+/// Whether the driver compiles on threads of its own and can be asked whether it is done.
+inline bool compiles_aside() {
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint k = 0; k < count; ++k) {
+    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(k)));
+    const std::string_view one = name ? name : "";
+    if (one == "GL_KHR_parallel_shader_compile" || one == "GL_ARB_parallel_shader_compile") return true;
+  }
+  return false;
+}
+/// Whether a program that was linked can be asked for its state without a wait. Only where compiles_aside().
+inline bool is_linked(GLuint program) {
+  constexpr GLenum kCompletionStatus = 0x91B1;  // GL_COMPLETION_STATUS_KHR, which ES has no name for
+  GLint done = GL_TRUE;
+  glGetProgramiv(program, kCompletionStatus, &done);
+  return done != GL_FALSE;
+}
 
 }  // namespace weftlight::opengl

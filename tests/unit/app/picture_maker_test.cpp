@@ -72,6 +72,33 @@ TEST(PictureMakerTest, TheFinishedPictureIsReproducible) {
   EXPECT_LT(apart(first, again), 0.04);
 }
 
+TEST(PictureMakerTest, ACoarserPictureIsReplacedOnceTheShadersAreCompiled) {
+  const auto context = gl::open_headless();
+  if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);
+  Design design = straight_draft(8);
+  design.scene.mesh = "plane";
+  gl::Pipeline pipeline;
+  PictureMaker maker(pipeline, 1e9);
+  maker.hold_programs(true);
+  maker.submit(std::make_shared<const Design>(design));
+  PictureRequest request{design.scene, design.look, 128, 96, false, Compare::kOff, 0};
+  request.scene.view_distance = 0.1f;
+  double now_s = 0;
+  while (!maker.stats().compiling || pipeline.busy()) {
+    maker.poll();
+    maker.draw(request, false, now_s += 0.5);
+  }
+  maker.poll();
+  EXPECT_TRUE(maker.busy()) << "nobody is told that a better picture comes";
+  EXPECT_FALSE(maker.can_refine());
+  EXPECT_GT(maker.next_s(now_s), 0.01) << "the coarse picture is drawn again without a pause";
+  maker.hold_programs(false);
+  at_rest(maker, request, now_s);
+  EXPECT_FALSE(maker.stats().compiling);
+  EXPECT_FALSE(maker.busy());
+  EXPECT_GT(maker.stats().method_weights[0], 0.9f) << "of threads";
+}
+
 TEST(PictureMakerTest, WhereverMemoryEndsTheNextPictureIsWhole) {
   const auto context = gl::open_headless();
   if (!context) GTEST_SKIP() << "no graphics: " << problem_of(context);

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "../relative_rms.h"
 #include "gl/shader_program.h"
@@ -41,6 +42,38 @@ void expect_finite(const Image& image) {
     ASSERT_TRUE(std::isfinite(v));
     ASSERT_GE(v, 0.0f);
   }
+}
+
+TEST_F(PictureTest, WhileItsShadersAreCompiledACoarserPictureIsShown) {
+  auto made = Renderer::create();
+  ASSERT_TRUE(made);
+  std::swap(renderer, *made);
+  upload(twill(4, 2, kRed, kBlue), square(20));
+  frame.at_once = true;
+  renderer->hold_programs(true);
+  const Image coarse = draw();
+  EXPECT_TRUE(renderer->measure().compiling);
+  EXPECT_GT(middle(coarse).sum(), 0.1) << "nothing was drawn";
+  frame.at_once = false;
+  const Image waited = draw();
+  EXPECT_FALSE(renderer->measure().compiling) << "a picture that can wait was drawn coarser";
+  frame.at_once = true;
+  renderer->hold_programs(false);
+  EXPECT_EQ(draw().texels, waited.texels);
+  EXPECT_FALSE(renderer->measure().compiling);
+  EXPECT_NE(coarse.texels, waited.texels);
+  std::swap(renderer, *made);
+}
+
+TEST_F(PictureTest, AProgramMayBeCompiledAside) {
+  auto begun = CompilingProgram::begin("backdrop.vert", "backdrop.frag", {"SHADOW_TAPS 4"});
+  ASSERT_TRUE(begun) << problem_of(begun);
+  while (!begun->is_done()) std::this_thread::yield();
+  const auto built = begun->finished();
+  ASSERT_TRUE(built) << problem_of(built);
+  EXPECT_NE(built->name(), 0u);
+  auto missing = CompilingProgram::begin("backdrop.vert", "no_such.frag", {});
+  EXPECT_NE(problem_of(missing).find("no_such.frag"), std::string::npos);
 }
 
 TEST_F(PictureTest, EveryMethodDrawsTheCloth) {

@@ -2,6 +2,7 @@
 // The threads of a cloth, as method `yarn` fetches them (shaders/thread_fetch.glsl).
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -28,6 +29,7 @@ struct ThreadKind {
   bool one_layer = false;
   bool smooth = false;    // no thread is uneven along its length
   bool computed = false;  // its crossings are computed from the drawdown
+  auto operator<=>(const ThreadKind&) const = default;
 };
 /// From the texels of thread_records(); those do not tell `computed`.
 ThreadKind thread_kind(const std::vector<glm::uvec4>& records);

@@ -19,7 +19,7 @@ constexpr double kRestS = 0.15;         // rest before full resolution
 constexpr double kBusyRestS = 2;        // the same while the pipeline works: its result replaces the picture soon
 constexpr double kBusyPollS = 0.01;     // polling interval of the pipeline
 constexpr double kTracePollS = 0.1;     // polling interval of the ray tracer
-constexpr double kCompilePollS = 0.1;   // polling interval of the driver's compiler
+constexpr double kCompilePollS = 0.03;  // polling interval of the driver's compiler
 constexpr double kMovingBudgetMs = 22;  // leaves room for the rest of a 33 ms frame
 constexpr int kMaxAPass = 4;            // the lattice of 8 samples
 // That of 2. Each sample stands for its part of the pixel: one alone, as wide as all of it, is 4 % too dark near

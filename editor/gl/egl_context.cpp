@@ -1,5 +1,5 @@
-// EGL without a surface: graphics cards first, then Mesa's surfaceless platform (llvmpipe too), then the default display.
-// Where a card's own driver stands beside Mesa, the surfaceless platform would be Mesa's and draw in software.
+// EGL without a surface: graphics cards first, then Mesa's surfaceless platform (llvmpipe too), then the default
+// display. Where a card's own driver stands beside Mesa, the surfaceless platform would be Mesa's and draw in software.
 
 #include "gl/egl_context.h"
 

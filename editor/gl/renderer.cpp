@@ -56,6 +56,30 @@ struct DrawnFrame {
   SceneLight light{};
 };
 
+/// What a program of the cloth is compiled for.
+struct ProgramKey {
+  Method method = Method::kAuto;
+  int taps = kFullTaps;
+  int methods = kAllMethods;
+  bool more_lit = false;  // with the lights of an environment beside the key light
+  ThreadKind kind{};      // properties of the cloth
+  auto operator<=>(const ProgramKey&) const = default;
+};
+
+std::vector<std::string> defines_of(const ProgramKey& key) {
+  const std::string name(method_name(key.method));
+  std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(key.taps),
+                                   "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
+                                   "METHODS " + std::to_string(key.methods)};
+  if (key.taps == kQuickTaps) defines.push_back("QUICK");
+  if (key.more_lit) defines.push_back("MORE_LIT");
+  if (key.kind.even) defines.push_back("EVEN_THREADS");
+  if (key.kind.one_layer) defines.push_back("ONE_LAYER");
+  if (key.kind.smooth) defines.push_back("SMOOTH_YARNS");
+  if (key.kind.computed) defines.push_back("COMPUTED_CROSSINGS");
+  return defines;
+}
+
 /// The method to draw: the reference is drawn by the ray tracer.
 Method drawn_method(Method asked) { return asked == Method::kReference ? Method::kAuto : asked; }
 
@@ -76,6 +100,7 @@ struct Renderer::Parts {
   /// Compiled when first needed; one that fails is not tried again.
   struct ClothProgram {
     std::string method;
+    bool wanted = false;  // a picture was drawn without it
     std::optional<CompilingProgram> compiling;
     GlProgram program;
     base::Result<void> built;
@@ -85,7 +110,7 @@ struct Renderer::Parts {
       built = base::Failure(std::move(why));
     }
   };
-  std::map<std::array<int, 8>, ClothProgram> cloth_programs;
+  std::map<ProgramKey, ClothProgram> cloth_programs;
   GlProgram backdrop, body;
   GlQuery timer, samples, flyaway_timer;
   bool queried = false, flyaways_queried = false, software = false;
@@ -99,8 +124,9 @@ struct Renderer::Parts {
 
   base::Result<void> build();
   void set_lights(LightRig lights);
-  ClothProgram& cloth_program(Method method, int taps, int methods, bool more_lit, ThreadKind kind = {});
+  void begin(const ProgramKey& key, ClothProgram& program) const;
   bool is_compiled(ClothProgram& program, bool wait) const;
+  ClothProgram& compiled_program(const ProgramKey& key);
   ClothProgram& quick_program(bool more_lit);
   ClothProgram& program_for(const DrawnFrame& drawn, Method method);
   int methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera);
@@ -130,6 +156,7 @@ base::Result<void> Renderer::Parts::build() {
   software =
       name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe") || std::strstr(name, "SwiftShader"));
   by_clock = software || !opengl::kHasCounters;
+  if (!software) opengl::allow_compiling_aside();
   base::Result<LightRig> studio = load_light_rig("studio");
   if (!studio) return base::failed(studio);
   rig = std::move(*studio);
@@ -161,28 +188,13 @@ Plan Renderer::Parts::plan_for(const DrawnFrame& drawn) const {
   return plan;
 }
 
-/// more_lit: with the lights of an environment beside the key light. kind: properties of the cloth. The driver may
-/// still be compiling it.
-Renderer::Parts::ClothProgram& Renderer::Parts::cloth_program(Method method, int taps, int methods, bool more_lit,
-                                                              ThreadKind kind) {
-  ClothProgram& made = cloth_programs[{static_cast<int>(method), taps, methods, more_lit, kind.even, kind.one_layer,
-                                       kind.smooth, kind.computed}];
-  if (made.compiling || made.program.name() || !made.built) return made;
-  const std::string name(method_name(method));
-  std::vector<std::string> defines{"METHOD " + name, "SHADE shade_" + name, "SHADOW_TAPS " + std::to_string(taps),
-                                   "SHADOW_AZIMUTHS " + std::to_string(kShadowAzimuths),
-                                   "METHODS " + std::to_string(methods)};
-  if (taps == kQuickTaps) defines.push_back("QUICK");
-  if (more_lit) defines.push_back("MORE_LIT");
-  if (kind.even) defines.push_back("EVEN_THREADS");
-  if (kind.one_layer) defines.push_back("ONE_LAYER");
-  if (kind.smooth) defines.push_back("SMOOTH_YARNS");
-  if (kind.computed) defines.push_back("COMPUTED_CROSSINGS");
-  base::Result<CompilingProgram> begun = CompilingProgram::begin("cloth.vert", "cloth.frag", defines);
-  made.method = name;
-  if (begun) made.compiling = std::move(*begun);
-  else made.fail(begun.error());
-  return made;
+/// Hands it to the driver, once. The driver may still be compiling it afterwards.
+void Renderer::Parts::begin(const ProgramKey& key, ClothProgram& program) const {
+  if (program.compiling || program.program.name() || !program.built) return;
+  program.method = method_name(key.method);
+  base::Result<CompilingProgram> begun = CompilingProgram::begin("cloth.vert", "cloth.frag", defines_of(key));
+  if (begun) program.compiling = std::move(*begun);
+  else program.fail(begun.error());
 }
 
 /// Whether it is done, well or not. wait: until it is.
@@ -196,22 +208,30 @@ bool Renderer::Parts::is_compiled(ClothProgram& program, bool wait) const {
   return true;
 }
 
-/// The one that compiles soonest.
-Renderer::Parts::ClothProgram& Renderer::Parts::quick_program(bool more_lit) {
-  ClothProgram& quick = cloth_program(Method::kAuto, kQuickTaps, kRepeatMethod, more_lit);
-  is_compiled(quick, true);
-  return quick;
+Renderer::Parts::ClothProgram& Renderer::Parts::compiled_program(const ProgramKey& key) {
+  ClothProgram& program = cloth_programs[key];
+  begin(key, program);
+  is_compiled(program, true);
+  return program;
 }
 
-/// The right program, or the quick one while the driver compiles it and the picture is wanted at once.
+/// The one that compiles soonest.
+Renderer::Parts::ClothProgram& Renderer::Parts::quick_program(bool more_lit) {
+  return compiled_program({Method::kAuto, kQuickTaps, kRepeatMethod, more_lit, {}});
+}
+
+/// The right program, or the quick one while the driver compiles it and the picture is wanted at once. Drivers that
+/// compile on this thread begin with the next picture, when there is one to look at.
 Renderer::Parts::ClothProgram& Renderer::Parts::program_for(const DrawnFrame& drawn, Method method) {
   const int taps = drawn.frame.render_scale < 1 ? kQuickTaps : kFullTaps;
   const bool of_threads = method_facts(method).threads || (method == Method::kAuto && (drawn.methods & kYarnMethod));
   const bool more_lit = drawn.light.lights.size() > 1;
-  ClothProgram& right = cloth_program(method, taps, drawn.methods, more_lit,
-                                      of_threads ? cloth.thread_kind() : ThreadKind{});
-  const bool wait = !drawn.frame.at_once || (software && !held);
-  stats.compiling = !is_compiled(right, wait);
+  const ProgramKey key{method, taps, drawn.methods, more_lit, of_threads ? cloth.thread_kind() : ThreadKind{}};
+  if (!drawn.frame.at_once || (software && !held)) return compiled_program(key);
+  ClothProgram& right = cloth_programs[key];
+  const bool known = right.program.name() || !right.built || std::exchange(right.wanted, true);
+  if (known) begin(key, right);
+  stats.compiling = !known || !is_compiled(right, false);
   return stats.compiling ? quick_program(more_lit) : right;
 }
 
@@ -434,8 +454,8 @@ bool Renderer::Parts::has_gaps() const {
 }
 
 /// Methods that the program of auto must contain. A software renderer runs both sides of a branch, so its program
-/// contains only what this picture needs. On a card there are two, with the threads and without: its driver takes seconds to
-/// compile one, and what a program holds but does not run still takes registers.
+/// contains only what this picture needs. On a card there are two, with the threads and without: its driver takes
+/// seconds to compile one, and what a program holds but does not run still takes registers.
 int Renderer::Parts::methods_of(const DrawnFrame& drawn, const GpuMesh& on, const Camera& camera) {
   const float scale = drawn.frame.render_scale;
   const auto pixels = [scale](int n) { return static_cast<int>(std::lround(scale * static_cast<float>(n))); };

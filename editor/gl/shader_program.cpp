@@ -153,9 +153,8 @@ Result<GlProgram> CompilingProgram::finished() {
   if (!ok) {
     char log[4096] = "";
     glGetProgramInfoLog(program, sizeof log, nullptr, log);
-    return failure(ErrorKind::kGraphics,
-                   fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert_name_),
-                        arg("fragment", frag_name_), arg("log", std::string(log))));
+    return failure(ErrorKind::kGraphics, fill(tr("{vertex} + {fragment} do not link: {log}"), arg("vertex", vert_name_),
+                                              arg("fragment", frag_name_), arg("log", std::string(log))));
   }
   bind_slots(program);
   if (auto bound = bind_block(program, "FrameBlock", kFrameBinding, sizeof(interop::FrameData)); !bound)

@@ -56,6 +56,7 @@ inline void decode_srgb(bool /*on*/) {}
 inline void use_multisample() {}
 inline void use_seamless_cubes() {}
 inline void name_output(GLuint /*program*/, const char* /*name*/) {}  // a single one is the first
+inline void allow_compiling_aside() {}                                // a browser does so by itself
 inline void draw_depth_only() {
   constexpr GLenum kNone = GL_NONE;
   glDrawBuffers(1, &kNone);
@@ -134,6 +135,13 @@ inline void decode_srgb(bool on) {
 inline void use_multisample() { glEnable(GL_MULTISAMPLE); }
 inline void use_seamless_cubes() { glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); }
 inline void name_output(GLuint program, const char* name) { glBindFragDataLocation(program, 0, name); }
+/// The drivers of some cards compile on threads of their own only when told how many; eight are enough for two
+/// programs.
+inline void allow_compiling_aside() {
+  constexpr GLuint kThreads = 8;
+  if (epoxy_has_gl_extension("GL_KHR_parallel_shader_compile")) glMaxShaderCompilerThreadsKHR(kThreads);
+  else if (epoxy_has_gl_extension("GL_ARB_parallel_shader_compile")) glMaxShaderCompilerThreadsARB(kThreads);
+}
 inline void draw_depth_only() {
   glDrawBuffer(GL_NONE);
   glReadBuffer(GL_NONE);

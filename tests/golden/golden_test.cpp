@@ -25,7 +25,7 @@ struct Golden {
   const char* options;
   const char* mesh = "plane";
   // Largest RMS of a tile: a wrong patch is lost in the RMS of the whole. At edges, where fibres stand off, drivers
-  // differ in single pixels.
+  // differ in single pixels (an NVIDIA card from llvmpipe by up to 0.052 of a tile, RMS 0.0071).
   double worst_tile = 0.02;
 };
 
@@ -34,14 +34,14 @@ constexpr Golden kGoldens[] = {
     {"starter_back", "starter", "--method yarn --face back --view -30,35"},
     {"houndstooth_flat", "houndstooth", "--method flat"},
     {"twill_vrst03", "twill_2_2", "--method vrst03 --yarns-per-pixel 0.1"},
-    {"satin_threads", "satin_8", "--method yarn --yarns-per-pixel 0.05"},
-    {"gauze_gaps", "gauze", "--method yarn --yarns-per-pixel 0.08"},
+    {"satin_threads", "satin_8", "--method yarn --yarns-per-pixel 0.05", "plane", 0.05},
+    {"gauze_gaps", "gauze", "--method yarn --yarns-per-pixel 0.08", "plane", 0.03},
     {"starter_auto", "starter", "--method auto --yarns-per-pixel 1.5 --view 20,40", "plane", 0.05},
     {"overshot_repeat", "overshot", "--method repeat --yarns-per-pixel 1"},
     {"damask_cell", "twill_damask", "--method cell --yarns-per-pixel 1"},
     {"denim_cloth", "denim", "--method cloth --view 0,25"},
     {"satin_engine", "satin_8", "--method engine --yarns-per-pixel 0.3"},
-    {"twill_irawan", "twill_2_2", "--method irawan --yarns-per-pixel 0.1"},
+    {"twill_irawan", "twill_2_2", "--method irawan --yarns-per-pixel 0.1", "plane", 0.07},
     {"starter_draped", "starter", "--method auto", "tablecloth", 0.05},
 };
 

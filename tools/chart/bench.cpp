@@ -314,8 +314,13 @@ double ChartBench::patch_ns(const FlatPatch& patch, const Look& look) {
   return (platform::processor_ns() - before) / cores();
 }
 
+int ChartBench::timing_size(Method method) const {
+  if (renderer_->is_software()) return method == Method::kYarn ? effort_.yarn_timing_size : effort_.timing_size;
+  return method == Method::kYarn ? effort_.card_yarn_timing_size : effort_.card_timing_size;
+}
+
 double ChartBench::nanoseconds(const ChartRow& cell, const PixelSteps& pixel) {
-  const int size = cell.method == Method::kYarn ? effort_.yarn_timing_size : effort_.timing_size;
+  const int size = timing_size(cell.method);
   const FlatPatch patch = patch_of(cell.view_deg, kCorner, pixel, size, size, cell.samples);
   Look look;
   look.method = cell.method;

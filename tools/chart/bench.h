@@ -95,6 +95,7 @@ class ChartBench {
   double filtering_error(const ChartRow& cell, const PixelSteps& pixel);
   double flicker(const ChartRow& cell, const PixelSteps& pixel);
   double patch_ns(const FlatPatch& patch, const Look& look);
+  int timing_size(Method method) const;
   double nanoseconds(const ChartRow& cell, const PixelSteps& pixel);
   double instructions(const ChartRow& cell);
   base::Result<Loaded*> show_drape(size_t scene);

@@ -110,7 +110,8 @@ double ChartBench::picture_ns(const DrapeRow& cell, const Frame& frame, FrameSta
 /// Nanoseconds per shaded pixel of cloth: the extra time over a picture without the cloth, which is the same for all
 /// methods.
 double ChartBench::draped_ns(size_t scene, const DrapeRow& cell) {
-  const int size = cell.method == Method::kYarn ? effort_.drape_yarn_timing_size : effort_.drape_timing_size;
+  const int drawn = cell.method == Method::kYarn ? effort_.drape_yarn_timing_size : effort_.drape_timing_size;
+  const int size = renderer_->is_software() ? drawn : timing_size(cell.method);
   Frame frame = frame_of(cell.yarns_per_pixel, size, size);
   frame.timed = true;
   FrameStats stats;

@@ -59,6 +59,8 @@ struct ChartEffort {
   int truth_budget = 150'000;    // rays of each half of the truth
   int timing_size = 256, timing_repeats = 5;
   int yarn_timing_size = 128;  // it is much slower
+  // On a graphics card, which small patches leave idle.
+  int card_timing_size = 1024, card_yarn_timing_size = 512;
   int pans = 8;
   double timing_enough_ns = 1.5e9;  // time after which no more repeats are needed
   bool count_instructions = false;  // by single steps, which take minutes per row

@@ -24,19 +24,25 @@ bool fails_here() {
 
 }  // namespace
 
-// Of the whole program; in a file of their own, where the compiler sees both as one pair.
-void* operator new(size_t bytes) {
-  if (fails_here()) throw std::bad_alloc();
+// Of the whole program; in a file of their own, where the compiler sees both as one pair. All pairs that the standard
+// library uses (std::stable_sort takes the one that does not throw), or the address sanitizer would see memory of one
+// go to the other.
+void* operator new(size_t bytes, const std::nothrow_t& /*unused*/) noexcept {
+  if (fails_here()) return nullptr;
   if (bytes > g_most && g_spared.load() != std::this_thread::get_id()) {
     ++g_refusals;
-    throw std::bad_alloc();
+    return nullptr;
   }
-  void* there = std::malloc(bytes > 0 ? bytes : 1);
+  return std::malloc(bytes > 0 ? bytes : 1);
+}
+void* operator new(size_t bytes) {
+  void* there = operator new(bytes, std::nothrow);
   if (there == nullptr) throw std::bad_alloc();
   return there;
 }
 void operator delete(void* there) noexcept { std::free(there); }
 void operator delete(void* there, size_t) noexcept { std::free(there); }
+void operator delete(void* there, const std::nothrow_t& /*unused*/) noexcept { std::free(there); }
 
 namespace weftlight {
 

@@ -117,6 +117,16 @@ TEST(Factor, SaysWhatIsMissingAndOffersTheClosestWeave) {
       << "four distinct columns of two ends each are woven as another one: four crossings per end";
 }
 
+TEST(Factor, AShaftThatNoEndNeedsAnyMoreIsGivenToTheNewOnes) {
+  const Draft d = treadled({"10", "10", "01", "01"}, {"10", "01"}, {"10", "01", "10", "01"});
+  // The ends of the second shaft join those of the first; one of the first leaves it.
+  const BitMatrix cells = matrix_of({"1111", "0100", "1011", "0000"});
+  const base::Result<Draft> made = with_drawdown(d, cells, {2, 8});
+  ASSERT_TRUE(made) << problem_of(made);
+  EXPECT_EQ(drawdown(*made), cells);
+  EXPECT_EQ(text_of(made->threading), (Rows{"10", "01", "10", "10"}));
+}
+
 TEST(Factor, ADraftMovesToASmallerLoomIfItsClothAllows) {
   // A point threading on eight shafts, of which only four weave differently.
   Draft d = blank_draft(16, 16, 8, 8);
@@ -376,6 +386,22 @@ TEST(Factor, TheClosestWeaveEndsSoonAfterItIsAskedToStop) {
   EXPECT_EQ(stops.reports, 1);
   EXPECT_FALSE(stopped.exact);
   EXPECT_EQ(stopped.draft, bare_loom(cells));
+}
+
+TEST(Skeleton, ShaftsBeyondTheFirstSixtyFourCount) {
+  // Two lifts that differ on shaft 70 alone, and one of both their treadles.
+  BitMatrix lifts(3, 70);
+  lifts.set(0, 0, true);
+  lifts.set(1, 1, true), lifts.set(1, 69, true);
+  for (const int s : {0, 1, 69}) lifts.set(2, s, true);
+  const Skeleton s = skeleton_tieup(lifts, 2);
+  EXPECT_EQ(s.tieup.rows(), 2);
+  for (int pick = 0; pick < 3; ++pick)
+    for (int shaft = 0; shaft < 70; ++shaft) {
+      bool lifted = false;
+      for (int t = 0; t < s.tieup.rows(); ++t) lifted |= s.treadling.get(pick, t) && s.tieup.get(t, shaft);
+      EXPECT_EQ(lifted, lifts.get(pick, shaft)) << "pick " << pick << ", shaft " << shaft;
+    }
 }
 
 TEST(Skeleton, FindsTheTreadlesOfTheLifts) {

@@ -9,7 +9,8 @@ namespace weftlight::design {
 using base::problem_of;
 using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Rgb, draft::Selection,
     draft::ShedControl, draft::Write, draft::block_text, draft::cells_of, draft::columns_of, draft::drawdown,
-    draft::missed_cells, draft::read_block_text, draft::rows_of, draft::turned_for, draft::whole_grid;
+    draft::missed_cells, draft::read_block_text, draft::rows_of, draft::turned_for, draft::whole_grid,
+    draft::with_cells;
 
 namespace {
 
@@ -33,7 +34,7 @@ constexpr Selection kFirstThreeEnds{BitGrid::kThreading, 0, 3, 0, 4};
 TEST(Selection, ReadsTheCellsOfEachGrid) {
   const Draft d = twill_design().draft;
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kThreading, 1, 4, 1, 4})), (Rows{"100", "010", "001"}));
-  EXPECT_EQ(text_of(cells_of(d, {BitGrid::kTieup, 0, 2, 0, 3})), (Rows{"10", "11", "01"}));
+  EXPECT_EQ(cells_of(d, {BitGrid::kTieup, 0, 2, 0, 3}), matrix_of({"10", "11", "01"})) << "nothing beyond its columns";
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kTreadling, 0, 4, 3, 5})), (Rows{"0001", "1000"}));
   const Rows all = text_of(drawdown(d));
   EXPECT_EQ(text_of(cells_of(d, {BitGrid::kDrawdown, 2, 5, 1, 3})), (Rows{all[1].substr(2, 3), all[2].substr(2, 3)}));
@@ -63,6 +64,11 @@ TEST(Selection, BlocksAreClippedToTheGrid) {
   EXPECT_EQ(threading(with_block(twill_design(), BitGrid::kThreading, -3, 0, block, Write::kThreads))[0], "1000");
   for (int far : {-100, 100, 1 << 30})
     EXPECT_EQ(with_block(twill_design(), BitGrid::kTieup, far, far, block, Write::kInside), twill_design());
+}
+
+TEST(Selection, ADrawdownIsNotWrittenAsCells) {
+  const Draft d = twill_design().draft;
+  EXPECT_EQ(with_cells(d, BitGrid::kDrawdown, 0, 0, matrix_of({"01", "10"}), Write::kInside), d);
 }
 
 TEST(Selection, CrossingsFollowTheThreadingAndReportTheRest) {

@@ -101,6 +101,17 @@ TEST(edit, a_new_section_is_listed_in_contents) {
                 {"TEXT=true\r\n", "\r\n", "[TEXT]\r\n", "Title=Point\r\n"});
 }
 
+TEST(edit, a_new_section_that_contents_denies_is_listed) {
+  std::string bytes = fixture("liftplan.wif");
+  const std::string head = "[CONTENTS]\r\n";
+  bytes.insert(bytes.find(head) + head.size(), "TEXT=false\r\n");
+  const WifFile file = opened(bytes);
+  Design now = file.design;
+  now.title = "Point";
+  expect_change(line_diff(file.bytes, write_wif(file, now)), {"TEXT=false\r\n"},
+                {"TEXT=true\r\n", "\r\n", "[TEXT]\r\n", "Title=Point\r\n"});
+}
+
 TEST(edit, text_in_the_encoding_of_the_file) {
   expect_change(diff_of("latin1.wif", [](Design& d) { d.author = "Zoë"; }), {"Author=A weaver\r\n"},
                 {"Author=Zo\xEB\r\n"});
@@ -187,6 +198,23 @@ TEST(edit, measures_in_the_files_own_units) {
   // From the yarn, where the file has a default.
   expect_change(diff_of("measures.wif", [](Design& d) { d = with_thread_spacing(d, System::kWarp, 1, kFromYarn); }),
                 {"2=40\r\n"}, {"2=0\r\n"});
+}
+
+TEST(edit, a_new_file_has_units_where_it_has_measures) {
+  Design design = opened(fixture("twill.wif")).design;
+  for (draft::Threads* threads : {&design.draft.warp, &design.draft.weft}) {
+    std::ranges::fill(threads->spacing_mm, kFromYarn);
+    std::ranges::fill(threads->thickness_mm, kFromYarn);
+  }
+  EXPECT_EQ(write_new_wif(design).find("Units="), std::string::npos);
+  Design spaced = design;
+  spaced.draft.warp.spacing_mm[1] = 3;
+  EXPECT_NE(write_new_wif(spaced).find("Units="), std::string::npos);
+  EXPECT_EQ(opened(write_new_wif(spaced)).design.draft.warp.spacing_mm[1], 3);
+  Design thick = design;
+  thick.draft.weft.thickness_mm[2] = 4;
+  EXPECT_NE(write_new_wif(thick).find("Units="), std::string::npos);
+  EXPECT_EQ(opened(write_new_wif(thick)).design.draft.weft.thickness_mm[2], 4);
 }
 
 TEST(edit, size) {

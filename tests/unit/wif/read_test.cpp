@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <clocale>
 
 #include "draft/drawdown.h"
@@ -102,6 +103,15 @@ TEST(read, counted_from_zero) {
   EXPECT_EQ(design.notes, (Lines{"first", "second"}));
 }
 
+TEST(read, a_row_0_beside_all_treadles_is_not_one_of_them) {
+  const Draft draft = opened(
+                          "[WEAVING]\nShafts=2\nTreadles=2\n[WARP]\nThreads=2\n[WEFT]\nThreads=1\n"
+                          "[THREADING]\n1=1\n2=2\n[TIEUP]\n0=1\n1=1\n2=2\n[TREADLING]\n1=2\n")
+                          .design.draft;
+  EXPECT_EQ(draft.treadles, 2);
+  EXPECT_EQ(cloth(draft), (Lines{"01"}));
+}
+
 TEST(read, measures_zooms_symbols_and_range) {
   const WifRead read = read_wif(fixture("measures.wif"));
   ASSERT_TRUE(read.file);
@@ -160,6 +170,24 @@ TEST(read, rejects_what_is_not_a_draft) {
     for (const Diagnostic& d : read.diagnostics) error = error || (d.severity == Severity::kError && !d.remedy.empty());
     EXPECT_TRUE(error) << bytes;
   }
+}
+
+TEST(read, utf_16_is_named_in_either_order_of_its_bytes) {
+  for (const char* mark : {"\xFF\xFE", "\xFE\xFF"}) {
+    const WifRead read = read_wif(std::string(mark) + "[\n");
+    EXPECT_FALSE(read.file);
+    EXPECT_TRUE(says(read, 1, "UTF-16"));
+  }
+}
+
+TEST(read, the_colour_that_is_taken_for_a_missing_one_is_named) {
+  const WifRead read = read_wif(
+      "[WARP]\nThreads=2\n[WEFT]\nThreads=2\n[COLOR PALETTE]\nRange=0,255\n[COLOR TABLE]\n1=0,0,0\n2=9,9,9\n"
+      "[WARP COLORS]\n1=9\n");
+  ASSERT_TRUE(read.file);
+  const auto named = std::ranges::find_if(read.diagnostics, [](const Diagnostic& d) { return d.line == 11; });
+  ASSERT_NE(named, read.diagnostics.end());
+  EXPECT_EQ(named->remedy, "color 2 was used; correct one of them");
 }
 
 TEST(read, irregular_lines_are_reported) {

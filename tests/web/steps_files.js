@@ -29,6 +29,13 @@ async function painted(t) {
   t.check('the saved file has the bytes of the desktop\'s', saved.equals(bytes_of(t, 'painted.wif')));
 }
 
+/// The first line in which two drafts differ, empty if there is none.
+function difference_of(wanted, found) {
+  const [one, other] = [wanted, found].map(bytes => bytes.toString('latin1').split('\n'));
+  const at = one.findIndex((line, k) => line !== other[k]);
+  return at < 0 ? '' : 'line ' + (at + 1) + ' is ' + JSON.stringify(other[at]) + ', not ' + JSON.stringify(one[at]);
+}
+
 /// A second edit, unsaved, and the tab dies.
 async function killed(t) {
   const page = await t.at_page();
@@ -46,7 +53,8 @@ async function killed(t) {
   await comesTrue('the work is back', () => next.ask('document.title.includes("painted.wif")'));
   await next.key('Ctrl+S');
   const again = await t.browser.download('painted.wif');
-  t.check('unsaved work comes back after the tab died', again.equals(fs.readFileSync(t.mine)));
+  t.check('unsaved work comes back after the tab died', again.equals(fs.readFileSync(t.mine)),
+          difference_of(fs.readFileSync(t.mine), again));
 }
 
 async function dropped(t) {

@@ -2,11 +2,14 @@
 
 #include "session/recovery/journal.h"
 
+#include <sys/stat.h>
+
 #include <fstream>
 #include <new>
 #include <stdexcept>
 #include <utility>
 
+#include "../comes_true.h"
 #include "../scratch_fixture.h"
 #include "../semaphore.h"
 #include "session/recovery/journal_format.h"
@@ -110,6 +113,7 @@ TEST_F(JournalTest, KeepsTheNewestStateOfEachDocument) {
   EXPECT_TRUE(left_in(root()).empty()) << "the session lives";
   journal.forget(a);
   journal.settle();
+  EXPECT_EQ(journal.problem(), "");
   EXPECT_FALSE(fs::exists(recovery.journal_path(a)));
   EXPECT_TRUE(fs::exists(recovery.journal_path(b)));
 }
@@ -123,6 +127,48 @@ TEST_F(JournalTest, LeavesNoFilesWhenEverythingIsSaved) {
     journal.forget(1);
   }
   for (const auto& entry : fs::directory_iterator(root())) EXPECT_EQ(entry.path().filename(), "lock");
+}
+
+TEST_F(JournalTest, AStrokeIsAppendedAndAnotherNameBeginsItAnew) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  std::string text(1000, 'a');
+  const auto kept = [&](const char* name) {
+    journal.keep(1, note(name), [text] { return text; });
+    journal.settle();
+    struct stat facts {};
+    stat(recovery.journal_path(1).c_str(), &facts);
+    return std::pair(facts.st_ino, facts.st_size);
+  };
+  const auto [file, size] = kept("a.wif");
+  for (int stroke = 1; stroke <= 3; ++stroke) {
+    text[static_cast<size_t>(stroke) * 100] = 'b';
+    const auto [now, larger] = kept("a.wif");
+    EXPECT_EQ(now, file) << "stroke " << stroke << " wrote all of it";
+    EXPECT_GT(larger, size);
+    EXPECT_LT(larger, size + stroke * 100);
+  }
+  EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->text, text);
+  kept("b.wif");
+  EXPECT_EQ(read_left({recovery.journal_path(1), {}, 0})->note.name, "b.wif");
+}
+
+TEST_F(JournalTest, AJournalThatCannotBeRemovedIsToldAndTriedAgain) {
+  Recovery recovery(root());
+  Journal journal(recovery);
+  journal.keep(1, note("a.wif"), [] { return "text"; });
+  journal.settle();
+  const std::string own = recovery.journal_path(1);
+  fs::remove(own);
+  fs::create_directory(own);
+  written(own + "/inside", "of a folder in its place");
+  journal.forget(1);
+  journal.settle();
+  EXPECT_NE(journal.problem().find(own), std::string::npos) << journal.problem();
+  journal.replace({path("nothing/1.journal"), {}, 0}, 1);  // joins what failed
+  fs::remove_all(own);
+  EXPECT_TRUE(comes_true([&] { return !journal.busy(); }));
+  EXPECT_EQ(journal.problem(), "");
 }
 
 TEST_F(JournalTest, IsRewrittenWhenItHasGrown) {
@@ -247,6 +293,63 @@ TEST_F(JournalTest, AWaitingRequestIsNotLostToTheNext) {
   journal.settle();
   EXPECT_FALSE(fs::exists(recovery.journal_path(1)));
   EXPECT_EQ(read_left({recovery.journal_path(2), {}, 0})->text, "newer");
+}
+
+/// A text that is begun, waits, and fails; the next time it is there.
+class FailsOnce {
+ public:
+  std::string operator()() {
+    if (std::exchange(failed_, true)) return "at the second try";
+    begun_.release();
+    proceed_.acquire();
+    throw std::bad_alloc();
+  }
+  void wait_for_its_begin() { begun_.acquire(); }
+  void let_it_fail() { proceed_.release(); }
+
+ private:
+  BinarySemaphore begun_{0}, proceed_{0};
+  bool failed_ = false;
+};
+
+TEST_F(JournalTest, WhatFailsJoinsTheRequestThatCameMeanwhile) {
+  const std::string old = path("old/0123456789abcdef/1.journal");
+  fs::create_directories(fs::path(old).parent_path());
+  written("old/0123456789abcdef/1.journal", journal_start({note("a.wif"), "left"}));
+  Recovery recovery(root());
+  Journal journal(recovery);
+  const auto text_of = [&](uint64_t document) { return read_left({recovery.journal_path(document), {}, 0})->text; };
+  // One without a text of its own: the older text is still to be written.
+  FailsOnce first, second;
+  journal.keep(1, note("a.wif"), [&] { return first(); });
+  first.wait_for_its_begin();
+  journal.replace({path("nothing/1.journal"), {}, 0}, 1);
+  first.let_it_fail();
+  EXPECT_TRUE(comes_true([&] { return !journal.busy(); }));
+  EXPECT_EQ(text_of(1), "at the second try");
+  // One with a newer text, which stays; what the older one was to replace is replaced by it.
+  journal.keep(2, note("a.wif"), [&] { return second(); });
+  journal.replace({old, {}, 0}, 2);
+  second.wait_for_its_begin();
+  journal.keep(2, note("a.wif"), [] { return "newer"; });
+  second.let_it_fail();
+  EXPECT_TRUE(comes_true([&] { return !journal.busy(); }));
+  EXPECT_EQ(text_of(2), "newer");
+  EXPECT_FALSE(fs::exists(old));
+}
+
+TEST_F(JournalTest, OldWorkStaysWhileItsNewJournalCannotBeWritten) {
+  const std::string old = path("old/0123456789abcdef/1.journal");
+  fs::create_directories(fs::path(old).parent_path());
+  written("old/0123456789abcdef/1.journal", journal_start({note("a.wif"), "left"}));
+  written("state", "a file where the folder should be");
+  Recovery recovery(root());
+  Journal journal(recovery);
+  journal.keep(1, note("a.wif"), [] { return "left and more"; });
+  journal.replace({old, {}, 0}, 1);
+  journal.settle();
+  EXPECT_NE(journal.problem(), "");
+  EXPECT_TRUE(fs::exists(old));
 }
 
 }  // namespace

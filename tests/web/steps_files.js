@@ -8,7 +8,9 @@ const {execFileSync} = require('child_process');
 const {comesTrue, sleep} = require('./browser.js');
 const {at_rest, difference, open_file, pixels_of} = require('./looking.js');
 
+/// The grids have their place once the picture is finished: a second tab moves them down after the title has changed.
 async function paint_a_cell(page) {
+  await at_rest(page);
   await page.click(...await page.cell('tieup', 1, 1));
   await page.unsaved();
 }

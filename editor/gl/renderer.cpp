@@ -63,6 +63,7 @@ struct ProgramKey {
   int methods = kAllMethods;
   bool more_lit = false;  // with the lights of an environment beside the key light
   ThreadKind kind{};      // properties of the cloth
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy takes the 0 of <=> for a pointer
   auto operator<=>(const ProgramKey&) const = default;
 };
 

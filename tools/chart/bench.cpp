@@ -189,7 +189,7 @@ base::Result<const TubeScene*> ChartBench::tubes(Loaded& loaded) {
 }
 
 base::Result<ChartBench::Loaded*> ChartBench::show(size_t scene) {
-  const base::Result<Loaded*> loaded = load(scene);
+  base::Result<Loaded*> loaded = load(scene);
   if (!loaded) return loaded;
   if (shown_ != scene) renderer_->upload((*loaded)->packed);
   shown_ = scene;

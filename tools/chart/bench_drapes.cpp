@@ -11,7 +11,6 @@
 
 namespace weftlight::chart {
 
-using base::message;
 using design::Look, design::Method, design::Scene;
 using drape::Mesh;
 using gl::Frame, gl::FrameStats;
@@ -64,7 +63,7 @@ DrapePicture drape_picture(const PreparedMesh& mesh, const DrapeRow& cell, glm::
 }  // namespace
 
 base::Result<ChartBench::Loaded*> ChartBench::show_drape(size_t scene) {
-  const base::Result<Loaded*> shown = show(scene);
+  base::Result<Loaded*> shown = show(scene);
   if (!shown) return shown;
   Loaded& loaded = **shown;
   if (draped_scene_ != scene) renderer_->set_mesh(loaded.mesh);

@@ -199,7 +199,8 @@ inline bool is_linked(GLuint program) {
   constexpr GLenum kCompletionStatus = 0x91B1;  // GL_COMPLETION_STATUS_KHR, which ES has no name for
   GLint done = GL_TRUE;
   glGetProgramiv(program, kCompletionStatus, &done);
-  return done != GL_FALSE;
+  if (done != GL_FALSE) return true;
+  return kGles && glGetError() != GL_NO_ERROR;  // a browser that lists the extension and does not know the question
 }
 
 }  // namespace weftlight::opengl

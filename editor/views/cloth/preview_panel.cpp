@@ -76,9 +76,17 @@ void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
   dl->AddText(font, font_size(font), at, c.style.color.muted, text.c_str());
 }
 
+/// The width of a note in a pane.
+float note_room(const PanelContext& c, float pane_width) { return std::max(0.0f, pane_width - c.style.px(32)); }
+
+bool is_room_for(const PanelContext& c, const std::string& text, float pane_width) {
+  ImFont* font = c.style.font.small;
+  return font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str()).x <= note_room(c, pane_width);
+}
+
 std::string note_that_fits(const PanelContext& c, const std::string& text, float pane_width) {
   push_font(c.style.font.small);
-  std::string shown = fitted(text, std::max(0.0f, pane_width - c.style.px(32)));
+  std::string shown = fitted(text, note_room(c, pane_width));
   ImGui::PopFont();
   return shown;
 }
@@ -95,29 +103,43 @@ std::string weights_text(const std::array<float, 4>& weights) {
   return text;
 }
 
-std::string error_text(const PreviewPicture& p) {
+std::string error_text(const PreviewPicture& p, bool with_limit) {
   const float error = 100 * p.stats.estimated_error;
-  if (p.stats.method != Method::kAuto || p.tolerance <= 0)
+  if (!with_limit || p.stats.method != Method::kAuto || p.tolerance <= 0)
     return fill(tr("error about {error:.0f}%"), arg("error", error));
   if (p.budget_ms > 0)
     return fill(tr("error about {error:.0f}% in {limit:.0f} ms"), arg("error", error), arg("limit", p.budget_ms));
   return fill(tr("error about {error:.0f}%, limit {limit:.0f}%"), arg("error", error), arg("limit", 100 * p.tolerance));
 }
 
-std::string stats_line(const PreviewPicture& p) {
-  std::string line = tr(method_facts(p.stats.method).label);
-  const auto say = [&line](const std::string& text) { line.append("   ").append(text); };
-  if (p.stats.method == Method::kAuto) say(weights_text(p.stats.method_weights));
+std::vector<std::string> stats_parts(const PreviewPicture& p, bool with_limit) {
+  std::vector<std::string> parts{tr(method_facts(p.stats.method).label)};
+  if (p.stats.method == Method::kAuto) parts.push_back(weights_text(p.stats.method_weights));
   if (p.stats.gpu_ms > 0)
-    say(fill(tr("{time} ms"), arg("time", fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0))));
+    parts.push_back(
+        fill(tr("{time} ms"), arg("time", fixed(static_cast<float>(p.stats.gpu_ms), p.stats.gpu_ms < 10 ? 1 : 0))));
   if (p.stats.yarns_per_pixel > 0) {
     const float yarns = p.stats.yarns_per_pixel;
-    say(yarns < 1 ? fill(tr("{count:.1f} px per yarn"), arg("count", 1 / yarns))
-                  : fill(tr("{count:.1f} yarns per px"), arg("count", yarns)));
+    parts.push_back(yarns < 1 ? fill(tr("{count:.1f} px per yarn"), arg("count", 1 / yarns))
+                              : fill(tr("{count:.1f} yarns per px"), arg("count", yarns)));
   }
-  if (p.stats.estimated_error > 0) say(error_text(p));
-  if (p.busy) say(tr("updating\xE2\x80\xA6"));
-  return line;
+  if (p.stats.estimated_error > 0) parts.push_back(error_text(p, with_limit));
+  return parts;
+}
+
+/// What there is room for: first without the limit of the error, then without the last parts.
+std::string stats_line(const PanelContext& c, const PreviewPicture& p, float pane_width) {
+  const std::string gap = "   ";
+  const std::string busy = p.busy ? gap + tr("updating\xE2\x80\xA6") : "";
+  const auto line = [&](const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) text.append(text.empty() ? "" : gap).append(part);
+    return text + busy;
+  };
+  std::vector<std::string> parts = stats_parts(p, true);
+  if (!is_room_for(c, line(parts), pane_width)) parts = stats_parts(p, false);
+  while (parts.size() > 1 && !is_room_for(c, line(parts), pane_width)) parts.pop_back();
+  return line(parts);
 }
 
 /// The legend of the methods in false colours.
@@ -364,7 +386,7 @@ void draw_view(Panel& c, const PreviewPicture& picture, ImVec2& pane) {
     const ClothRulers rulers = rulers_of(c, c.view);
     draw_cloth_rulers(dl, c, c.view, rulers, a, b);
     draw_note(c, {a.x + rulers.wide + c.style.px(16), b.y - rulers.high - c.style.px(24)},
-              note_that_fits(c, stats_line(picture), pane.x - rulers.wide));
+              note_that_fits(c, stats_line(c, picture, pane.x - rulers.wide), pane.x - rulers.wide));
     c.map.add("view.picture", a.x, a.y, pane.x, pane.y);
   } else {
     // Before the first picture: its background. A problem is shown on the colour of the panel.

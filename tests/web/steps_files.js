@@ -5,7 +5,7 @@ const fs = require('fs');
 const path = require('path');
 const zlib = require('zlib');
 const {execFileSync} = require('child_process');
-const {comesTrue, sleep} = require('./browser.js');
+const {comesTrue} = require('./browser.js');
 const {at_rest, difference, open_file, pixels_of} = require('./looking.js');
 
 /// The grids have their place once the picture is finished: a second tab moves them down after the title has changed.
@@ -38,17 +38,36 @@ function difference_of(wanted, found) {
   return at < 0 ? '' : 'line ' + (at + 1) + ' is ' + JSON.stringify(other[at]) + ', not ' + JSON.stringify(one[at]);
 }
 
+/// The unsaved work that the browser keeps (editor/web/kept.js), and the locks that its pages hold.
+const kKept = `(async () => {
+  const base = await new Promise(done => { const asked = indexedDB.open('weftlight', 1); asked.onsuccess = () => done(asked.result); });
+  const files = base.transaction('files').objectStore('files');
+  const ask = what => new Promise(done => { what.onsuccess = () => done(what.result); });
+  const names = await ask(files.getAllKeys());
+  base.close();
+  const {held} = await navigator.locks.query();
+  return {work: names.filter(name => !name.startsWith('all|')).join(),
+          locks: held.map(one => one.name)};
+})()`;
+
 /// A second edit, unsaved, and the tab dies.
 async function killed(t) {
   const page = await t.at_page();
   await open_file(page, path.join(t.folder, 'painted.wif'));
   await paint_a_cell(page);
-  await at_rest(page);  // half a second is promised, of a machine with time for it
-  await sleep(1500);
+  const {locks} = await comesTrue('the edit is kept', async () => {
+    const now = await page.ask(kKept);
+    return now.work.includes('.journal') && now;
+  });
   page.call('Page.crash').catch(() => {});
-  await sleep(500);
   await t.browser.close_page(page);
-  await sleep(4000);  // the browser gives its lock back once the process is gone
+  const other = await t.browser.open(t.address.replace(/[^/]*$/, 'handbook/index.html'));
+  await comesTrue('the browser gives the lock of the dead tab back', async () => {
+    const held = await other.ask(`location.href !== 'about:blank' &&
+      navigator.locks.query().then(now => now.held.map(lock => lock.name))`);
+    return held && !held.some(name => locks.includes(name));
+  });
+  await t.browser.close_page(other);
   t.page = null;
   const next = await t.at_page();
   await next.press('dialog:Recover');

@@ -7,7 +7,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh" truth "$@"
 scene() {  # name draft options...
   local name=$1 draft=$drafts/$2.wif
   shift 2
-  "$weftlight" reference "$draft" -o "$work/truth.png" --spp "${SPP:-96}" --bounces 1 --size 420x320 "$@"
+  "$weftlight" reference "$draft" -o "$work/truth.png" --spp "${SPP:-96}" --size 420x320 "$@"
   "$weftlight" render "$draft" -o "$work/auto.png" --size 420x320 --samples 48 "$@"
   convert "$work/truth.png" "$work/auto.png" -compose difference -composite -evaluate multiply 4 "$work/difference.png"
   for part in truth auto difference; do convert "$work/$part.png" -quality 90 "$out/${name}_$part.jpg"; done
@@ -23,7 +23,7 @@ fibres() {  # name cloth options...
   began=$SECONDS
   "$weftlight" reference "$cloth" -o "$work/fibres.png" --fibres --spp "${SPP:-64}" "${view[@]}"
   printf '%s %s s\n' "$name" "$((SECONDS - began))"
-  "$weftlight" reference "$cloth" -o "$work/tubes.png" --spp "${SPP:-96}" --bounces 1 "${view[@]}"
+  "$weftlight" reference "$cloth" -o "$work/tubes.png" --spp "${SPP:-96}" "${view[@]}"
   for part in fibres tubes; do convert "$work/$part.png" -quality 88 "$out/${name}_$part.jpg"; done
 }
 

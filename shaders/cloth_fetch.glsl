@@ -197,7 +197,8 @@ struct VisibleSystems {
 };
 
 // View tables of a face along v: 0 visible fractions, 1 and 2 reflected light of a uniform sky by warp and weft, 3 its
-// mean directions, 4 correction of method `yarn`: factors by system, and shift of the direction.
+// mean directions, 4 correction of method `yarn`: factors by system, and shift of the direction, 5 reflected
+// light of hidden directions by warp and weft, and weighted by the visible sky.
 vec4 view_table(int face, int table, vec3 v) {
   vec2 c = response_coord(v);
   const float around = float(RESPONSE_VIEWS_AROUND);

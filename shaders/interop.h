@@ -41,7 +41,7 @@ using glm::vec4;
 
 // Nodes of the far-field response (core/light/cloth_response.h): elevations, azimuths of views and of lights, of
 // lights from behind the cloth; bins of slope angles. View tables: for each face the visible fractions, the reflected
-// sky by warp and by weft, its directions, and the correction of method `yarn`.
+// sky by warp and by weft, its directions, the correction of method `yarn`, and what its threads send to each other.
 #define RESPONSE_ELEVATIONS 8
 #define RESPONSE_VIEWS_AROUND 32
 #define RESPONSE_LIGHTS_AROUND 16
@@ -51,7 +51,7 @@ using glm::vec4;
 #define RESPONSE_WIDTH 34
 #define RESPONSE_HEIGHT 128
 #define RESPONSE_SLOPES 64
-#define VIEW_TABLES 10
+#define VIEW_TABLES 12
 
 struct FrameData {
   mat4 world_to_clip;

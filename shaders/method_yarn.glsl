@@ -6,6 +6,7 @@
 
 #include "thread_fetch.glsl"
 #include "flyaway.glsl"
+#include "interreflection.glsl"
 
 #if defined(QUICK)
 const int kViewCells = 8;
@@ -22,6 +23,7 @@ struct YarnSums {
   vec3 glossy;
   vec3 diffuse_from;     // mean direction of the sky light of each, times its amount
   vec3 glossy_from;
+  vec3 hidden;           // reflected from directions that other threads hide
   float cover;
 };
 
@@ -106,8 +108,9 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
 
 // One sample at `at`, of size dx by dy, all on the middle plane in mm; l: to a point of the light. Masking and
 // shadowing are by that point alone; shading is over the whole disc of the light and the whole area of the sample.
-// faces: the fibres that are drawn over it and not in its lobes.
-void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, vec2 measured, vec2 at, vec2 dx, vec2 dy, vec3 l) {
+// measured, weight: by system, of the visible sky (view_table()) and of hidden directions (Interreflection). faces: the
+// fibres that are drawn over it and not in its lobes.
+void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, vec2 measured, vec2 weight, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
   if (hit.system < 0) return;
   sums.cover += 1.0;
@@ -137,10 +140,14 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, v
   vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
   if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread)) a.key = vec3(0.0);
   sums.key += a.key;
-  float sky = light * (hit.system == 0 ? measured.x : measured.y);
+  float seen_sky = hit.system == 0 ? measured.x : measured.y;
   vec3 mirrored = reflect(-x.v, n);
-  a.diffuse *= sky * facet_sky_visibility(n);
-  a.glossy *= sky * mirrored_sky_visibility(mirrored);
+  vec2 open = vec2(facet_sky_visibility(n), mirrored_sky_visibility(mirrored)) * seen_sky;
+  // Threads that hide much of the sky stand in shadow as this one does.
+  vec2 hidden = max(open * (1.0 - open), vec2(0.0)) * (hit.system == 0 ? weight.x : weight.y);
+  sums.hidden += (a.diffuse * hidden.x + a.glossy * hidden.y) * light;
+  a.diffuse *= light * open.x;
+  a.glossy *= light * open.y;
   sums.diffuse += a.diffuse;
   sums.glossy += a.glossy;
   sums.diffuse_from += facet_sky_direction(n) * (a.diffuse.r + a.diffuse.g + a.diffuse.b);
@@ -157,8 +164,9 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   float part = inversesqrt(float(count));
   vec2 dx = f.dx * g.period;
   vec2 dy = f.dy * g.period;
-  YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
+  YarnSums sums = YarnSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   vec4 measured = view_table(side.face, 4, x.v);
+  Interreflection around = interreflection(side, x, f);
   float own = pixel_noise();
   FaceLayout faces = face_layout(side.face, g, f.yarns);
   faces.drawn *= clamp(3.0 * x.v.z - 0.5, 0.0, 1.0);   // seen along the face they overlap, as the lobe's do
@@ -168,7 +176,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   int i = 0;
   do {
     vec2 r = lattice_point(lattice, i, pass, turn);
-    add_sample(sums, g, x, faces, measured.xy, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
+    add_sample(sums, g, x, faces, measured.xy, around.weight, middle + dx * r.x + dy * r.y, dx * part, dy * part, light_sample(x.l, pass * count + i, own));
     ++i;
   } while (i < count);   // threads.glsl says why
   vec4 flyaways = vec4(0.0);
@@ -179,7 +187,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec3 glossy_from = sums.glossy_from / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6);
   glossy_from += vec3(x.v.xy * (measured.z * inversesqrt(max(dot(x.v.xy, x.v.xy), 1.0e-8))), measured.w);
   vec3 sky = sums.diffuse * sky_about(from_side(side, diffuse_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
-  vec3 radiance = (x.key * sums.key + sky * side.sky) * scale;
+  vec3 radiance = around.alone * (x.key * sums.key + sky * side.sky + sums.hidden * around.radiance) * scale;
   float cover = sums.cover / float(count) * (1.0 - flyaways.a);
   return vec4((radiance * cover + flyaways.rgb) / (cover + flyaways.a), cover + flyaways.a);
 }

@@ -127,6 +127,26 @@ const float kFacetDensityFloor = 0.01f;
 const float kMeanGrazing = 1.0f / 21.0f;
 FORMULA vec3 mean_fresnel(YarnLobes y) { return y.f0 + (y.f90 - y.f0) * kMeanGrazing; }
 
+// What a thread reflects of a uniform sky that nothing hides, nearly.
+FORMULA vec3 unhidden_reflectance(YarnLobes y) { return y.body + mean_fresnel(y); }
+
+// Light that threads send to each other. A yarn's colour is that of its cloth, as a weaver sees it and a photograph
+// measures it: it includes light that has met several threads. Where grooves and faces are told apart, one reflection is
+// a little less than that colour, and what threads around send is added:
+//
+//   radiance of a place = alone * (direct light + reflected light of hidden directions)
+//   alone = reflected_alone(mean fraction that places reflect of hidden directions)
+//
+// so that the mean over all places is the response without either (core/light/cloth_response.h).
+// Based on: Koenderink, van Doorn 1983 (interreflection in a uniform concavity).
+// Differs: directions that are hidden show one radiance, that of a few yarns around.
+
+// Radiance of what a place sees of other threads over the mean of the cloth: the walls of a groove lie in shadow, too. So
+// chosen that traced cloths are about as bright on the mean with reflections between threads as without.
+const float kGrooveLight = 0.85f;
+
+FORMULA vec3 reflected_alone(vec3 hidden) { return 1.0f / (1.0f + kGrooveLight * hidden); }
+
 // The key light in system_radiance(); mirrors: density of the facets that mirror it, 1 for light from behind.
 FORMULA vec3 key_far_field(YarnLobes y, vec4 reflected, float mirrors, vec3 l, vec3 v) {
   vec3 sum = l + v;

@@ -53,6 +53,10 @@ struct ClothResponse {
   // sample (facet_sky_visibility() etc. of shaders/methods.glsl); z, w: mean direction of the mirrored sky minus that
   // method's, along the view and up.
   std::vector<glm::vec4> near_sky;
+  // [view]: x, y: of the light that method `yarn` would reflect under a uniform sky if no thread hid any of it, what
+  // comes from hidden directions, by warp and weft; to be multiplied by unhidden_reflectance() of shaders/methods.glsl,
+  // relative to all visible cloth. z, w: the same weighted by the visible fraction of the sky, over itself.
+  std::vector<glm::vec4> hidden;
   // [view]: change of the warp's visible fraction with its fraction of the crossings around. 1 from above; more at a
   // slant, where the fewer threads are hidden between the others.
   std::vector<float> visible_rise;

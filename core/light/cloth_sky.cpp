@@ -26,6 +26,8 @@ constexpr float kPart = 2 * kPi / (kRings * kTurns);  // sr
 constexpr size_t kDeviates = 1021;                    // prime, so that samples do not repeat the same run
 constexpr size_t kFacets = 4;                         // a sample and view
 constexpr float kMinFactor = 0.4f, kMaxFactor = 2.5f;
+constexpr float kLeastTone = 1e-3f;  // of a colour that a table is divided by
+constexpr float kLeastHalfHidden = 0.1f;
 
 /// For each light node of the tables, the part of a uniform sky that it stands for (responses are linear between
 /// nodes): sum of directions, and solid angle in sr.
@@ -102,6 +104,8 @@ struct Mirrored {
 struct YarnMethodSky {  // as method `yarn` estimates it
   float all = 0, glossy = 0;
   glm::vec3 from{0};
+  float unhidden = 0;  // light if no thread hid any of it
+  float squares = 0;   // light times the visible fraction of the sky
 };
 
 /// Adds the sky light that a sample mirrors. weight: its area towards the view.
@@ -144,7 +148,10 @@ void add_sample(Mirrored& mirrored, YarnMethodSky& drawn, const Facets& facets, 
   const formulas::Reflected sky = formulas::facet_sky(p.lobes, facets.shared, side);
   const glm::vec3 reflected = glm::reflect(-v, n);
   const float glossy = weight * channel_mean(sky.glossy) * formulas::mirrored_sky_visibility(reflected);
-  drawn.all += weight * channel_mean(sky.diffuse) * formulas::facet_sky_visibility(n) + glossy;
+  const float scattered = weight * channel_mean(sky.diffuse), open = formulas::facet_sky_visibility(n);
+  drawn.all += scattered * open + glossy;
+  drawn.unhidden += scattered + weight * channel_mean(sky.glossy);
+  drawn.squares += scattered * open * open + glossy * formulas::mirrored_sky_visibility(reflected);
   drawn.glossy += glossy, drawn.from += glossy * formulas::mirrored_sky_direction(reflected);
   add_mirrored(mirrored, facets, frame, side, wo, slopes, weight);
 }
@@ -212,7 +219,14 @@ void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<floa
     const float all = channel_mean(y.body) * sky.x + channel_mean(y.fuzz_colour) * sky.y +
                       channel_mean(y.f0) * (sky.z - sky.w) + y.f90 * sky.w;
     const float made = drawn[s].all * part;
-    near_sky[static_cast<int>(s)] = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
+    const float factor = made > 1e-4f ? std::clamp(all / made, kMinFactor, kMaxFactor) : 1.0f;
+    near_sky[static_cast<int>(s)] = factor;
+    const float hidden = std::max(drawn[s].unhidden - factor * drawn[s].all, 0.0f);
+    const float half_hidden = factor * (drawn[s].all - factor * drawn[s].squares);
+    response_.hidden[view][static_cast<int>(s)] =
+        part * hidden / std::max(channel_mean(formulas::unhidden_reflectance(y)), kLeastTone);
+    response_.hidden[view][static_cast<int>(s) + 2] =
+        hidden > 0 ? std::clamp(half_hidden / hidden, kLeastHalfHidden, 1.0f) : 1.0f;
     radiance.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
     radiance.drawn.glossy += part * drawn[s].glossy, radiance.drawn.from += part * drawn[s].from;
   }

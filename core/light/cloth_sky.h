@@ -12,8 +12,8 @@ namespace weftlight::light {
 
 using cloth::Cloth;
 
-/// Fills `sky` of both systems, `sky_from` and `near_sky`. samples, scale: those of the response and their area scale;
-/// seen: visible area of both systems so scaled, by view.
+/// Fills `sky` of both systems, `sky_from`, `near_sky` and `hidden`. samples, scale: those of the response and their
+/// area scale; seen: visible area of both systems so scaled, by view.
 void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples,
                  const std::array<float, 2>& scale, const std::array<float, kResponseViews>& seen);
 

@@ -449,6 +449,7 @@ ClothResponse measure_response(const Cloth& cloth, const Maps& maps, int samples
   }
   out.sky_from.assign(kV, {glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)});
   out.near_sky.assign(kV, glm::vec4(1, 1, 0, 0));
+  out.hidden.assign(kV, glm::vec4(0));
   out.visible_rise.assign(kV, 1.0f);
   if (cloth.ends.empty() || cloth.picks.empty() || maps.coverage.width <= 0 || maps.coverage.height <= 0) return out;
   const std::array<glm::vec3, kV> w = response_views();

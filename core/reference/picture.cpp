@@ -220,7 +220,7 @@ TracedImage trace_flat_pixels(const TraceRay& trace_ray, float thickness, const 
 
 TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress) {
-  const ClothTracer tracer(tubes);
+  const ClothTracer tracer(tubes, picture.colours);
   const TraceRay trace_ray = ray_among(tracer, picture.bounces);
   return trace_pixels({trace_ray, cloth, body, picture, tubes.z_max() - tubes.z_min(), pixel_angle(picture)}, picture,
                       progress);
@@ -252,7 +252,7 @@ SeenPatch seen_patch(const MeshScene& cloth, const MeshScene* body, const DrapeP
 }
 
 TracedImage trace_flat(const TubeScene& tubes, const FlatPicture& picture, const Progress& progress) {
-  const ClothTracer tracer(tubes);
+  const ClothTracer tracer(tubes, picture.colours);
   return trace_flat_pixels(ray_among(tracer, picture.bounces), tubes.z_max() - tubes.z_min(), picture, progress);
 }
 

@@ -32,6 +32,7 @@ struct LightSample {
 
 struct DrapePicture {
   int width = 0, height = 0, spp = 64, bounces = 0;
+  Colours colours = Colours::kOfOneReflection;
   glm::vec3 eye{0};
   glm::mat4 clip_to_world{1};
   glm::vec3 light_towards{0, 0, 1};  // world
@@ -65,6 +66,7 @@ SeenPatch seen_patch(const MeshScene& cloth, const MeshScene* body, const DrapeP
 /// plane z = 0, as a camera at `view` sees it.
 struct FlatPicture {
   int width = 0, height = 0, spp = 64, bounces = 0;
+  Colours colours = Colours::kOfOneReflection;
   glm::vec2 corner_mm{0}, step_x_mm{1, 0}, step_y_mm{0, 1};
   glm::vec3 view{0, 0, 1};  // unit, towards the eye, cloth space
   Surroundings around;

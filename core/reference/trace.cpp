@@ -28,6 +28,7 @@ FibreDetail detail_of_maps(const cloth::ThreadTexture& texture, float fraction, 
 }
 
 constexpr float kPi = std::numbers::pi_v<float>;
+constexpr int kHiddenRays = 20'000;  // the hidden parts are then within half a percent
 
 }  // namespace
 
@@ -52,8 +53,41 @@ struct ClothTracer::Point {
   int thread = 0;
 };
 
-ClothTracer::ClothTracer(const TubeScene& tubes) : tubes_(tubes), textures_(thread_textures(tubes.cloth())) {
+ClothTracer::ClothTracer(const TubeScene& tubes, Colours colours)
+    : tubes_(tubes), textures_(thread_textures(tubes.cloth())) {
   ray_epsilon_mm_ = 2e-4f * std::max(tubes.z_max() - tubes.z_min(), 1e-4f);
+  if (colours == Colours::kOfTheCloth) interreflection_.emplace(tubes.cloth(), hidden_parts());
+}
+
+/// Seen from straight above, where a preview and a photograph show most of a cloth.
+HiddenParts ClothTracer::hidden_parts() const {
+  const Cloth& cloth = tubes_.cloth();
+  RandomStream random(1);
+  std::array<double, 2> hidden{}, reflectance{}, seen{};
+  for (int i = 0; i < kHiddenRays; ++i) {
+    const float x = cloth.width_mm * random.next(), y = cloth.depth_mm * random.next();
+    TubeHit hit;
+    const glm::vec3 down(0, 0, -1);
+    if (!tubes_.intersect({x, y, tubes_.z_max() + 1}, down, 0, hit)) continue;
+    const Point p = point_of(hit, -down, kCoarseSample_mm);
+    const size_t s = hit.system == System::kWarp ? 0 : 1;
+    seen[s] += 1;
+    reflectance[s] += static_cast<double>(light::channel_mean(
+        reflectance_of(cloth, (s == 0 ? cloth.ends : cloth.picks)[static_cast<size_t>(hit.thread)])));
+    const glm::vec3 towards = cosine_direction(p.frame.n, random);
+    if (glm::dot(towards, p.smooth) <= 0 || !tubes_.occluded(p.position + p.smooth * ray_epsilon_mm_, towards, 0))
+      continue;
+    hidden[s] += static_cast<double>(light::channel_mean(reflected_from(p, towards)));
+  }
+  HiddenParts out{};
+  for (size_t s = 0; s < 2; ++s) {
+    if (reflectance[s] > 0) out[s] = static_cast<float>(hidden[s] / (seen[0] + seen[1]) / (reflectance[s] / seen[s]));
+  }
+  return out;
+}
+
+glm::vec3 ClothTracer::alone(glm::vec3 position) const {
+  return interreflection_ ? interreflection_->alone(glm::vec2(position)) : glm::vec3(1);
 }
 
 ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from, float sample_mm) const {
@@ -129,6 +163,14 @@ glm::vec3 ClothTracer::direct(const Point& p, const Surroundings& around, Random
   return f * around.light_irradiance * (std::abs(local.z) * p.groove * p.among_plies(towards));
 }
 
+/// Light from a direction drawn by cosine over that density: f cos / pdf = pi f.
+glm::vec3 ClothTracer::reflected_from(const Point& p, glm::vec3 towards) {
+  const glm::vec3 local = formulas::lobe_local(p.frame, towards);
+  return formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
+                                p.local_out) *
+         (kPi * p.groove);
+}
+
 PathSample ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
                               RandomStream& sampler, int bounces, float sample_mm) const {
   PathSample traced;
@@ -138,15 +180,12 @@ PathSample ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min
   glm::vec3 weight(1);
   for (int depth = 0;; ++depth) {
     const Point p = point_of(hit, -direction, depth == 0 ? sample_mm : kCoarseSample_mm);
+    weight *= alone(p.position);
     traced.radiance += weight * direct(p, around, sampler);
     if (depth == bounces && !around.sky) return traced;
-    // Cosine-weighted: f cos / pdf = pi f.
     direction = cosine_direction(p.frame.n, sampler);
     if (glm::dot(direction, p.smooth) <= 0) return traced;
-    const glm::vec3 local = formulas::lobe_local(p.frame, direction);
-    weight *= formulas::lobe_reflect(p.lobes, p.shared, formulas::lobe_side(p.lobes, p.shared, local), p.out, local,
-                                     p.local_out) *
-              (kPi * p.groove);
+    weight *= reflected_from(p, direction);
     const glm::vec3 from = p.position + p.smooth * ray_epsilon_mm_;
     if (!tubes_.intersect(from, direction, 0, hit)) {
       if (around.sky) traced.radiance += weight * around.sky(direction) * p.among_plies(direction);

@@ -7,9 +7,11 @@
 #include <array>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "cloth/thread_texture.h"
+#include "reference/interreflection.h"
 #include "reference/sampling.h"
 #include "reference/tubes.h"
 
@@ -36,9 +38,15 @@ struct PathSample {
 /// No single fibre is resolved.
 inline constexpr float kCoarseSample_mm = 1e6f;
 
+/// What the colour of a yarn stands for.
+enum class Colours {
+  kOfOneReflection,  // by the thread alone
+  kOfTheCloth,       // by all threads together, as in the preview (interreflection.h); for traces with bounces
+};
+
 class ClothTracer {
  public:
-  explicit ClothTracer(const TubeScene& tubes);
+  explicit ClothTracer(const TubeScene& tubes, Colours colours = Colours::kOfOneReflection);
   /// One sample of the radiance along a ray. `bounces`: indirect light between threads, 0 for none. sample_mm: its
   /// size on the cloth, which decides whether fibres are seen one by one (shaders/fibre_detail.glsl).
   PathSample trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
@@ -49,10 +57,14 @@ class ClothTracer {
   Point point_of(const TubeHit& hit, glm::vec3 from, float sample_mm) const;
   glm::vec3 direct(const Point& point, const Surroundings& around, RandomStream& sampler) const;
   bool shadowed(const Point& point, glm::vec3 towards) const;
+  static glm::vec3 reflected_from(const Point& point, glm::vec3 towards);
+  HiddenParts hidden_parts() const;
+  glm::vec3 alone(glm::vec3 position) const;
 
   const TubeScene& tubes_;
   std::array<std::vector<ThreadTexture>, 2> textures_;
   float ray_epsilon_mm_;  // offset of secondary rays
+  std::optional<Interreflection> interreflection_;
 };
 
 }  // namespace weftlight::reference

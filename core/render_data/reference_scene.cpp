@@ -17,8 +17,8 @@ using base::Result, base::failed;
 using cloth::Cloth, cloth::Period, cloth::lay_out, cloth::linear_from_srgb, cloth::srgb_from_linear;
 using draft::BitMatrix, draft::drawdown;
 using files::drape_key, files::load_design_drape;
-using reference::FibreOptions, reference::LightSample, reference::RandomStream, reference::SeenPatch,
-    reference::seen_patch, reference::trace_drape;
+using reference::Colours, reference::FibreOptions, reference::LightSample, reference::RandomStream,
+    reference::SeenPatch, reference::seen_patch, reference::trace_drape;
 using scene::Camera, scene::DistantLight, scene::Environment, scene::SceneLight, scene::bounds_of,
     scene::load_light_rig, scene::place_camera, scene::scene_light, scene::sky_radiance, scene::turned;
 
@@ -101,6 +101,8 @@ DrapePicture ReferenceScene::picture_of(const ReferenceView& view) const {
   DrapePicture picture;
   picture.width = view.width, picture.height = view.height;
   picture.spp = view.spp, picture.bounces = view.bounces;
+  // Without bounces one reflection stands for all of them.
+  if (view.bounces > 0) picture.colours = Colours::kOfTheCloth;
   picture.first_sample = view.first_sample;
   picture.threads = view.threads;
   picture.stop = view.stop;

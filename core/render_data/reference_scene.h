@@ -29,7 +29,8 @@ struct ReferenceView {
   int width = 0, height = 0;
   float yarns_per_pixel = 0;  // > 0: overrides the scene's distance
   Face front = Face::kFront;
-  int spp = 64, bounces = 0;
+  int spp = 64;
+  int bounces = 2;       // between threads; with 0, one reflection stands for all of them
   bool fibres = false;   // as fibres; prepare_fibres() with the same view comes first
   int first_sample = 0;  // see DrapePicture
   int threads = 0;       // 0: all cores

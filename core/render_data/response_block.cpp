@@ -90,6 +90,7 @@ std::vector<glm::vec4> views_of(const Faces& faces) {
                            face.systems[1].height_mm[view]});
           else if (table == 3) out.push_back(sky_from(face, view, views[view]));
           else if (table == 4) out.push_back(face.near_sky[view]);
+          else if (table == 5) out.push_back(face.hidden[view]);
           else out.push_back(glm::make_vec4(&face.systems[static_cast<size_t>(table - 1)].sky[4 * view]));
         }
       }

@@ -181,7 +181,8 @@ RunVerb add_reference(CLI::App& verb) {
   PictureOptions& o = picture->options;
   verb.add_option("--spp", o.spp, tr("Samples per pixel; default: 64"))->check(whole_number(1, 1 << 20));
   auto* bounces =
-      verb.add_option("--bounces", o.bounces, tr("Number of indirect bounces; default: 0"))->check(whole_number(0, 16));
+      verb.add_option("--bounces", o.bounces, tr("Number of times that light goes from thread to thread; default: 2"))
+          ->check(whole_number(0, 16));
   verb.add_flag("--fibres", o.fibres,
                 tr("Trace every fibre, for close-ups of up to a few square centimetres; light is followed until it "
                    "leaves the fibres"))

@@ -71,7 +71,7 @@ struct PictureOptions {
   bool quiet = false;    // no progress
   bool progress_json = false;
   int spp = 64;         // reference only
-  int bounces = 0;      // reference only
+  int bounces = 2;      // reference only
   bool fibres = false;  // reference only: every fibre instead of threads as tubes
 };
 struct ExportOptions {

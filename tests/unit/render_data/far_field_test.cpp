@@ -20,7 +20,8 @@ using cloth::Cloth, cloth::Period, cloth::lay_out;
 using design::Design;
 using draft::Face, draft::System, draft::drawdown;
 using light::kViewAzimuths, light::response_views;
-using reference::FlatPicture, reference::Surroundings, reference::TubeHit, reference::TubeScene, reference::trace_flat;
+using reference::Colours, reference::FlatPicture, reference::Surroundings, reference::TubeHit, reference::TubeScene,
+    reference::trace_flat;
 
 namespace {
 
@@ -62,9 +63,12 @@ class FarFields : public ::testing::Test {
   static void TearDownTestSuite() { cloths.clear(); }
 
   /// Mean over a period.
-  static glm::vec3 traced_colour(const Shipped& of, const glm::vec3& view, const Surroundings& around) {
+  static glm::vec3 traced_colour(const Shipped& of, const glm::vec3& view, const Surroundings& around,
+                                 int bounces = 0) {
     constexpr int kSide = 48, kRays = 36;
     FlatPicture p;
+    p.bounces = bounces;
+    if (bounces > 0) p.colours = Colours::kOfTheCloth;
     p.width = p.height = kSide, p.spp = kRays;
     p.step_x_mm = {of.cloth.width_mm / kSide, 0}, p.step_y_mm = {0, of.cloth.depth_mm / kSide};
     p.view = view, p.around = around;
@@ -99,6 +103,25 @@ TEST_F(FarFields, SharesAreWhatRaysSeeOfEachSystem) {
     }
     EXPECT_NEAR(cloth.field.response.systems[0].fraction, static_cast<float>(warp) / static_cast<float>(all), 0.006f)
         << cloth.name;
+  }
+}
+
+// A yarn's colour is that of its cloth: light between threads moves from faces to grooves and does not add to the
+// whole.
+TEST_F(FarFields, LightBetweenThreadsLeavesTheMean) {
+  constexpr int kBounces = 8;
+  for (const Shipped& cloth : cloths) {
+    for (const float tilt : {0.0f, 60.0f}) {
+      for (const float lit_from : {30.0f, 75.0f}) {
+        Surroundings around;
+        around.light_towards = tilted(35, lit_from), around.light_irradiance = glm::vec3(1);
+        const glm::vec3 view = tilted(kViewAzimuth, tilt);
+        const double ratio =
+            grey(traced_colour(cloth, view, around, kBounces)) / grey(traced_colour(cloth, view, around));
+        // Low light stays on the faces.
+        EXPECT_NEAR(ratio, 1, lit_from > 60 ? 0.09 : 0.06) << cloth.name << " view " << tilt << " light " << lit_from;
+      }
+    }
   }
 }
 

@@ -938,14 +938,14 @@ def reference(
     height: int = 800,
     *,
     spp: int = 64,
-    bounces: int = 0,
+    bounces: int = 2,
     face: Face = "front",
     fibres: bool = False,
     progress: Progress | None = None,
 ) -> _Floats:
     """(height, width, 4), linear, premultiplied by alpha: the cloth of design.scene ray traced, thread by thread or fibre
-    by fibre, without ground and background, before exposure. Needs no graphics. `spp`: rays for a pixel; `bounces`: of
-    threads (fibres always bounce)."""
+    by fibre, without ground and background, before exposure. Needs no graphics. `spp`: rays for a pixel; `bounces`: how
+    often light goes from thread to thread; with 0, one reflection stands for all (fibres always bounce)."""
 
 def view(design: Design, name: str, width: int = 1280, height: int = 800) -> Scene:
     """The scene of a named view: 'whole', 'head_on', 'grazing', 'near', or one kept with the design."""

@@ -166,6 +166,16 @@ if wants cloths; then
   convert "$work"/{silk_satin,organza}.png +append "$work/bottom.png"
   convert "$work/top.png" "$work/bottom.png" -append -strip -quality 84 "$out/cloths.jpg"
 fi
+if wants washed; then
+  sed 's/^PRIVATE WEFTLIGHT PLAN=true/&\nPRIVATE WEFTLIGHT FINISH=true/' "$root/presets/drafts/waffle.wif" >"$work/loom.wif"
+  printf '\n[PRIVATE WEFTLIGHT FINISH]\nWashed=0\n' >>"$work/loom.wif"
+  for draft in "$work/loom.wif" "$root/presets/drafts/waffle.wif"; do
+    # Off the loom a yarn takes a quarter more room: so many fewer of them in a pixel give both the same scale.
+    "$weftlight" render "$draft" -o "$work/$(basename "$draft" .wif).png" --size 420x360 --samples "${SAMPLES:-24}" --mesh plane \
+      --view 25,25 --yarns-per-pixel "$([[ $draft == */loom.wif ]] && echo 0.104 || echo 0.13)" --quiet
+  done
+  convert "$work/loom.png" "$work/waffle.png" +append -strip -quality 84 "$out/washed.jpg"
+fi
 if wants near; then
   "$weftlight" render "$root/presets/cloths/tweed.wif" -o "$work/near.png" --size 840x420 --samples "${SAMPLES:-16}" --mesh plane \
     --view 15,25 --yarns-per-pixel 0.04 --quiet

@@ -58,8 +58,8 @@ struct Cloth {
   // Layers of a multi-layer cloth such as double cloth (layer_plan.h); empty for a single layer, whose threads stand
   // in the draft's order. Otherwise threads are ordered layer by layer, and those of each layer fill the whole period.
   std::vector<ClothLayer> layers;
-  // Vertical offset of each thread's centre line at its crossings in its own layer, laid out as `up`; only with
-  // several layers.
+  // Vertical offset of each thread's centre line at its crossings in its own layer, laid out as `up`; empty where all
+  // are 0. Of several layers their levels, of one layer the relief of washing (relief.h).
   std::vector<float> warp_level_mm, weft_level_mm;
   int first_end = 0, first_pick = 0;  // offset of a single extracted layer in the whole cloth
 };

@@ -51,9 +51,16 @@ Cloth coarse_cloth(const Cloth& cloth, int ends_a_thread, int picks_a_thread) {
   out.yarns = cloth.yarns;
   out.ends = widened(cloth.ends, ends, a), out.picks = widened(cloth.picks, picks, b);
   out.up = BitMatrix(static_cast<int>(picks.size()), static_cast<int>(ends.size()));
-  for (int p = 0; p < out.up.rows(); ++p)
-    for (int e = 0; e < out.up.cols(); ++e)
-      if (cloth.up.get(picks[static_cast<size_t>(p)], ends[static_cast<size_t>(e)])) out.up.set(p, e, true);
+  for (int p = 0; p < out.up.rows(); ++p) {
+    for (int e = 0; e < out.up.cols(); ++e) {
+      const int pick = picks[static_cast<size_t>(p)], end = ends[static_cast<size_t>(e)];
+      if (cloth.up.get(pick, end)) out.up.set(p, e, true);
+      if (cloth.warp_level_mm.empty()) continue;
+      const size_t at = static_cast<size_t>(pick) * static_cast<size_t>(cloth.up.cols()) + static_cast<size_t>(end);
+      out.warp_level_mm.push_back(cloth.warp_level_mm[at]);
+    }
+  }
+  out.weft_level_mm = out.warp_level_mm;
   return out;
 }
 

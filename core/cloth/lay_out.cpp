@@ -12,6 +12,7 @@
 #include "cloth/cloth.h"
 #include "cloth/layer_plan.h"
 #include "cloth/layers.h"
+#include "cloth/relief.h"
 #include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
 #include "design/repeat.h"
@@ -101,19 +102,39 @@ void press(ThreadBody& body, float flattening, float calendered) {
 struct Woven {
   const Design& design;
   std::vector<Yarn> finished;
-  bool plain;  // no finish
+  bool plain;      // no finish
+  float unwashed;  // 0: washed
+
+  explicit Woven(const Design& d)
+      : design(d),
+        finished(design::finished(d.yarns, d.finish)),
+        plain(d.finish == Finish{}),
+        unwashed(1 - std::clamp(d.finish.washed, 0.0f, 1.0f)) {}
 };
 
-/// Thread i with the given spacing, below zero the yarn's, and with its yarn's mean thickness: the reed does not know
-/// where a yarn is thick, and finishing does not change the sett.
+/// Room of thread i: that of the draft, else of its yarn as spun, since finishing does not change the sett; before
+/// washing it is wider by what the cloth shrinks.
+float spacing_of(const Woven& woven, System system, int i) {
+  const Design& design = woven.design;
+  const Threads& threads = design.draft.threads(system);
+  const float spacing =
+      body_of(diameter_of(design, threads, i), entry(threads.spacing_mm, i, kFromYarn), yarn_of(design, threads, i))
+          .spacing_mm;
+  if (woven.unwashed <= 0) return spacing;
+  // Ends lie side by side in the width, which the weft draws in.
+  const float shrinkage = system == System::kWarp ? design.plan.weft_shrinkage : design.plan.warp_shrinkage;
+  return spacing / (1 - std::clamp(shrinkage, 0.0f, design::kMaxShrinkage) * woven.unwashed);
+}
+
+/// Thread i with the given spacing and its yarn's mean thickness: the reed does not know where a yarn is thick.
 ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacing) {
   const Design& design = woven.design;
   const Threads& threads = design.draft.threads(system);
   const Yarn& yarn = yarn_of(design, threads, i);
   const size_t index = static_cast<size_t>(&yarn - design.yarns.data());
-  const float even = diameter_of(design, threads, i);
-  ThreadBody body =
-      body_of(even, woven.plain ? spacing : body_of(even, spacing, yarn).spacing_mm, woven.finished[index]);
+  float even = diameter_of(design, threads, i);
+  if (woven.unwashed > 0) even /= 1 + (design::bloom(yarn) - 1) * woven.unwashed;
+  ThreadBody body = body_of(even, spacing, woven.finished[index]);
   const float calendered = std::min(design.finish.calendered, 1.0f);
   if (calendered > 0) press(body, woven.finished[index].flattening, calendered);
   if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));
@@ -136,12 +157,11 @@ void make_uneven(const Woven& woven, System system, std::span<ThreadBody> row, s
 }
 
 std::vector<ThreadBody> bodies(const Woven& woven, System system, int count, float& period) {
-  const Threads& threads = woven.design.draft.threads(system);
   std::vector<ThreadBody> out;
   out.reserve(static_cast<size_t>(count));
   double edge = 0;
   for (int i = 0; i < count; ++i) {
-    ThreadBody body = thread_in_room(woven, system, i, entry(threads.spacing_mm, i, kFromYarn));
+    ThreadBody body = thread_in_room(woven, system, i, spacing_of(woven, system, i));
     body.centre_mm = static_cast<float>(edge + 0.5 * static_cast<double>(body.spacing_mm));
     edge += static_cast<double>(body.spacing_mm);
     out.push_back(body);
@@ -190,16 +210,14 @@ std::vector<ThreadBody> layered_bodies(const Woven& woven, System system, const 
     double room = 0;
     bool given = false;
     for (int i = first; i < last; ++i) {
-      const float spacing = entry(threads.spacing_mm, i, kFromYarn);
-      given = given || spacing > 0;
-      own[layer_of[static_cast<size_t>(i)]] +=
-          static_cast<double>(thread_in_room(woven, system, i, spacing).spacing_mm);
+      given = given || entry(threads.spacing_mm, i, kFromYarn) > 0;
+      own[layer_of[static_cast<size_t>(i)]] += static_cast<double>(spacing_of(woven, system, i));
     }
     for (const double sum : own) room = given ? room + sum : std::max(room, sum);
     std::vector<double> at(static_cast<size_t>(layers), edge);
     for (int i = first; i < last; ++i) {
       const size_t layer = layer_of[static_cast<size_t>(i)];
-      const float alone = thread_in_room(woven, system, i, entry(threads.spacing_mm, i, kFromYarn)).spacing_mm;
+      const float alone = spacing_of(woven, system, i);
       const double mine = static_cast<double>(alone) * room / own[layer];
       ThreadBody body = thread_in_room(woven, system, i, static_cast<float>(mine));
       body.centre_mm = static_cast<float>(at[layer] + 0.5 * mine);
@@ -252,7 +270,7 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   Repeat size{cells.cols(), cells.rows()};
   if (period == Period::kRepeat && size.ends > 0 && size.picks > 0) size = design_repeat(design, cells);
   Cloth cloth;
-  const Woven woven{design, finished(design.yarns, design.finish), design.finish == Finish{}};
+  const Woven woven(design);
   cloth.yarns = woven.finished.empty() ? std::vector<Yarn>{Yarn{}} : woven.finished;
   cloth.up = top_left(cells, size.picks, size.ends, false);
   const LayerPlan plan = find_layers(cloth.up);
@@ -263,6 +281,9 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   } else {
     cloth.ends = bodies(woven, System::kWarp, size.ends, cloth.width_mm);
     cloth.picks = bodies(woven, System::kWeft, size.picks, cloth.depth_mm);
+    cloth.warp_level_mm =
+        washed_relief(cloth, 1 - woven.unwashed, 0.5f * (design.plan.warp_shrinkage + design.plan.weft_shrinkage));
+    cloth.weft_level_mm = cloth.warp_level_mm;
   }
   if (face == Face::kBack) turn_over(cloth);
   return cloth;

@@ -42,6 +42,16 @@ void mark_readers(BitMatrix& moved, const BitMatrix& up, int pick, int end, int 
   }
 }
 
+/// Marks the crossings that washing raises or lowers differently.
+void mark_relief(BitMatrix& moved, const std::vector<float>& before, const std::vector<float>& after) {
+  if (before.empty() && after.empty()) return;
+  const auto level = [](const std::vector<float>& of, size_t at) { return of.empty() ? 0.0f : of[at]; };
+  size_t at = 0;
+  for (int p = 0; p < moved.rows(); ++p)
+    for (int e = 0; e < moved.cols(); ++e, ++at)
+      if (level(before, at) != level(after, at)) moved.set(p, e, true);
+}
+
 MovedCrossings moved_crossings(const BitMatrix& before, const BitMatrix& after) {
   const int picks = after.rows(), ends = after.cols();
   MovedCrossings moved{BitMatrix(picks, ends), BitMatrix(picks, ends)};
@@ -203,7 +213,10 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
     return {{0, 0, w, h}};
   }
   const SampleGrid grid = sample_grid(after, w, h);
-  BitMatrix touched = seen_in(moved_crossings(before.up, after.up), after, grid);
+  MovedCrossings moved = moved_crossings(before.up, after.up);
+  mark_relief(moved.warp, before.warp_level_mm, after.warp_level_mm);
+  mark_relief(moved.weft, before.weft_level_mm, after.weft_level_mm);
+  BitMatrix touched = seen_in(moved, after, grid);
   const std::vector<TexelRect> changed = cover(touched, kSamplerOverhead);
   rebake_surface(maps, after, grid, changed);
   if (maps.azimuths == 0) return cover(touched, kPatchOverhead);

@@ -86,6 +86,8 @@ SampleAxis sample_axis(const Cloth& cloth, System system, const SampleGrid& grid
 float floor_mm(const Cloth& cloth) {
   const float end = 2 * tallest_half(cloth, System::kWarp), pick = 2 * tallest_half(cloth, System::kWeft);
   float lowest = 0;
+  // The relief of a single layer changes with its cells, and the floor is that of all texels.
+  if (cloth.layers.empty()) return -0.5f * (end + pick);
   for (const float level : cloth.warp_level_mm) lowest = std::min(lowest, level);
   return lowest - 0.5f * (end + pick);
 }

@@ -133,7 +133,9 @@ float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings
     const float weft = std::abs(c.z) + pick * std::sqrt(1 + c.w * c.w) + 0.25f * std::abs(c.w) * between_ends;
     most = std::max(most, std::max(warp, weft));
   }
-  return std::clamp(most, 1e-5f, std::max(1e-5f, 3 * (end + pick)));
+  float level = 0;
+  for (const float mm : cloth.warp_level_mm) level = std::max(level, std::abs(mm));
+  return std::clamp(most, 1e-5f, std::max(1e-5f, 3 * (end + pick) + level));
 }
 
 namespace {

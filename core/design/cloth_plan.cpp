@@ -40,6 +40,10 @@ bool is_sleying(const std::vector<int>& dents) {
 
 }  // namespace
 
+bool same_shrinkage(const ClothPlan& a, const ClothPlan& b) {
+  return a.warp_shrinkage == b.warp_shrinkage && a.weft_shrinkage == b.weft_shrinkage;
+}
+
 ClothPlan clamped(ClothPlan plan) {
   const ClothPlan usual;
   for (float ClothPlan::*mm :

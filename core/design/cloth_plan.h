@@ -52,6 +52,9 @@ inline constexpr float kMaxTakeUp = 2, kMaxShrinkage = 0.9f, kMaxSpare = 1;
 inline constexpr float kMaxCone = 1e6f, kMaxPrice = 1e6f;  // g or m; in any currency
 inline constexpr int kMaxPieces = 10'000, kMaxSleyingDents = 24, kMaxEndsPerDent = 24;
 
+/// Whether a cloth shrinks by the same fractions in washing.
+bool same_shrinkage(const ClothPlan& a, const ClothPlan& b);
+
 /// Every number within its limits; NaN becomes the default. No purchase without a figure.
 ClothPlan clamped(ClothPlan plan);
 

@@ -1,12 +1,14 @@
 // Mercerising: the ratios between the two cotton presets (sources in yarn_presets.cpp). Raising: the ratios between a
 // woollen yarn and that of flannel. Calendering: W. D. Schindler, P. J. Hauser, Chemical Finishing of
 // Textiles, 2004, and descriptions of the trade (threads flattened, gaps closed, surface smoothed and polished); its
-// factors are estimates.
+// factors are estimates. Bloom: by eye; no published figures by fibre were found.
 
 #include "design/finish.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "design/fibre.h"
 
 namespace weftlight::design {
 namespace {
@@ -57,9 +59,15 @@ void calender(Yarn& y, float degree) {
 Finish clamped(Finish finish) {
   for (const YarnField<Finish>& f : kFinishFields) {
     float& value = finish.*f.member;
-    value = std::isnan(value) ? 0 : std::clamp(value, f.facts.low, f.facts.high);
+    value = std::isnan(value) ? Finish{}.*f.member : std::clamp(value, f.facts.low, f.facts.high);
   }
   return finish;
+}
+
+float bloom(const Yarn& yarn) {
+  const float loose = static_cast<float>(1 - packing_fraction(yarn));
+  // A yarn opens by its loft and by its hair: a woollen by a seventh, filament hardly.
+  return 1 + std::clamp(0.25f * loose * yarn.hairiness, 0.0f, 0.3f);
 }
 
 Yarn finished(Yarn yarn, const Finish& any) {

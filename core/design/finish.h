@@ -15,10 +15,15 @@ struct Finish {
   float raised = 0;      // raised to a nap by wire teeth
   float mercerised = 0;  // swollen in lye under tension: rounder, smoother, more lustrous
   float calendered = 0;  // pressed between heavy rollers: flat, shiny threads
+  float washed = 1;      // 0: as it comes off the loom; 1: washed and dried, at the sett of the draft
   bool operator==(const Finish&) const = default;
 };
 
-inline constexpr std::array<YarnField<Finish>, 3> kFinishFields{{
+inline constexpr std::array<YarnField<Finish>, 4> kFinishFields{{
+    {{"Washed", "washed", base::mark("Washed"), "", 2, 0, 1, 0, 1, false,
+      base::mark("From the loom, wider and thinner, to washed: it shrinks as planned, threads bloom, waffles form"),
+      "1: the draft's sett is that of the finished cloth; shrinkage is that of the plan; bloom and relief by eye"},
+     &Finish::washed},
     {{"Raised", "raised", base::mark("Raised"), "", 2, 0, 1, 0, 1, false,
       base::mark("Brushed to a nap that hides the weave: flannel, blankets"),
       "1: the flannel of presets/cloths, by eye beside milled cloth"},
@@ -33,11 +38,15 @@ inline constexpr std::array<YarnField<Finish>, 3> kFinishFields{{
      &Finish::calendered},
 }};
 
-/// Each value clamped to its range; NaN becomes 0.
+/// Each value clamped to its range; NaN becomes the default.
 Finish clamped(Finish finish);
 
-/// The yarn as it is in the finished cloth; unchanged, bit for bit, without any finish.
+/// The yarn as it is in the finished cloth; unchanged, bit for bit, without any finish. Its thickness is not changed
+/// (bloom).
 Yarn finished(Yarn yarn, const Finish& finish);
 std::vector<Yarn> finished(std::vector<Yarn> yarns, const Finish& finish);
+
+/// How much thicker a yarn of this fibre is in the washed cloth than on the loom: 1.04 is four percent.
+float bloom(const Yarn& yarn);
 
 }  // namespace weftlight::design

@@ -49,7 +49,9 @@ Result<void> ReferenceScene::update(const Design& design, const TubeOptions& opt
 
 Result<void> ReferenceScene::update_threads(const Design& design, const TubeOptions& options, TracedThreads traced) {
   const bool tubes = traced == TracedThreads::kTubes;
-  if ((tubes_ || !tubes) && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish) return {};
+  if ((tubes_ || !tubes) && draft_ == design.draft && yarns_ == design.yarns && finish_ == design.finish &&
+      same_shrinkage(plan_, design.plan))
+    return {};
   tubes_ = nullptr;  // two at once could double the memory
   const BitMatrix cells = drawdown(design.draft);
   // Same period as the preview, so that each thread has the same fibres, unless the tubes would lose resolution.
@@ -63,7 +65,7 @@ Result<void> ReferenceScene::update_threads(const Design& design, const TubeOpti
   }
   mean_spacing_ = mean_spacing_mm(cloth);
   draft_ = design.draft;
-  yarns_ = design.yarns, finish_ = design.finish;
+  yarns_ = design.yarns, finish_ = design.finish, plan_ = design.plan;
   return {};
 }
 
@@ -137,7 +139,7 @@ Result<FibreFigures> ReferenceScene::prepare_fibres(const ReferenceView& view, i
   options.max_bytes = max_bytes;
   // A nap is hair that stands off the threads; the threads themselves stay as they are woven.
   Design design;
-  design.draft = draft_, design.yarns = yarns_, design.finish = finish_;
+  design.draft = draft_, design.yarns = yarns_, design.finish = finish_, design.plan = plan_;
   options.raised = finish_.raised;
   design.finish.raised = 0;
   const BitMatrix cells = drawdown(design.draft);

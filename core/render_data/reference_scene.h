@@ -15,7 +15,7 @@
 
 namespace weftlight::render_data {
 
-using design::Design, design::Finish, design::Scene, design::Yarn;
+using design::ClothPlan, design::Design, design::Finish, design::Scene, design::Yarn;
 using draft::Draft, draft::Face;
 using drape::Mesh;
 using files::Image;
@@ -61,6 +61,7 @@ class ReferenceScene {
   Draft draft_;
   std::vector<Yarn> yarns_;
   Finish finish_;
+  ClothPlan plan_;
   float mean_spacing_ = 0;  // mm
   std::string mesh_name_, lights_name_;
   std::unique_ptr<TubeScene> tubes_;

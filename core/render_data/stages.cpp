@@ -46,7 +46,9 @@ bool same_yarn_lobes(const StageInput& a, const StageInput& b) {
   return std::ranges::equal(a.design->yarns, b.design->yarns, {}, &Yarn::lobes, &Yarn::lobes);
 }
 
-bool same_finish(const StageInput& a, const StageInput& b) { return a.design->finish == b.design->finish; }
+bool same_finish(const StageInput& a, const StageInput& b) {
+  return a.design->finish == b.design->finish && same_shrinkage(a.design->plan, b.design->plan);
+}
 bool same_shadows(const StageInput& a, const StageInput& b) { return a.shadows == b.shadows; }
 bool same_engine(const StageInput& a, const StageInput& b) { return a.engine == b.engine; }
 bool same_drape(const StageInput& a, const StageInput& b) { return a.drape == b.drape; }

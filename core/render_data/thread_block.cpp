@@ -6,6 +6,7 @@
 
 #include "base/loops.h"
 #include "cloth/centre_line.h"
+#include "cloth/relief.h"
 #include "cloth/thread_scene.h"
 #include "light/yarn_lobes.h"
 #include "shaders/interop.h"
@@ -16,7 +17,7 @@ namespace thread_formulas = cloth::thread_formulas;
 
 using base::for_each_job;
 using cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
-    cloth::thread_tables, cloth::thread_texture;
+    cloth::kReliefReach, cloth::thread_tables, cloth::thread_texture;
 using design::FibreFacts, design::Yarn;
 using draft::System;
 using light::yarn_data;
@@ -216,7 +217,7 @@ std::array<StripPatch, 2> cell_strips(const BitMatrix& up, const CellRect& cells
 }
 
 CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty) {
-  constexpr int kMargin = kFloatReach + 1;  // of heights, and one more for their slopes
+  constexpr int kMargin = std::max(kFloatReach, kReliefReach) + 1;  // of heights, and one more for their slopes
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
   CellRect r{dirty.end0 - kMargin, dirty.end1 + kMargin, dirty.pick0 - kMargin, dirty.pick1 + kMargin};
   // A range that leaves the period wraps around: then the whole axis.

@@ -112,7 +112,8 @@ bool can_preview(const StageData& data, const Design& before, const Design& now)
   if (data.packed.front.textures[0].width == 0 || data.packed.front.cube_size > 0) return false;
   const Draft &a = before.draft, &b = now.draft;
   return a.ends() == b.ends() && a.picks() == b.picks() && a.warp == b.warp && a.weft == b.weft &&
-         a.palette == b.palette && before.yarns == now.yarns && before.finish == now.finish;
+         a.palette == b.palette && before.yarns == now.yarns && before.finish == now.finish &&
+         same_shrinkage(before.plan, now.plan);
 }
 
 }  // namespace

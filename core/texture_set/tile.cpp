@@ -87,7 +87,7 @@ Cloth tiled(const Cloth& cloth, int across, int up) {
     for (int end = 0; end < out.up.cols(); ++end) {
       const int p = picks.from[static_cast<size_t>(pick)], e = ends.from[static_cast<size_t>(end)];
       out.up.set(pick, end, cloth.up.get(p, e));
-      if (cloth.layers.empty()) continue;
+      if (cloth.warp_level_mm.empty()) continue;
       const size_t at = static_cast<size_t>(p) * static_cast<size_t>(cloth.up.cols()) + static_cast<size_t>(e);
       out.warp_level_mm.push_back(cloth.warp_level_mm[at]), out.weft_level_mm.push_back(cloth.weft_level_mm[at]);
     }

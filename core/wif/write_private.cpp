@@ -80,7 +80,12 @@ WifEntries yarns_of(const std::vector<Yarn>& yarns, const WifDialect& dialect) {
 
 WifEntries finish_of(const Finish& finish) {
   WifEntries section{"FINISH", {}};
-  if (finish != Finish{}) add_fields(section, "", kFinishFields, finish);
+  if (finish == Finish{}) return section;
+  for (const auto& field : kFinishFields) {
+    // Files of before it have no such line, and stay as they are.
+    if (field.member == &Finish::washed && finish.washed == Finish{}.washed) continue;
+    add(section, field.facts.key, shortest(finish.*field.member));
+  }
   return section;
 }
 

@@ -152,6 +152,7 @@ void bind_plan(py::module_& module) {
 
 void bind_scene(py::module_& module) {
   ValueClass<Finish>(module, "Finish", "Degrees of finishing, each 0 to 1.", check_finish)
+      .field("washed", &Finish::washed)
       .field("raised", &Finish::raised)
       .field("mercerised", &Finish::mercerised)
       .field("calendered", &Finish::calendered)

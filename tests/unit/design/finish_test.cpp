@@ -45,6 +45,17 @@ TEST(Finish, CalenderedIsFlatterAndBrighter) {
   EXPECT_LT(after.lobes.fuzz, 0.2f * before.lobes.fuzz);
 }
 
+TEST(Finish, WoolBloomsMoreThanCottonAndFilamentHardly) {
+  const float wool = bloom(yarn_preset("Wool")), cotton = bloom(yarn_preset("Cotton")),
+              silk = bloom(yarn_preset("Silk"));
+  EXPECT_GT(wool, 1.05f);
+  EXPECT_LT(wool, 1.3f);
+  EXPECT_GT(wool, cotton);
+  EXPECT_GT(cotton, silk);
+  EXPECT_GE(silk, 1);
+  EXPECT_LT(silk, 1.02f);
+}
+
 TEST(Finish, HalfwayLiesBetweenAndAllStayInRange) {
   const Yarn before = yarn_preset("Linen");
   for (const YarnField<Finish>& field : kFinishFields) {

@@ -16,10 +16,14 @@
 
 namespace {
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::weaves;
-using namespace weftlight::analysis;
+using weftlight::analysis::crossings_in_floats, weftlight::analysis::long_floats, weftlight::analysis::longest_floats,
+    weftlight::analysis::weave_layers;
+using weftlight::design::Design, weftlight::design::Leading, weftlight::design::painted_cell,
+    weftlight::design::structure_repeat, weftlight::design::with_liftplan, weftlight::design::with_threading,
+    weftlight::design::with_tieup, weftlight::design::with_treadling;
+using weftlight::draft::BitMatrix, weftlight::draft::Draft, weftlight::draft::Face, weftlight::draft::ShedControl,
+    weftlight::draft::drawdown, weftlight::draft::update_drawdown, weftlight::draft::with_drawdown;
+using weftlight::weaves::Lean, weftlight::weaves::twill;
 
 constexpr int kLarge = 10000;
 constexpr int kShafts = 32;

@@ -14,11 +14,11 @@
 
 namespace {
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::weaves;
+using weftlight::design::Design, weftlight::design::to_liftplan;
+using weftlight::draft::BitMatrix, weftlight::draft::Draft, weftlight::draft::ShedControl;
 using weftlight::render_data::Effort;
 using weftlight::render_data::Stages;
+using weftlight::weaves::Lean, weftlight::weaves::twill;
 
 constexpr int kLarge = 10000;
 

@@ -24,8 +24,8 @@ using draft::ShedControl;
 using ui::Style, ui::Tip, ui::UiMap, ui::apply, ui::light_colors, ui::load_fonts;
 using weaves::Lean, weaves::twill;
 
-using namespace session;
-using namespace views;
+using session::Document, session::DocumentView, session::Gesture, session::Intent, session::Intents, session::Settings;
+using views::FrameNotes, views::PanelContext;
 
 struct Size {
   int ends, picks;

@@ -16,17 +16,15 @@
 #include "wif/other_formats.h"
 #include "wif/wif.h"
 
+namespace weftlight::bench {
+
+using design::Design, design::with_inverted, design::with_threading;
+using draft::BitGrid, draft::Selection, draft::ShedControl, draft::whole_grid;
+using session::Document, session::DocumentView, session::Edit, session::view_of;
+using views::DraftPictures, views::PanelContext, views::draw_draft;
+using wif::WifRead, wif::read_draft, wif::write_new_wif;
+
 namespace {
-
-using namespace weftlight;
-using namespace weftlight::session;
-using namespace weftlight::views;
-using namespace weftlight::bench;
-
-using weftlight::design::Design, weftlight::design::with_inverted, weftlight::design::with_threading;
-using weftlight::draft::BitGrid, weftlight::draft::Selection, weftlight::draft::ShedControl,
-    weftlight::draft::whole_grid;
-using weftlight::wif::WifRead, weftlight::wif::read_draft, weftlight::wif::write_new_wif;
 
 Edit to_shaft(int shaft) {
   return {"Paint", [shaft](Design d) { return with_threading(std::move(d), d.draft.ends() / 2, shaft, true); }};
@@ -116,3 +114,4 @@ BENCHMARK_CAPTURE(pan, 10000_near, kLarge, 12.0f)->Unit(benchmark::kMillisecond)
 BENCHMARK_CAPTURE(pan, 10000_far, kLarge, 0.2f)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+}  // namespace weftlight::bench

@@ -9,11 +9,13 @@
 
 namespace {
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::weaves;
-using namespace weftlight::session;
+using weftlight::design::Design;
+using weftlight::draft::BitMatrix, weftlight::draft::Draft, weftlight::draft::blank_draft, weftlight::draft::drawdown;
+using weftlight::session::ActiveShape, weftlight::session::DocumentView, weftlight::session::GridId,
+    weftlight::session::MaybeEdit, weftlight::session::Tool, weftlight::session::finish_shape,
+    weftlight::session::region_about;
 using weftlight::views::OverviewImage;
+using weftlight::weaves::Lean, weftlight::weaves::twill;
 
 constexpr int kLarge = 10000;
 constexpr int kWide = 150;  // pixels of the overview

@@ -28,24 +28,20 @@
 #include "views/shell/status_bar.h"
 #include "views/shell/window_layout.h"
 
+namespace weftlight::bench {
+
+using design::Design;
+using draft::ShedControl;
+using session::ActionItem, session::Document, session::DocumentView, session::Report, session::report_on,
+    session::view_of;
+using views::AnalysisState, views::DraftPictures, views::PaneRect, views::PanelContext, views::PlanState,
+    views::WindowLayout, views::YarnStrip, views::draw_accuracy, views::draw_analysis, views::draw_context_menu,
+    views::draw_draft, views::draw_draft_header, views::draw_menu_bar, views::draw_palette, views::draw_plan,
+    views::draw_preview, views::draw_report, views::draw_scene, views::draw_status_bar, views::draw_threads,
+    views::draw_yarns, views::lay_out_window;
+using weaves::Lean, weaves::twill;
+
 namespace {
-
-using namespace weftlight;
-using namespace weftlight::bench;
-
-using weftlight::design::Design;
-using weftlight::draft::ShedControl;
-using weftlight::session::ActionItem, weftlight::session::Document, weftlight::session::DocumentView,
-    weftlight::session::Report, weftlight::session::report_on, weftlight::session::view_of;
-using weftlight::views::AnalysisState, weftlight::views::DraftPictures, weftlight::views::PaneRect,
-    weftlight::views::PanelContext, weftlight::views::PlanState, weftlight::views::WindowLayout,
-    weftlight::views::YarnStrip, weftlight::views::draw_accuracy, weftlight::views::draw_analysis,
-    weftlight::views::draw_context_menu, weftlight::views::draw_draft, weftlight::views::draw_draft_header,
-    weftlight::views::draw_menu_bar, weftlight::views::draw_palette, weftlight::views::draw_plan,
-    weftlight::views::draw_preview, weftlight::views::draw_report, weftlight::views::draw_scene,
-    weftlight::views::draw_status_bar, weftlight::views::draw_threads, weftlight::views::draw_yarns,
-    weftlight::views::lay_out_window;
-using weftlight::weaves::Lean, weftlight::weaves::twill;
 
 enum Tab { kThreads, kYarns, kCloth, kAnalysis, kPlan };
 
@@ -151,3 +147,4 @@ BENCHMARK_CAPTURE(whole_frame, 10000_analysis, large, 12.0f, kAnalysis)->Unit(be
 BENCHMARK_CAPTURE(whole_frame, 10000_plan, large, 12.0f, kPlan)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+}  // namespace weftlight::bench

@@ -8,8 +8,10 @@
 #include "draft/block_text.h"
 #include "require.h"
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
+using weftlight::design::Design, weftlight::design::is_consistent, weftlight::design::with_block;
+using weftlight::draft::BitGrid, weftlight::draft::CellBlock, weftlight::draft::Write, weftlight::draft::blank_draft,
+    weftlight::draft::block_text, weftlight::draft::is_consistent, weftlight::draft::read_block_text,
+    weftlight::draft::turned_for;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<CellBlock> read = read_block_text({reinterpret_cast<const char*>(data), size});

@@ -6,9 +6,9 @@
 #include "require.h"
 #include "wif/other_formats.h"
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::wif;
+using weftlight::design::is_consistent;
+using weftlight::draft::is_consistent;
+using weftlight::wif::WifRead, weftlight::wif::read_dtx, weftlight::wif::read_wif, weftlight::wif::read_wpo;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -6,7 +6,7 @@
 #include "collection/index_text.h"
 #include "require.h"
 
-using namespace weftlight::collection;
+using weftlight::collection::entries_from, weftlight::collection::index_text;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto entries = entries_from({reinterpret_cast<const char*>(data), size});

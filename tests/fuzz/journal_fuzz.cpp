@@ -9,7 +9,8 @@
 #include "require.h"
 #include "session/recovery/journal_format.h"
 
-using namespace weftlight::session;
+using weftlight::session::DocumentNote, weftlight::session::journal_entry, weftlight::session::journal_start,
+    weftlight::session::read_journal;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "require.h"
 #include "scene/light_rig.h"
 
-using namespace weftlight::scene;
+using weftlight::scene::LightRig, weftlight::scene::light_rig_from, weftlight::scene::sky_radiance;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<LightRig> rig = light_rig_from({reinterpret_cast<const char*>(data), size});

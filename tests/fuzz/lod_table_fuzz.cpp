@@ -6,7 +6,9 @@
 #include "light/lod_table.h"
 #include "require.h"
 
-using namespace weftlight::light;
+using weftlight::light::Expected, weftlight::light::LodPoint, weftlight::light::LodTable, weftlight::light::Plan,
+    weftlight::light::expected, weftlight::light::expected_cost, weftlight::light::expected_error,
+    weftlight::light::plan_of, weftlight::light::read_lod_table;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const LodTable lod_table = read_lod_table({reinterpret_cast<const char*>(data), size}).value_or(LodTable{});

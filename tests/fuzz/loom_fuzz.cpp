@@ -7,7 +7,7 @@
 #include "loom/protocol.h"
 #include "require.h"
 
-using namespace weftlight::loom;
+using weftlight::loom::LoomReader, weftlight::loom::LoomReport, weftlight::loom::Protocol;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 1) return 0;

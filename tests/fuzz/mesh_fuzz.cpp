@@ -12,8 +12,8 @@
 #include "files/files.h"
 #include "require.h"
 
-using namespace weftlight::files;
 using weftlight::drape::Mesh, weftlight::drape::Vec3;
+using weftlight::files::read_mesh;
 
 namespace {
 

@@ -7,9 +7,11 @@
 #include "require.h"
 #include "weaves/sections.h"
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::weaves;
+using weftlight::design::Assembly, weftlight::design::Design, weftlight::design::is_consistent;
+using weftlight::draft::System, weftlight::draft::blank_draft, weftlight::draft::is_consistent;
+using weftlight::weaves::OrderItem, weftlight::weaves::assembled, weftlight::weaves::order_text,
+    weftlight::weaves::read_order, weftlight::weaves::section_name, weftlight::weaves::section_of,
+    weftlight::weaves::with_section;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

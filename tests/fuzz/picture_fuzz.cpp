@@ -16,7 +16,9 @@
 #include "files/files.h"
 #include "require.h"
 
-using namespace weftlight::files;
+using weftlight::files::EnvironmentPicture, weftlight::files::Image, weftlight::files::ImageSize,
+    weftlight::files::check_environment, weftlight::files::read_environment, weftlight::files::read_image,
+    weftlight::files::read_image_size;
 
 // OpenImageIO 2.4 loses some bytes with each PNG that is cut short.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }

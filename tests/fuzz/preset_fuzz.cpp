@@ -12,10 +12,12 @@
 #include "require.h"
 #include "wif/wif.h"
 
-using namespace weftlight;
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::wif;
+using weftlight::straight_draft;
+using weftlight::design::Design, weftlight::design::Scene, weftlight::design::Yarn, weftlight::design::clamped,
+    weftlight::design::fibre_of, weftlight::design::is_consistent, weftlight::design::lustre,
+    weftlight::design::yarn_presets;
+using weftlight::draft::is_consistent;
+using weftlight::wif::WifRead, weftlight::wif::read_wif, weftlight::wif::write_new_wif, weftlight::wif::write_wif;
 
 namespace {
 

@@ -12,7 +12,8 @@
 #include "require.h"
 #include "session/recovery/recovery.h"
 
-using namespace weftlight::session;
+using weftlight::session::LeftWork, weftlight::session::Recovery, weftlight::session::journal_start,
+    weftlight::session::read_left;
 namespace fs = std::filesystem;
 
 namespace {

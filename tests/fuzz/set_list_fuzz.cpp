@@ -13,7 +13,8 @@
 #include "texture_set/set_folder.h"
 
 namespace fs = std::filesystem;
-using namespace weftlight::texture_set;
+using weftlight::texture_set::check_place, weftlight::texture_set::is_complete, weftlight::texture_set::listed_files,
+    weftlight::texture_set::lists_archive;
 
 namespace {
 

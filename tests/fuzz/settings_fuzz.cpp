@@ -6,7 +6,7 @@
 #include "require.h"
 #include "session/files/user_files.h"
 
-using namespace weftlight::session;
+using weftlight::session::Settings, weftlight::session::settings_from, weftlight::session::settings_text;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -7,8 +7,10 @@
 #include "design/thread_text.h"
 #include "require.h"
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
+using weftlight::design::Design, weftlight::design::ThreadProperties, weftlight::design::color_text,
+    weftlight::design::is_consistent, weftlight::design::read_thread_properties, weftlight::design::thickness_text,
+    weftlight::design::with_properties;
+using weftlight::draft::System, weftlight::draft::blank_draft, weftlight::draft::is_consistent;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<ThreadProperties> read =

@@ -9,8 +9,10 @@
 #include "require.h"
 #include "wif/wif.h"
 
-using namespace weftlight::design;
-using namespace weftlight::wif;
+using weftlight::design::Design, weftlight::design::Version, weftlight::design::is_consistent,
+    weftlight::design::with_version, weftlight::design::without_version;
+using weftlight::draft::Draft;
+using weftlight::wif::WifRead, weftlight::wif::read_wif, weftlight::wif::write_new_wif, weftlight::wif::write_wif;
 
 namespace {
 

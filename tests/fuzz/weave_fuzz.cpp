@@ -6,9 +6,11 @@
 #include "require.h"
 #include "weaves/table.h"
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::weaves;
+using weftlight::design::is_consistent;
+using weftlight::draft::is_consistent;
+using weftlight::weaves::ClothSize, weftlight::weaves::GeneratedWeave, weftlight::weaves::WeaveKind,
+    weftlight::weaves::WeaveParameter, weftlight::weaves::WeaveValues, weftlight::weaves::allowed_values,
+    weftlight::weaves::new_draft, weftlight::weaves::weave_kinds;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 3) return 0;

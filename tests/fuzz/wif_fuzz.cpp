@@ -8,9 +8,13 @@
 #include "require.h"
 #include "wif/wif.h"
 
-using namespace weftlight::draft;
-using namespace weftlight::design;
-using namespace weftlight::wif;
+using weftlight::design::Design, weftlight::design::is_consistent, weftlight::design::with_liftplan,
+    weftlight::design::with_purchase, weftlight::design::with_rising, weftlight::design::with_size,
+    weftlight::design::with_thread_color, weftlight::design::with_thread_spacing, weftlight::design::with_threading,
+    weftlight::design::with_tieup, weftlight::design::with_treadling;
+using weftlight::draft::Draft, weftlight::draft::System, weftlight::draft::drawdown, weftlight::draft::is_consistent;
+using weftlight::wif::WifRead, weftlight::wif::read_wif, weftlight::wif::write_new_wif, weftlight::wif::write_plain_wif,
+    weftlight::wif::write_wif;
 
 namespace {
 

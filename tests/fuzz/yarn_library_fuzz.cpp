@@ -8,7 +8,9 @@
 #include "design/yarn_library.h"
 #include "require.h"
 
-using namespace weftlight::design;
+using weftlight::design::Design, weftlight::design::LibraryYarn, weftlight::design::YarnLibrary,
+    weftlight::design::clamped, weftlight::design::is_consistent, weftlight::design::kMaxYarnColors,
+    weftlight::design::read_yarn_library, weftlight::design::with_yarn_from, weftlight::design::yarn_library_text;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const weftlight::base::Result<YarnLibrary> read = read_yarn_library({reinterpret_cast<const char*>(data), size});

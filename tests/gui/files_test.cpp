@@ -6,9 +6,6 @@
 
 namespace weftlight::gui {
 
-using namespace draft;
-using namespace design;
-using namespace wif;
 namespace {
 
 namespace fs = std::filesystem;

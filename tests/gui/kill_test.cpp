@@ -15,9 +15,8 @@
 
 namespace weftlight::gui {
 
-using namespace draft;
-using namespace design;
-using namespace wif;
+using design::Design, design::with_threading;
+using draft::Draft;
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -4,8 +4,7 @@
 
 namespace weftlight::gui {
 
-using namespace draft;
-using namespace design;
+using design::Design, design::with_threading;
 namespace {
 
 namespace fs = std::filesystem;

@@ -7,8 +7,6 @@
 
 namespace weftlight::gui {
 
-using namespace draft;
-using namespace wif;
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,9 +12,9 @@
 
 namespace weftlight::gui {
 
-using namespace draft;
-using namespace design;
-using namespace wif;
+using design::CrossSection, design::Design, design::Yarn, design::with_cross_section, design::with_threading;
+using draft::Draft, draft::Threads, draft::blank_draft, draft::kFromYarn;
+using wif::write_new_wif;
 namespace {
 
 namespace fs = std::filesystem;

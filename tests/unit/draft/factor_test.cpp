@@ -17,7 +17,8 @@ using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Face, draft::Closes
     draft::drawdown, draft::fewest_for, draft::is_consistent, draft::lifts, draft::skeleton_tieup,
     draft::treadles_needed, draft::whole_grid, draft::with_drawdown, draft::within_loom, draft::without_spare;
 
-using namespace weaves;
+using design::Design;
+using weaves::Lean, weaves::satin, weaves::twill;
 namespace {
 
 Draft bare_loom(const BitMatrix& cells, bool rising = true) {

@@ -17,7 +17,8 @@ namespace weftlight::drape {
 
 using base::presets_dir, base::problem_of;
 
-using namespace files;
+using drape::Mesh;
+using files::read_mesh;
 namespace {
 
 constexpr float kQuick = 0.01f;

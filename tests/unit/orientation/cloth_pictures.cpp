@@ -21,8 +21,7 @@ using scene::Camera, scene::bounds_of, scene::drawn_scene, scene::place_camera, 
 
 namespace {
 
-using namespace commands;
-using namespace render_data;
+using commands::PictureOptions, commands::PictureSetup, commands::kDone;
 
 constexpr int kWidth = 240, kHeight = 180;
 constexpr float kYarnsPerPixel = 0.08f;

@@ -157,7 +157,8 @@ std::vector<Seen> thumbnails(const Workplace&, std::string&) {
 
 namespace {
 
-using namespace views;
+using views::CellImage, views::DraftContext, views::DraftLayout, views::FrameNotes, views::PanelContext,
+    views::cell_image, views::draft_context, views::draw_drawdown_cells, views::lay_out_draft;
 
 /// What a list of ImGui's draws, triangle by triangle; all are halves of upright rectangles.
 Image drawn(const ImDrawList& list, ImVec2 from, int width, int height) {

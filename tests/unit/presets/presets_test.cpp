@@ -29,7 +29,7 @@ using draft::BitMatrix, draft::System, draft::drawdown;
 
 namespace {
 
-using namespace analysis;
+using analysis::LongestFloats, analysis::longest_floats, analysis::weave_layers;
 
 std::string presets_path(const std::string& path) {
   return (std::filesystem::path(WEFTLIGHT_TESTS_DIR).parent_path() / "presets" / path).string();

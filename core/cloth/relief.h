@@ -2,7 +2,8 @@
 // Relief of a washed cloth. Washed threads shrink and draw their floats in: where both faces differ in their floats,
 // the cloth bulges towards the face that has the longer ones. So the frames of a waffle weave rise and its squares
 // sink, the pattern blocks of an overshot stand over the tabby. Twills and satins, whose floats are as long on both
-// faces of a crossing, stay flat.
+// faces of a crossing, stay flat, and so do
+// baskets and ribs.
 //
 // No source: the rule is our own, its size by eye beside washed waffles, whose cells are about a third as deep as wide.
 

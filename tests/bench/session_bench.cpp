@@ -27,7 +27,10 @@ using wif::WifRead, wif::read_draft, wif::write_new_wif;
 namespace {
 
 Edit to_shaft(int shaft) {
-  return {"Paint", [shaft](Design d) { return with_threading(std::move(d), d.draft.ends() / 2, shaft, true); }};
+  return {"Paint", [shaft](Design d) {
+            const int middle = d.draft.ends() / 2;
+            return with_threading(std::move(d), middle, shaft, true);
+          }};
 }
 
 /// Paints a cell of the threading and updates the drawdown; each is a separate undo step.

@@ -46,9 +46,11 @@ int float_on_face(const BitMatrix& up, int pick, int end) {
   return n;
 }
 
-TEST(Relief, TwillsSatinsAndPlainWeaveStayFlat) {
+TEST(Relief, TwillsSatinsBasketsAndPlainWeaveStayFlat) {
   const Design d = design_of(16, 16, 0.5f, 0.3f);
-  for (const BitMatrix& cells : {plain(16, 16), twill(16, 16), satin(16, 16)})
+  for (const BitMatrix& cells : {plain(16, 16), twill(16, 16), satin(16, 16),
+                                 cells_of(16, 16, [](int e, int p) { return (e / 2 + p) % 2 == 0; }),
+                                 cells_of(16, 16, [](int e, int p) { return (e / 2 + p / 2) % 2 == 0; })})
     EXPECT_TRUE(lay_out(d, cells, Face::kFront, Period::kWholeDraft).warp_level_mm.empty());
 }
 

@@ -148,6 +148,7 @@ Cloth unordered(int ends, int picks) {
   d.draft = draft::blank_draft(ends, picks, 2, 2);
   d.yarns.push_back(d.yarns[0]);
   d.yarns[1].unevenness = 40;
+  d.plan.warp_shrinkage = d.plan.weft_shrinkage = 0;  // drafts of so many crossings have no relief
   std::mt19937 rng(static_cast<unsigned>(ends * 1000 + picks));
   for (auto* threads : {&d.draft.warp, &d.draft.weft}) {
     threads->spacing_mm.assign(threads->color.size(), 0.7f);
@@ -280,7 +281,7 @@ constexpr std::array<const char*, kRayRows> kRayNames{
     "ply_normal",   "facet_radiance", "fibre_detail", "detail_normal", "detail_lobes"};
 
 vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
-  using namespace cloth::thread_formulas;
+  using cloth::thread_formulas::FibreDetail, cloth::thread_formulas::SurfaceFrame, cloth::thread_formulas::fibre_relief;
   const PackedThreads::ThreadGrid g = t.grid();
   const vec3 v(c[1]), l(c[2]);
   const PackedThreads::ThreadHit hit = t.first_thread(g, glm::vec2(c[0]), v, 48);
@@ -492,7 +493,11 @@ constexpr std::array<const char*, kMethodRows> kMethodNames{
     "face_flyaway",        "flyaway_at, fuzz_left"};
 
 vec4 method_on_cpu(const MethodCase& given, int row) {
-  using namespace formulas;
+  using formulas::EngineMaterial, formulas::FaceFlyaway, formulas::YarnData, formulas::YarnLobes, formulas::face_cell,
+      formulas::face_flyaway, formulas::flyaway_fraction, formulas::flyaway_key, formulas::flyaway_sky,
+      formulas::fuzz_left, formulas::gradient_factor, formulas::half_slopes, formulas::lattice_for,
+      formulas::lattice_of, formulas::lattice_point, formulas::lobe_frame, formulas::region_factor,
+      formulas::response_coord, formulas::slope_coord, formulas::yarn_of;
   const vec3 l(given[0]), v(given[1]), color(given[6]);
   const vec4 e = given[7];
   YarnData data{};

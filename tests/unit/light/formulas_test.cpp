@@ -196,7 +196,8 @@ TEST(LodTable, CellIsNotKeptWhereItNoLongerHolds) {
 }
 
 TEST(Lattice, PointsSpreadOverThePixelAndPassesFillIn) {
-  using namespace formulas;
+  using formulas::kLattices, formulas::kMaxYarnSamples, formulas::lattice_of, formulas::lattice_point;
+  using glm::ivec2, glm::vec2;
   EXPECT_EQ(lattice_of(kLattices - 1).x, kMaxYarnSamples);
   for (int k = 0; k < kLattices; ++k) {
     const ivec2 lattice = lattice_of(k);

@@ -43,6 +43,7 @@ inline Design marked_design() {
   d.liftplan.set(kLonePick, kLoneEnd, true);
   d.liftplan.set(1, kColoredEnd, true), d.liftplan.set(5, kColoredEnd, true);
   design.yarns[0].twist = Twist::kNone;
+  design.plan.warp_shrinkage = design.plan.weft_shrinkage = 0;  // no relief beside that of the crossings
   design.scene.mesh = "plane";
   return design;
 }

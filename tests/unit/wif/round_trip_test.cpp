@@ -123,7 +123,9 @@ Design random_design(unsigned seed) {
     design.scene.background = {0.1f, 0.2f, dice.between(0, 1)};
   }
   if (dice.coin()) {
-    if (dice.coin()) design.finish = {dice.between(0, 1), dice.between(0, 1), dice.between(0, 1), dice.coin() ? 1 : dice.between(0, 1)};
+    if (dice.coin())
+      design.finish = {dice.between(0, 1), dice.between(0, 1), dice.between(0, 1),
+                       dice.coin() ? 1 : dice.between(0, 1)};
     design.loom = {static_cast<Leading>(dice.upto(2)),
                    dice.coin(),
                    dice.upto(8),

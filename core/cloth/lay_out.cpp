@@ -21,7 +21,7 @@
 namespace weftlight::cloth {
 
 using cloth::thread_formulas::mix_bits, cloth::thread_formulas::unit_of;
-using design::Design, design::Finish, design::Repeat, design::Yarn, design::design_repeat, design::finished;
+using design::Design, design::Finish, design::Repeat, design::Yarn, design::design_repeat;
 using design::srgb_decoded, design::srgb_encoded;
 using draft::BitMatrix, draft::Face, draft::Rgb, draft::System, draft::Threads, draft::kFromYarn;
 

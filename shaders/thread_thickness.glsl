@@ -16,8 +16,8 @@
 // Length of a thick or thin place: slubs of flax and of dupion silk are one to some centimetres long; longer variation
 // is the spread between threads.
 const float kSlub_mm = 9.0f;
-const float kMostSway = 2.7171f;         // so that the standard deviation is 1: sqrt(3) / sqrt(128/315)
-const float kMostAside = 0.8f;           // of half the room: the furthest that a border moves
+const float kMaxSway = 2.7171f;         // so that the standard deviation is 1: sqrt(3) / sqrt(128/315)
+const float kMaxAside = 0.8f;           // of half the room: the furthest that a border moves
 const float kTallestSection = 1.5f;      // height over width to which a jammed thread grows (core/cloth/lay_out.cpp)
 
 // A thread's section; mm.
@@ -34,7 +34,7 @@ FORMULA bool is_uneven(ThreadSection s) { return s.sway.x > 0.0f || s.sway.y > 0
 
 // The furthest that a thread with all its room reaches to a side of its place.
 FORMULA float furthest_side(ThreadSection s) {
-  return s.half_room + max(kMostSway * s.sway.x - s.aside.x, kMostSway * s.sway.y + s.aside.y);
+  return s.half_room + max(kMaxSway * s.sway.x - s.aside.x, kMaxSway * s.sway.y + s.aside.y);
 }
 
 FORMULA int slubs_in(float length_mm) { return max(int(length_mm / kSlub_mm + 0.5f), 1); }
@@ -46,7 +46,7 @@ FORMULA float slub_of(uint border, int slub) {
   return float(h >> 8) * 5.9604644775390625e-8f;
 }
 
-// Of the border beyond a thread: mean 0, standard deviation 1, at most kMostSway. count: crossings of the period,
+// Of the border beyond a thread: mean 0, standard deviation 1, at most kMaxSway. count: crossings of the period,
 // crossing of 0..count - 1.
 FORMULA float border_sway(int system, int thread, int crossing, int count, int slubs) {
   uint own = uint(thread) * 0x9E3779B1u + (system == 0 ? 0x51u : 0xA7000000u);
@@ -56,7 +56,7 @@ FORMULA float border_sway(int system, int thread, int crossing, int count, int s
   float u = slub_at - float(slub);
   if (slub >= slubs) slub -= slubs;
   float bump = 4.0f * u * (1.0f - u);
-  return kMostSway * (2.0f * slub_of(own, slub) - 1.0f) * bump * bump;
+  return kMaxSway * (2.0f * slub_of(own, slub) - 1.0f) * bump * bump;
 }
 
 // Half width, half height, and offset of the centre towards +across, between borders of this sway.

@@ -25,7 +25,7 @@ using draft::transposed;
 
 namespace {
 
-constexpr int kMostThreads = 512;   // of each system that are looked at
+constexpr int kMaxThreads = 512;    // of each system that are looked at
 constexpr int kLargestCircle = 64;  // classes of a twill or satin
 constexpr double kMostly = 0.7;     // of the steps of a twill
 
@@ -40,7 +40,7 @@ BitMatrix cropped(const BitMatrix& cells, int picks, int ends) {
 /// One repeat, or its first threads.
 BitMatrix looked_at(const BitMatrix& cells) {
   const Repeat repeat = structure_repeat(cells);
-  return cropped(cells, std::min(repeat.picks, kMostThreads), std::min(repeat.ends, kMostThreads));
+  return cropped(cells, std::min(repeat.picks, kMaxThreads), std::min(repeat.ends, kMaxThreads));
 }
 
 /// Threads of one system by class, counted in the order in which the classes first occur.
@@ -201,9 +201,9 @@ double alternation(const BitMatrix& threads, int thread) {
 /// Every other thread is a tabby, opposite to the one before, and the others float over it.
 bool has_tabby_between(const BitMatrix& threads) {
   constexpr double kPlain = 0.9;
-  constexpr int kLeastThreads = 8, kLongFloat = 3;
+  constexpr int kMinThreads = 8, kLongFloat = 3;
   const int n = threads.rows(), across = threads.cols();
-  if (n < kLeastThreads || n % 2 != 0 || across < 4) return false;
+  if (n < kMinThreads || n % 2 != 0 || across < 4) return false;
   for (int odd = 0; odd < 2; ++odd) {
     int opposite = 0, plain = 0;
     for (int i = odd; i < n; i += 2) {
@@ -282,8 +282,8 @@ double share_of_tabby(const BitMatrix& threads) {
 /// Plain weave whose other threads leave it for floats here and there.
 bool is_lace(const Weave& w) {
   constexpr double kSomePlain = 0.2, kSomeTabby = 0.3;
-  constexpr int kShortest = 3, kLongest = 15, kLeastThreads = 5;
-  if (w.picks.rows() < kLeastThreads || w.ends.rows() < kLeastThreads) return false;
+  constexpr int kShortest = 3, kLongest = 15, kMinThreads = 5;
+  if (w.picks.rows() < kMinThreads || w.ends.rows() < kMinThreads) return false;
   const LongestFloats f = longest_floats(w.picks);
   const int longest = std::max({f.warp_front, f.warp_back, f.weft_front, f.weft_back});
   return longest >= kShortest && longest <= kLongest && share_of_plain(w.picks) >= kSomePlain &&
@@ -302,8 +302,8 @@ BitMatrix every_other(const BitMatrix& cells, int first_pick, int first_end) {
 /// Two plain weaves that change places from block to block, and so hang together where blocks meet.
 bool is_double_in_blocks(const BitMatrix& cells) {
   constexpr double kPlain = 0.7, kNotPlain = 0.2;
-  constexpr int kLeastThreads = 8;
-  if (cells.rows() < kLeastThreads || cells.cols() < kLeastThreads) return false;
+  constexpr int kMinThreads = 8;
+  if (cells.rows() < kMinThreads || cells.cols() < kMinThreads) return false;
   for (int shifted = 0; shifted < 2; ++shifted)
     if (share_of_plain(every_other(cells, 0, shifted)) >= kPlain &&
         share_of_plain(every_other(cells, 1, 1 - shifted)) >= kPlain &&

@@ -21,7 +21,7 @@
 namespace weftlight::cloth {
 
 using cloth::thread_formulas::mix_bits, cloth::thread_formulas::unit_of;
-using design::Design, design::Finish, design::Repeat, design::Yarn, design::design_repeat;
+using design::Design, design::Repeat, design::Yarn, design::design_repeat;
 using design::srgb_decoded, design::srgb_encoded;
 using draft::BitMatrix, draft::Face, draft::Rgb, draft::System, draft::Threads, draft::kFromYarn;
 
@@ -102,13 +102,11 @@ void press(ThreadBody& body, float flattening, float calendered) {
 struct Woven {
   const Design& design;
   std::vector<Yarn> finished;
-  bool plain;      // no finish
   float unwashed;  // 0: washed
 
   explicit Woven(const Design& d)
       : design(d),
         finished(design::finished(d.yarns, d.finish)),
-        plain(d.finish == Finish{}),
         unwashed(1 - std::clamp(d.finish.washed, 0.0f, 1.0f)) {}
 };
 

@@ -5,13 +5,13 @@
 
 namespace weftlight::cloth {
 
-using thread_formulas::border_sway, thread_formulas::kBorderSteps, thread_formulas::kMostAside,
-    thread_formulas::kMostSway, thread_formulas::kTallestSection, thread_formulas::section_between,
+using thread_formulas::border_sway, thread_formulas::kBorderSteps, thread_formulas::kMaxAside,
+    thread_formulas::kMaxSway, thread_formulas::kTallestSection, thread_formulas::section_between,
     thread_formulas::slubs_in;
 
 namespace {
 
-constexpr float kLeastRoom = 1e-6f;
+constexpr float kMinRoom = 1e-6f;
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
@@ -33,13 +33,13 @@ float swaying(float length_mm) {
 float push_mm(const ThreadBody& t, float thickness) { return 0.5f * t.spacing_mm * (thickness - 1); }
 
 ThreadBorder border_between(const ThreadBody& a, float a_thickness, const ThreadBody& b, float b_thickness) {
-  const float most = 0.5f * kMostAside * std::min(a.spacing_mm, b.spacing_mm);
+  const float most = 0.5f * kMaxAside * std::min(a.spacing_mm, b.spacing_mm);
   ThreadBorder border;
   // Sways take part of what is left, so that the widest ones still end within the bound.
   border.aside_mm = std::clamp(push_mm(a, a_thickness) - push_mm(b, b_thickness), -0.5f * most, 0.5f * most);
   // Both borders of a thread sway independently: its room has the standard deviation of its thickness.
   const float sway = 0.5f * std::hypot(a.unevenness * a.spacing_mm, b.unevenness * b.spacing_mm);
-  border.sway_mm = std::min(sway, (most - std::abs(border.aside_mm)) / kMostSway);
+  border.sway_mm = std::min(sway, (most - std::abs(border.aside_mm)) / kMaxSway);
   // In steps that the threads' records hold, so that bodies and tubes agree.
   const float step = 0.5f * std::min(a.spacing_mm, b.spacing_mm) / kBorderSteps;
   border.aside_mm = std::round(border.aside_mm / step) * step;
@@ -110,8 +110,8 @@ float tallest_half(const Cloth& cloth, System system) {
   const float part = swaying(length_of(cloth, system));
   float most = 0;
   for (const ThreadBody& t : threads_of(cloth, system)) {
-    const float room = std::max(room_mm(t), kLeastRoom);
-    most = std::max(most, 0.5f * t.height_mm * (1 + kMostSway * part * (t.before.sway_mm + t.after.sway_mm) / room));
+    const float room = std::max(room_mm(t), kMinRoom);
+    most = std::max(most, 0.5f * t.height_mm * (1 + kMaxSway * part * (t.before.sway_mm + t.after.sway_mm) / room));
   }
   return most;
 }

@@ -62,7 +62,7 @@ std::optional<size_t> colour_of_id(std::string_view id) {
 }
 
 uint32_t colours_of(const Draft& draft) {
-  constexpr int kLeastShare = 20;  // a thread in so many
+  constexpr int kMinShare = 20;  // a thread in so many
   std::array<int64_t, kColourNames.size()> threads{};
   std::vector<size_t> names;
   for (const Rgb& color : draft.palette) names.push_back(colour_name_of(color));
@@ -71,7 +71,7 @@ uint32_t colours_of(const Draft& draft) {
   const int64_t all = int64_t{draft.ends()} + draft.picks();
   uint32_t found = 0;
   for (size_t i = 0; i < threads.size(); ++i)
-    if (threads[i] > 0 && threads[i] * kLeastShare >= all) found |= uint32_t{1} << i;
+    if (threads[i] > 0 && threads[i] * kMinShare >= all) found |= uint32_t{1} << i;
   return found;
 }
 

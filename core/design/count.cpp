@@ -51,13 +51,13 @@ struct Rounded {
   int digits = 0;
 };
 Rounded rounded(double value) {
-  constexpr int kMostDigits = 5;
+  constexpr int kMaxDigits = 5;
   constexpr double kLabel = 5e-4;
-  if (!(value > 0 && std::isfinite(value))) return {"0", kMostDigits};
-  for (int digits = 1; digits <= kMostDigits; ++digits) {
+  if (!(value > 0 && std::isfinite(value))) return {"0", kMaxDigits};
+  for (int digits = 1; digits <= kMaxDigits; ++digits) {
     const double step = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
     const double near = std::round(value / step) * step;
-    if (digits < kMostDigits && std::abs(near / value - 1) > kLabel) continue;
+    if (digits < kMaxDigits && std::abs(near / value - 1) > kLabel) continue;
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", step < 1 ? static_cast<int>(std::lround(-std::log10(step))) : 0, near);
     return {text, digits};

@@ -26,8 +26,8 @@ constexpr float kPart = 2 * kPi / (kRings * kTurns);  // sr
 constexpr size_t kDeviates = 1021;                    // prime, so that samples do not repeat the same run
 constexpr size_t kFacets = 4;                         // a sample and view
 constexpr float kMinFactor = 0.4f, kMaxFactor = 2.5f;
-constexpr float kLeastTone = 1e-3f;  // of a colour that a table is divided by
-constexpr float kLeastHalfHidden = 0.1f;
+constexpr float kMinTone = 1e-3f;  // of a colour that a table is divided by
+constexpr float kMinHalfHidden = 0.1f;
 
 /// For each light node of the tables, the part of a uniform sky that it stands for (responses are linear between
 /// nodes): sum of directions, and solid angle in sr.
@@ -224,9 +224,9 @@ void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<floa
     const float hidden = std::max(drawn[s].unhidden - factor * drawn[s].all, 0.0f);
     const float half_hidden = factor * (drawn[s].all - factor * drawn[s].squares);
     response_.hidden[view][static_cast<int>(s)] =
-        part * hidden / std::max(channel_mean(formulas::unhidden_reflectance(y)), kLeastTone);
+        part * hidden / std::max(channel_mean(formulas::unhidden_reflectance(y)), kMinTone);
     response_.hidden[view][static_cast<int>(s) + 2] =
-        hidden > 0 ? std::clamp(half_hidden / hidden, kLeastHalfHidden, 1.0f) : 1.0f;
+        hidden > 0 ? std::clamp(half_hidden / hidden, kMinHalfHidden, 1.0f) : 1.0f;
     radiance.glossy += part * glm::vec4(mirrored[s].from, mirrored[s].light);
     radiance.drawn.glossy += part * drawn[s].glossy, radiance.drawn.from += part * drawn[s].from;
   }

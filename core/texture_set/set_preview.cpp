@@ -78,7 +78,7 @@ SetPreview preview_set(const Design& design, Face face, const TextureSetOptions&
 
 Image flat_swatch(const Design& design, Face face, int width, int height, float across_mm,
                   const std::stop_token& stop) {
-  constexpr int kLeastSide = 32, kMaxSide = 1024;
+  constexpr int kMinSide = 32, kMaxSide = 1024;
   constexpr float kTexelsPerPixel = 1.5f;
   if (design.draft.ends() < 1 || design.draft.picks() < 1 || width < 1 || height < 1 || !(across_mm > 0)) return {};
   const float mm_per_pixel = across_mm / static_cast<float>(width);
@@ -86,7 +86,7 @@ Image flat_swatch(const Design& design, Face face, int width, int height, float 
   if (stop.stop_requested()) return {};
   Tile tile = make_tile(shown, drawdown(shown.draft), face, kTileOfYarns, kMaxSide);
   const float side_mm = std::max(tile.cloth.width_mm, tile.cloth.depth_mm);
-  int side = kLeastSide;
+  int side = kMinSide;
   while (side < kMaxSide && static_cast<float>(side) < kTexelsPerPixel * side_mm / mm_per_pixel) side *= 2;
   FaceOptions options;
   options.size = texture_size(tile.cloth.width_mm, tile.cloth.depth_mm, side);

@@ -14,7 +14,7 @@ bool is_calibrated(const Settings& settings, const Screen& screen) { return sett
 float px_a_mm(const Settings& settings, const Screen& screen) {
   constexpr float kUsual = 96 / 25.4f;
   if (const auto found = settings.screens.find(screen.name); found != settings.screens.end()) return found->second;
-  return screen.px_a_mm >= kLeastPx_a_mm && screen.px_a_mm <= kMostPx_a_mm ? screen.px_a_mm : kUsual;
+  return screen.px_a_mm >= kMinPx_a_mm && screen.px_a_mm <= kMaxPx_a_mm ? screen.px_a_mm : kUsual;
 }
 
 float true_scale(const Settings& settings) { return settings.eye_to_screen_cm / (100 * settings.seen_from_m); }

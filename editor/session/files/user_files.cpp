@@ -74,7 +74,7 @@ void take_true_distance(const nlohmann::json& json, Settings& s) {
   const auto found = json.find("screens");
   if (found == json.end() || !found->is_object()) return;
   for (const auto& [screen, px_a_mm] : found->items())
-    if (px_a_mm.is_number() && px_a_mm.get<float>() >= kLeastPx_a_mm && px_a_mm.get<float>() <= kMostPx_a_mm &&
+    if (px_a_mm.is_number() && px_a_mm.get<float>() >= kMinPx_a_mm && px_a_mm.get<float>() <= kMaxPx_a_mm &&
         s.screens.size() < kMaxScreens)
       s.screens[screen] = px_a_mm.get<float>();
 }

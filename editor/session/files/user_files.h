@@ -21,7 +21,7 @@ inline constexpr int kInterfaceSizes[] = {80, 90, 100, 110, 125, 150, 175, 200};
 /// Ranges of the true distance: from the cloth, of the eyes from the screen, and of a screen's window units in a mm.
 inline constexpr float kNearestSeen_m = 0.3f, kFurthestSeen_m = 5;
 inline constexpr float kNearestEye_cm = 20, kFurthestEye_cm = 200;
-inline constexpr float kLeastPx_a_mm = 0.5f, kMostPx_a_mm = 40;
+inline constexpr float kMinPx_a_mm = 0.5f, kMaxPx_a_mm = 40;
 
 inline constexpr float kMinPictureMs = 5, kMaxPictureMs = 5000;
 

@@ -26,8 +26,8 @@ ImVec2 room_of(const PanelContext& c) {
 }
 
 float held(float px_a_mm, ImVec2 room) {
-  const float most = std::min({session::kMostPx_a_mm, room.x / kCardWidth_mm, room.y / kCardHeight_mm});
-  return std::clamp(px_a_mm, std::min(session::kLeastPx_a_mm * 2, most), most);
+  const float most = std::min({session::kMaxPx_a_mm, room.x / kCardWidth_mm, room.y / kCardHeight_mm});
+  return std::clamp(px_a_mm, std::min(session::kMinPx_a_mm * 2, most), most);
 }
 
 /// The outline, its chip and stripe, so that it is known for a card at once.

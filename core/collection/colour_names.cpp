@@ -6,7 +6,7 @@
 
 namespace weftlight::collection {
 
-using draft::System, draft::Threads;
+using draft::System;
 
 namespace {
 

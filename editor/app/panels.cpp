@@ -60,9 +60,9 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
     loom_.draw(c, l);
     return draw_status(c, l, status);
   }
-  // The draft is fitted to its new room.
-  if ((std::exchange(cloth_shown_, settings_.cloth) != settings_.cloth) |
-      (std::exchange(stacked_, l.stacked) != l.stacked))
+  const bool cloth_came_or_went = std::exchange(cloth_shown_, settings_.cloth) != settings_.cloth;
+  const bool was_turned = std::exchange(stacked_, l.stacked) != l.stacked;
+  if (cloth_came_or_went || was_turned)  // the draft is fitted to its new room
     c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
   draw_draft_pane(c, l, items);
   if (l.cloth.shown() || (l.stacked && l.inspector.shown())) draw_splitter(c, l);

@@ -65,6 +65,11 @@ async function tap(page, name) {
   await page.touch('touchEnd', []);
 }
 
+/// What can be pressed in the window now.
+async function names(page) {
+  return (await page.map()).controls.map(one => one.name).filter(name => !name.startsWith('tip')).join();
+}
+
 async function tablet(t) {
   for (const [width, height] of [[1024, 768], [768, 1024]]) {
     const held = width + 'x' + height, small = new Set();
@@ -78,9 +83,10 @@ async function tablet(t) {
     const part = async name => (await page.map()).controls.find(one => one.name === name);
     const split = await part('split');
     t.check(held + ': the splitter is as wide as a finger', Math.min(split.w, split.h) >= kFinger);
-    for (const tab of ['Threads', 'Yarns', 'Cloth', 'Analysis', 'Plan']) {
+    for (const tab of ['Yarns', 'Cloth', 'Analysis', 'Plan', 'Threads']) {  // the last one is open at the start
+      const before = await names(page);
       await tap(page, 'inspector:' + tab);
-      await sleep(300);
+      await comesTrue('the page ' + tab, async () => await names(page) !== before);
       await look();
       if (tab === 'Cloth') await page.picture('build/web/pictures/tablet_' + held + '_cloth.png');
     }

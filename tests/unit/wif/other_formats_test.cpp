@@ -69,8 +69,8 @@ TEST(Dtx, AMissingColourIsAWarning) {
   EXPECT_FALSE(read.diagnostics.empty());
 }
 
-/// Two ends, three picks, two shafts; `kind` 100, 101 or 102.
-std::string wpo(int kind, bool sinking = false) {
+/// Two ends, three picks or none, two shafts; `kind` 100, 101 or 102.
+std::string wpo(int kind, bool sinking = false, bool picks = true) {
   const auto list = [](std::initializer_list<int> bytes) {
     std::string out{0, static_cast<char>(bytes.size())};
     for (const int b : bytes) out += static_cast<char>(b);
@@ -81,10 +81,11 @@ std::string wpo(int kind, bool sinking = false) {
   bytes += std::string{0, 2, 0, 3};
   bytes.append(7, '\0');
   bytes += list({1, 2}) + list({0, 1, 1}) + list({1, 1, 0});
-  if (kind == 100) bytes += std::string{0, 3, 1, 2, 3};
-  else bytes += std::string{1, 2};
-  if (kind == 101) bytes += list({1, 2, 0});
-  if (kind == 102) bytes += std::string{0, 3, 1, 3, 0};
+  if (kind != 100) bytes += std::string{1, 2};
+  if (!picks) bytes += list({});
+  else if (kind == 100) bytes += std::string{0, 3, 1, 2, 3};
+  else if (kind == 101) bytes += list({1, 2, 0});
+  else bytes += std::string{0, 3, 1, 3, 0};
   bytes.append(66, '\0');
   return bytes + std::string{2, static_cast<char>(255), 0, 0, 0, 0, static_cast<char>(255)};
 }
@@ -106,6 +107,11 @@ TEST(Wpo, OfEveryKind) {
     EXPECT_TRUE(cells.get(1, 1));
   }
   EXPECT_FALSE(read_draft(wpo(101, true)).file->design.draft.rising);
+}
+
+TEST(Wpo, WithoutPicksIsRefused) {
+  for (const int kind : {100, 101, 102})
+    EXPECT_EQ(error_of(read_draft(wpo(kind, false, false))), "0: the draft has no picks");
 }
 
 TEST(Wpo, TruncatedFilesAreRejectedOrReadWithoutColours) {

@@ -67,7 +67,7 @@ class Pictures : public ScratchFolder {
 // A mesh with fewer triangles keeps its shape but moves the weave: 0.40, against 0.09 with all triangles.
 TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
   const std::optional<double> off =
-      difference(corner_of("starter"), {"--mesh", "tablecloth", "--yarns-per-pixel", "0.3"});
+      difference(presets_dir() + "/drafts/starter.wif", {"--mesh", "tablecloth", "--yarns-per-pixel", "0.3"});
   if (!off) GTEST_SKIP() << "no graphics";
   EXPECT_LT(*off, 0.15);
 }

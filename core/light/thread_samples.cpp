@@ -50,6 +50,20 @@ std::vector<Cloth> windows_of(const Cloth& cloth) {
   return out;
 }
 
+static_assert(std::max<size_t>(kHighest - kLowViews, kAlong) / Directions::kGroup < Directions::kMostGroups);
+
+/// Directions of a grid, from the first to before the last: those of a group are next to each other.
+template <size_t kCount>
+Directions in_patches(const std::array<glm::vec3, kCount>& grid, size_t azimuths, size_t first, size_t last) {
+  constexpr size_t kWide = 4, kHigh = 2;
+  Directions out;
+  for (size_t row = first; row < last; row += kHigh * azimuths)
+    for (size_t a = 0; a < azimuths; a += kWide)
+      for (size_t at = row + a; at < std::min(row + kHigh * azimuths, last); at += azimuths)
+        for (size_t i = at; i < at + kWide; ++i) out.add(grid[i], i);
+  return out;
+}
+
 /// Samples one cloth.
 class ThreadSampler {
  public:
@@ -60,9 +74,9 @@ class ThreadSampler {
         grid_(scene_.grid()),
         textures_(thread_textures(cloth)),
         views_(response_views()) {
-    for (size_t v = kLowViews; v <= kHighest; ++v) high_views_.add(views_[v], v);
-    const auto lights = transmission_lights();
-    for (size_t i = 0; i < kAlong; ++i) lights_.add(lights[i], i);
+    high_views_ = in_patches(views_, kViewAzimuths, kLowViews, kHighest);
+    high_views_.add(views_[kHighest], kHighest), high_views_.finish_group();
+    lights_ = in_patches(transmission_lights(), kTransmissionAzimuths, 0, kAlong);
     for (int i = 0; i < grid_.layers; ++i) layers_.push_back(scene_.thread_layer(i, 1));
   }
   /// Sample k of `count` of a system; area 0 if there is none. lit: for light from behind; samples that none reaches
@@ -210,24 +224,38 @@ void ThreadSampler::add_top_samples(int first, int count, ThreadSamples& out) {
   }
 }
 
-void ThreadSampler::find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
-  const auto can_see = [&](size_t view) {
-    return glm::dot(p.side, views_[view]) > 0 || channel_mean(p.lobes.through) > 0;
-  };
-  Directions open;
-  open.reserve(high_views_.size());
-  for (size_t k = from == ViewSet::kTopAlone ? high_views_.size() - 1 : 0; k < high_views_.size(); ++k)
-    if (can_see(high_views_.number[k])) open.add_from(high_views_, k);
-  shadows_.cast(open, at, p.system, thread);
-  Directions facing;
-  facing.reserve(open.size());
-  for (size_t k = 0; k < open.size(); ++k) {
-    const uint16_t v = open.number[k];
-    if (glm::dot(p.side, views_[v]) > 0) facing.add_from(open, k);
-    else p.open[v] = 1;
+/// The directions into which the surface of a sample faces.
+OpenDirections facing_side(const ThreadSample& p, const Directions& all) {
+  OpenDirections facing{};
+  for (size_t k = 0; k < all.number.size(); ++k) {
+    const bool faces = p.side.x * all.x[k] + p.side.y * all.y[k] + p.side.z * all.z[k] > 0;
+    facing[k / Directions::kGroup] |= static_cast<uint8_t>((faces ? 1 : 0) << k % Directions::kGroup);
   }
-  shadows_.cast(facing, at + p.side * (0.02f * grid_.top), p.system, thread, true);
-  for (const uint16_t v : facing.number) p.open[v] = 1;
+  return facing;
+}
+
+/// Those of `open` that are in `these`; the others stay there.
+OpenDirections taken_from(OpenDirections& open, const OpenDirections& these) {
+  OpenDirections taken;
+  for (size_t g = 0; g < taken.size(); ++g) {
+    taken[g] = open[g] & these[g];
+    open[g] &= static_cast<uint8_t>(~these[g]);
+  }
+  return taken;
+}
+
+void ThreadSampler::find_visible_views(ThreadSample& p, glm::vec3 at, int thread, ViewSet from) {
+  const bool through = channel_mean(p.lobes.through) > 0;
+  const auto can_see = [&](size_t view) { return through || glm::dot(p.side, views_[view]) > 0; };
+  const OpenDirections facing = facing_side(p, high_views_);
+  OpenDirections open = facing;
+  if (through) open.fill(0xff);
+  if (from == ViewSet::kTopAlone) std::fill_n(open.begin(), high_views_.groups() - 1, uint8_t{0});
+  shadows_.cast(high_views_, open, at, p.system, thread);
+  OpenDirections side = taken_from(open, facing);
+  shadows_.cast(high_views_, side, at + p.side * (0.02f * grid_.top), p.system, thread, true);
+  for (const OpenDirections& of : {open, side})
+    for_each_open(high_views_, of, [&](size_t k) { p.open[high_views_.number[k]] = 1; });
   std::fill_n(p.open.begin() + kHighest, kViewAzimuths, p.open[kHighest]);
   if (from != ViewSet::kLow) return;
   // The lowest views may be occluded from far away, so they are tested one by one. An occluder of two elevations
@@ -240,19 +268,15 @@ void ThreadSampler::find_visible_views(ThreadSample& p, glm::vec3 at, int thread
 
 /// Light through the thread, or onto a side of it.
 void ThreadSampler::find_transmission(ThreadSample& p, glm::vec3 at, int thread) {
-  Directions through, side;
-  through.reserve(lights_.size()), side.reserve(lights_.size());
-  for (size_t k = 0; k < lights_.size(); ++k) {
-    const bool faces = p.side.x * lights_.x[k] + p.side.y * lights_.y[k] + p.side.z * lights_.z[k] > 0;
-    if (faces) side.add_from(lights_, k);
-    else if (channel_mean(p.lobes.through) > 0) through.add_from(lights_, k);
-  }
-  shadows_.cast(through, at, p.system, thread);
-  shadows_.cast(side, at, p.system, thread);
+  const OpenDirections facing = facing_side(p, lights_);
+  OpenDirections open = facing;
+  if (channel_mean(p.lobes.through) > 0) open.fill(0xff);
+  shadows_.cast(lights_, open, at, p.system, thread);
+  OpenDirections side = taken_from(open, facing);
   // The thread may occlude its own side, so the ray starts a little above it.
-  shadows_.cast(side, at + p.side * (0.02f * grid_.top), p.system, thread, true);
-  p.lights = through.number;
-  p.lights.insert(p.lights.end(), side.number.begin(), side.number.end());
+  shadows_.cast(lights_, side, at + p.side * (0.02f * grid_.top), p.system, thread, true);
+  for (const OpenDirections& of : {open, side})
+    for_each_open(lights_, of, [&](size_t k) { p.lights.push_back(lights_.number[k]); });
 }
 
 }  // namespace

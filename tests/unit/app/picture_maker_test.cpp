@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "../scarce_memory.h"
 #include "../straight_draft.h"
@@ -20,12 +22,16 @@ using session::Compare;
 
 namespace {
 
+/// While other threads bake or compile. A turn without a pause would take a processor from them.
+void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+
 /// Passes until it rests, and the bytes then.
 std::vector<uint32_t> at_rest(PictureMaker& maker, const PictureRequest& request, double& now_s) {
   const auto busy = [&] { return maker.busy() || maker.can_refine() || maker.next_s(now_s) >= 0; };
   do {
     maker.poll();
     maker.draw(request, false, now_s += 0.5);
+    if (maker.busy()) pause();
   } while (busy());
   int width = 0, height = 0;
   std::vector<uint32_t> pixels;
@@ -87,6 +93,7 @@ TEST(PictureMakerTest, ACoarserPictureIsReplacedOnceTheShadersAreCompiled) {
   while (!maker.stats().compiling || pipeline.busy()) {
     maker.poll();
     maker.draw(request, false, now_s += 0.5);
+    pause();
   }
   maker.poll();
   EXPECT_TRUE(maker.busy()) << "nobody is told that a better picture comes";
@@ -114,6 +121,7 @@ TEST(PictureMakerTest, WhereverMemoryEndsTheNextPictureIsWhole) {
   maker.submit(cloth);
   const base::Result<void> handed_over = base::caught([&] {
     do {
+      pause();
       const NthFails fails(1);
       maker.poll();
     } while (maker.busy());

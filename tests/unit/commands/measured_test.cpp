@@ -130,7 +130,7 @@ class Measured : public ScratchFolder {
   void compare(const std::string& method) {
     for (const MeasuredCloth& cloth : kCloths) {
       const std::string preset = presets_dir() + "/cloths/" + cloth.name + ".wif";
-      const Ran ran = run({"response", preset, "-o", path("out.csv"), "--method", method, "--spp", "8"});
+      const Ran ran = run({"response", preset, "-o", path("out.csv"), "--method", method, "--spp", "4"});
       ASSERT_EQ(ran.code, kDone) << ran.said;
       const auto measured =
           rows_of(std::string(WEFTLIGHT_TESTS_DIR) + "/measured/" + cloth.table, std::string(cloth.name) + ",", 2);

@@ -114,7 +114,7 @@ TEST_F(Response, the_back_is_the_complement) {
 }
 
 TEST_F(Response, methods_agree_in_the_far_field) {
-  const std::vector<std::string> options{"--views", "0,45", "--lights", "-60:60:20", "--spp", "64", "--method"};
+  const std::vector<std::string> options{"--views", "0,45", "--lights", "-60:60:20", "--spp", "24", "--method"};
   std::vector<std::vector<Row>> tables;
   for (const char* method : {"reference", "cloth", "repeat", "auto"}) {
     std::vector<std::string> line = options;

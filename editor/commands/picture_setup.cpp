@@ -77,6 +77,11 @@ Scene on_mesh(Scene scene, const PictureOptions& o) {
 }
 
 int PictureSetup::open(const PictureOptions& o) {
+  const int code = read(o);
+  return code == kDone ? upload() : code;
+}
+
+int PictureSetup::read(const PictureOptions& o) {
   progress = o.progress_json ? ProgressForm::kJson : o.quiet ? ProgressForm::kNone : ProgressForm::kTerminal;
   if (progress != ProgressForm::kTerminal) status.silence();
   if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
@@ -99,11 +104,14 @@ int PictureSetup::open(const PictureOptions& o) {
   }
   apply_options(design, o);
   drape(design, status);
-  if (const int code = open_graphics(); code != kDone) return code;
+  return open_graphics();
+}
+
+int PictureSetup::upload(bool cloth) {
   if (const auto& read = renderer->lod_table_read(); !read) print_problem(problem_of(read));
   const Draft& d = design.draft;
   status.show(fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks())));
-  const base::Result<void> shown = upload_once(std::make_shared<const Design>(design), *renderer);
+  const base::Result<void> shown = upload_once(std::make_shared<const Design>(design), *renderer, {}, cloth);
   status.clear();
   for (const std::string& remark : renderer->light_remarks()) print_problem(remark);
   return finish(shown);

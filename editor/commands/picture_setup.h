@@ -25,8 +25,12 @@ struct PictureSetup {
   StatusLine status;
   ProgressForm progress = ProgressForm::kTerminal;
 
-  /// Returns an exit code of the contract; problems are printed.
+  /// Return an exit code of the contract; problems are printed. open() does both of the others.
   int open(const PictureOptions& options);
+  /// Reads the design and opens the renderer.
+  int read(const PictureOptions& options);
+  /// Uploads the design. cloth: false if it is not drawn, nor does the exposure depend on it.
+  int upload(bool cloth = true);
   Frame frame(const PictureOptions& options) const;
 
  private:

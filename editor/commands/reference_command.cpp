@@ -60,7 +60,7 @@ int reference_command(const PictureOptions& o) { return reference_command(o, Bac
 
 int reference_command(const PictureOptions& o, Backdrop backdrop) {
   PictureSetup setup;
-  if (const int code = setup.open(o); code != kDone) return code;
+  if (const int code = setup.read(o); code != kDone) return code;
   const Design& design = setup.design;
   ReferenceScene scene;
   const TracedThreads traced_as = o.fibres ? TracedThreads::kFibres : TracedThreads::kTubes;
@@ -72,10 +72,12 @@ int reference_command(const PictureOptions& o, Backdrop backdrop) {
       return fail({made.error().kind, message(made.error()), o.file});
   }
 
+  // An automatic exposure is that of the cloth, which .exr does without.
+  const bool linear = writes_linear(o.out);
+  if (const int code = setup.upload(!linear && design.look.automatic_exposure); code != kDone) return code;
   Frame frame = frame_over(setup, o, backdrop);
   frame.cloth = false;
   const FrameStats drawn = setup.renderer->draw(design.scene, design.look, frame);
-  const bool linear = writes_linear(o.out);
   Image picture = setup.renderer->read_back(linear);
   ProgressMeter meter(setup.progress, 1);
   const TracedImage traced = scene.trace(view, progress_on(meter, o.out));

@@ -179,8 +179,11 @@ bool Pipeline::busy() const {
   return parts_->has_updates();
 }
 
-base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer, const StageWatch& watch) {
-  Stages stages;
+base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer, const StageWatch& watch,
+                               bool cloth) {
+  // An open cloth lets light onto the ground, by the cover of its maps.
+  constexpr render_data::Fineness kUnseen{.response_samples = 32};
+  Stages stages(cloth ? render_data::Fineness() : kUnseen);
   StageResult result = stages.update(std::move(design), Effort::kOnce, watch);
   if (result.stopped) return failure(ErrorKind::kCancelled, tr("stopped"));
   if (result.mesh) renderer.set_mesh(std::move(*result.mesh));

@@ -45,7 +45,8 @@ class Pipeline {
 };
 
 /// For a single picture, without a worker: computes and uploads, and keeps nothing else. Returns as finish(), or, where
-/// it was stopped, an error of kCancelled.
-base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer, const StageWatch& watch = {});
+/// it was stopped, an error of kCancelled. cloth: false for pictures without it, whose far field is coarse.
+base::Result<void> upload_once(std::shared_ptr<const Design> design, Renderer& renderer, const StageWatch& watch = {},
+                               bool cloth = true);
 
 }  // namespace weftlight::gl

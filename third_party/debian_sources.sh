@@ -69,3 +69,34 @@ build_tinygltf() {
 SOURCE
   library tinygltf "" sources/tinygltf.cpp
 }
+
+# build_freetype "FLAGS": the outlines of fonts, with the drivers that the fonts of the program need.
+build_freetype() {
+  local from
+  from=$(source_of freetype)
+  ln -sfn "$from/include/ft2build.h" include/ft2build.h && ln -sfn "$from/include/freetype" include/freetype
+  cat >include/freetype_modules.h <<'MODULES'
+FT_USE_MODULE(FT_Module_Class, autofit_module_class)
+FT_USE_MODULE(FT_Driver_ClassRec, tt_driver_class)
+FT_USE_MODULE(FT_Driver_ClassRec, cff_driver_class)
+FT_USE_MODULE(FT_Module_Class, psaux_module_class)
+FT_USE_MODULE(FT_Module_Class, psnames_module_class)
+FT_USE_MODULE(FT_Module_Class, pshinter_module_class)
+FT_USE_MODULE(FT_Module_Class, sfnt_module_class)
+FT_USE_MODULE(FT_Renderer_Class, ft_smooth_renderer_class)
+MODULES
+  library freetype "$1 -DFT2_BUILD_LIBRARY '-DFT_CONFIG_MODULES_H=<freetype_modules.h>'" \
+    "$from"/src/base/{ftbase,ftbitmap,ftdebug,ftglyph,ftinit,ftmm,ftsynth,ftsystem}.c \
+    "$from"/src/{gzip/ftgzip,autofit/autofit,truetype/truetype,cff/cff,psaux/psaux,psnames/psnames,pshinter/pshinter,sfnt/sfnt,smooth/smooth}.c
+}
+
+# build_imgui "FLAGS": as Debian's library, with the backends for GLFW and OpenGL, std::string, and glyphs by FreeType.
+build_imgui() {
+  local from header
+  from=$(source_of imgui)
+  mkdir -p include/imgui
+  for header in "$from"/im*.h "$from"/backends "$from"/misc; do ln -sfn "$header" "include/imgui/$(basename "$header")"; done
+  library imgui "-Iinclude/imgui -DIMGUI_ENABLE_FREETYPE $1" \
+    "$from"/{imgui,imgui_draw,imgui_tables,imgui_widgets}.cpp "$from"/misc/cpp/imgui_stdlib.cpp \
+    "$from"/misc/freetype/imgui_freetype.cpp "$from"/backends/imgui_impl_{glfw,opengl3}.cpp
+}

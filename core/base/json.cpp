@@ -2,12 +2,27 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <new>
+#include <thread>
 
 namespace weftlight::base {
 namespace {
+
+/// A mutex that waits busily, for pieces that are taken in no time: that of mingw-w64 is not there before its constructor.
+class BusyLock {
+ public:
+  void lock() {
+    while (held_.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
+  }
+  void unlock() { held_.clear(std::memory_order_release); }
+
+ private:
+  std::atomic_flag held_;
+};
 
 /// Pieces one after the other, all free again when none is left: where memory has ended, trees go soon.
 class Store {
@@ -31,7 +46,7 @@ class Store {
 
  private:
   static constexpr size_t kAlign = alignof(std::max_align_t);
-  std::mutex mutex_;
+  BusyLock mutex_;
   alignas(kAlign) std::array<std::byte, size_t{1} << 20> room_{};  // 30,000 values that wait for their end
   size_t used_ = 0;
   int pieces_ = 0;

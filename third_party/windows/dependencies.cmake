@@ -3,6 +3,7 @@
 # Debian's source packages. Under the names that third_party/dependencies.cmake gives them elsewhere.
 
 find_package(Threads REQUIRED)
+find_program(Python3_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)  # for the handbook
 weftlight_package(ZLIB libz-mingw-w64-dev)
 set(windows_libraries ${CMAKE_SOURCE_DIR}/build/windows-libraries CACHE PATH "Made by third_party/windows/libraries.sh")
 if(NOT EXISTS ${windows_libraries}/done)
@@ -30,6 +31,12 @@ weftlight_windows_library(beast LINK ws2_32 mswsock)
 weftlight_windows_library(TinyGLTF::TinyGLTF LINK ${windows_libraries}/lib/libtinygltf.a
                           DEFINE TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
 weftlight_windows_library(meshoptimizer::meshoptimizer LINK ${windows_libraries}/lib/libmeshoptimizer.a)
+weftlight_windows_library(PkgConfig::FREETYPE LINK ${windows_libraries}/lib/libfreetype.a ZLIB::ZLIB)
+weftlight_windows_library(PkgConfig::EPOXY LINK ${windows_libraries}/lib/libepoxy.a opengl32 gdi32)
+weftlight_windows_library(glfw LINK ${windows_libraries}/lib/libglfw.a gdi32 user32 shell32)
+weftlight_windows_library(PkgConfig::IMGUI LINK ${windows_libraries}/lib/libimgui.a PkgConfig::FREETYPE glfw opengl32 imm32
+                          INCLUDE ${windows_libraries}/include/imgui ${windows_libraries}/include/imgui/misc/freetype
+                          ${windows_libraries}/include/imgui/misc/cpp)
 weftlight_windows_library(GTest::gtest LINK ${windows_libraries}/lib/libgtest.a
                           INCLUDE /usr/src/googletest/googletest/include)
 

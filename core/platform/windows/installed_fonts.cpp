@@ -38,7 +38,11 @@ constexpr std::array<SystemFont, 6> kOfLanguage{{{"ja", "YuGothM.ttc"},
 }  // namespace
 
 std::string font_file(std::span<const char* const> families, FontWeight weight) {
-  return own_font_file(kOwn, program_folder() + "\\..\\share\\weftlight\\fonts\\", families, weight);
+  for (const char* above : {"\\share", "\\..\\share"}) {
+    std::string file = own_font_file(kOwn, program_folder() + above + "\\weftlight\\fonts\\", families, weight);
+    if (!file.empty()) return file;
+  }
+  return {};
 }
 
 FontFace font_face_of_language(const std::string& language, FontWeight /*weight*/) {

@@ -159,6 +159,7 @@ CommandLine run_command_line(int argc, char** argv) {
   CommandLine result;
   CLI::App app{tr("Weftlight: paint a draft and see its cloth at once, lit and draped")};
   app.name("weftlight");
+  app.allow_windows_style_options(false);  // there, too, /drafts/twill.wif is a file and no option
   translate_help(app);
   app.set_version_flag("--version", "weftlight " + version_and_commit(), tr("The version of the program"));
   app.require_subcommand(0, 1);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "../program.h"
 #include "files/files.h"
 
 namespace weftlight::files {
@@ -50,7 +51,7 @@ void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
 class GoldenTest : public testing::TestWithParam<Golden> {};
 
 int run_render(const Golden& golden, const std::string& out) {
-  const std::string command = std::string(WEFTLIGHT_BINARY) + " render " WEFTLIGHT_DRAFTS "/" + golden.draft +
+  const std::string command = tested_program() + " render " WEFTLIGHT_DRAFTS "/" + golden.draft +
                               ".wif --exposure 0 -o '" + out + "' --mesh " + golden.mesh + " --size 256x256 " +
                               golden.options;
   const int status = std::system(command.c_str());

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "../program.h"
 #include "screen.h"
 
 extern char** environ;
@@ -46,7 +47,6 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return out;
 }
 
-std::string at(Point p) { return std::to_string(std::lround(p.x)) + " " + std::to_string(std::lround(p.y)); }
 
 std::string pause() { return std::string(" sleep ").append(kPauseS).append(" "); }
 
@@ -137,6 +137,12 @@ std::string Display::hand(const std::string& words) const {
   return said;
 }
 
+/// On the screen, of a point of the window: Wine leaves room for a frame.
+std::string Display::at(Point p) const {
+  const auto [x, y] = corner_of_window(name_);
+  return std::to_string(std::lround(p.x) + x) + " " + std::to_string(std::lround(p.y) + y);
+}
+
 void Display::move(Point to) const { hand("mousemove " + at(to)); }
 
 void Display::click(Point where) const { drag({where}); }
@@ -175,7 +181,8 @@ void Display::resize(int width, int height) const {
 
 std::string Display::picture(Point where, Point size) const {
   const auto whole = [](double v) { return static_cast<int>(std::lround(v)); };
-  return screen_part(name_, whole(where.x), whole(where.y), whole(size.x), whole(size.y));
+  const auto [x, y] = corner_of_window(name_);
+  return screen_part(name_, x + whole(where.x), y + whole(where.y), whole(size.x), whole(size.y));
 }
 
 Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
@@ -184,7 +191,7 @@ Window::Window(const Display& display, const std::filesystem::path& folder, cons
   std::filesystem::remove(map_);
   std::filesystem::remove(live_);
   const std::string own = folder.string();
-  std::vector<std::string> words{WEFTLIGHT_BINARY, "--ui-map", map_.string(), "--live-export", live_.string()};
+  std::vector<std::string> words{tested_program(), "--ui-map", map_.string(), "--live-export", live_.string()};
   if (!draft.empty()) words.push_back(draft.string());
   std::vector<std::string> environment = more;  // the first entry of a name counts
   for (const std::string& variable :

@@ -73,6 +73,7 @@ class Display {
 
  private:
   std::string hand(const std::string& words) const;
+  std::string at(Point p) const;
   std::string name_;
   Process server_;
 };

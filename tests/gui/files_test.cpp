@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include "../program.h"
 #include "on_display.h"
 
 namespace weftlight::gui {
@@ -332,7 +333,7 @@ TEST_F(FilesTest, AFailedSaveIsReportedAndKeepsTheOldFile) {
 
 TEST_F(FilesTest, FlagsDoNotOverwriteForeignFiles) {
   const auto code = [&](const std::vector<std::string>& flags) {
-    std::vector<std::string> words{WEFTLIGHT_BINARY, draft_.string()};
+    std::vector<std::string> words{tested_program(), draft_.string()};
     words.insert(words.end(), flags.begin(), flags.end());
     return Process(words, {"DISPLAY=" + display_.name(), "XDG_STATE_HOME=" + (folder_ / "state").string()}).wait();
   };

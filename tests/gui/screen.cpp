@@ -147,6 +147,21 @@ void wait_for_windows(const std::string& display) {
     }
 }
 
+std::pair<int, int> corner_of_window(const std::string& display) {
+  const Server server = connect(display);
+  if (!server) return {};
+  std::pair<int, int> corner;
+  int largest = 0;
+  for (const xcb_window_t window : Pings(server.get()).windows()) {
+    const std::unique_ptr<xcb_get_geometry_reply_t, Free> place(
+        xcb_get_geometry_reply(server.get(), xcb_get_geometry(server.get(), window), nullptr));
+    if (!place || place->width * place->height <= largest) continue;
+    largest = place->width * place->height;
+    corner = {place->x, place->y};
+  }
+  return corner;
+}
+
 std::string screen_part(const std::string& display, int x, int y, int width, int height) {
   const Server server = connect(display);
   if (!server) return {};

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "../program.h"
 #include "design/fibre.h"
 #include "draft/drawdown.h"
 #include "on_display.h"
@@ -47,7 +48,7 @@ class WindowTest : public OnDisplay {
 
   std::string drawdown_of(const fs::path& wif) const {
     const fs::path out = folder_ / "drawdown.txt";
-    const std::string command = std::string(WEFTLIGHT_BINARY) + " drawdown " + wif.string() + " -o " + out.string();
+    const std::string command = tested_program() + " drawdown " + wif.string() + " -o " + out.string();
     EXPECT_EQ(std::system(command.c_str()), 0);
     return bytes_of(out);
   }

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -7,6 +6,7 @@
 #include "base/resources.h"
 #include "commands/commands.h"
 #include "platform/crash_report.h"
+#include "platform/error_line.h"
 #include "platform/language.h"
 #include "platform/start.h"
 
@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
     return line.open_editor ? app::run_editor(line.editor) : line.exit_code;
   } catch (...) {  // unsaved work is in the journal
     platform::report_exception();
-    std::fprintf(stderr, "weftlight: %s\n", base::words_of_thrown().c_str());
+    platform::write_error_line("weftlight: " + base::words_of_thrown());
     return commands::kNotWritten;
   }
 }

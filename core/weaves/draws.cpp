@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "weaves/families.h"
@@ -24,6 +25,11 @@ Design straight_draw(int shafts, int treadles, ClothSize size) {
   for (int treadle = 0; treadle < treadles; ++treadle)
     for (int k = 0; k < std::max(1, shafts / 2); ++k) d.tieup.set(treadle, (treadle + k) % shafts, true);
   return design;
+}
+
+int rounded_up(double x) {
+  constexpr double kLastBits = 1e-9;
+  return static_cast<int>(std::floor(x + 0.5 + kLastBits));
 }
 
 }  // namespace weftlight::weaves

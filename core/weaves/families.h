@@ -24,6 +24,9 @@ std::vector<int> satin_steps(int shafts);
 /// A straight threading and treadling, with half of the shafts tied to each treadle, shifted by one.
 Design straight_draw(int shafts, int treadles, ClothSize size);
 
+/// The nearest whole number. Half of one goes up: the last bit of a cosine, which differs from system to system, would decide.
+int rounded_up(double x);
+
 // ---- network.cpp
 /// Network drafting. Based on: Alice Schlein, Network Drafting: An Introduction, 1994: the initial is repeated over
 /// ends and shafts; each end takes the first shaft of this network at or above the pattern line. `line`: height of the

@@ -13,7 +13,7 @@ std::vector<int> pattern_line(std::string_view form, int ends, int height) {
     const double wave = form == "points" ? 1 - std::abs(2 * t - 1)
                         : form == "saw"  ? t
                                          : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * t);
-    line.push_back(static_cast<int>(std::lround(wave * height)));
+    line.push_back(rounded_up(wave * height));
   }
   return line;
 }

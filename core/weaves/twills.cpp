@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "weaves/families.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
@@ -136,7 +137,7 @@ Design undulating_twill(const OverUnder& order, int widest, bool diamonds, Cloth
   std::vector<int> draw;
   for (int i = 0; i < steps; ++i) {
     const double wave = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / steps);
-    draw.insert(draw.end(), static_cast<size_t>(1 + std::lround(amplitude * wave)), i % n);
+    draw.insert(draw.end(), static_cast<size_t>(1 + rounded_up(amplitude * wave)), i % n);
   }
   if (!diamonds) return make_design({n, draw, tieup, straight(n)}, size);
   draw = mirrored(std::move(draw));

@@ -1,14 +1,14 @@
 #include "commands/exit_codes.h"
 
-#include <cstdio>
-
 #include "base/text.h"
+#include "platform/error_line.h"
 
 namespace weftlight::commands {
 
 using base::ErrorKind, base::arg, base::fill, base::message, base::tr;
+using platform::write_error_line;
 
-void print_problem(const std::string& problem) { std::fprintf(stderr, "weftlight: %s\n", problem.c_str()); }
+void print_problem(const std::string& problem) { write_error_line("weftlight: " + problem); }
 
 Exit exit_code(ErrorKind kind) {
   switch (kind) {
@@ -29,9 +29,9 @@ Exit exit_code(ErrorKind kind) {
 int fail(const base::Error& error) {
   const std::string what = message(error);
   if (error.kind == ErrorKind::kOutput)
-    std::fprintf(stderr, "%s\n", fill(tr("{problem}; choose another location"), arg("problem", what)).c_str());
+    write_error_line(fill(tr("{problem}; choose another location"), arg("problem", what)));
   else if (error.file.empty()) print_problem(what);
-  else std::fprintf(stderr, "%s\n", what.c_str());
+  else write_error_line(what);
   return exit_code(error.kind);
 }
 

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Holds what the program for Windows says and writes of drafts against this system's, byte by byte: all shipped drafts and
+# cloths, all weaves, and input that is refused; and a set of textures, whose pictures two encoders write, pixel by pixel.
+# Usage: verbs.sh PROGRAM OTHER FOLDER
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+programs=("$1" "$2") made=$3
+rm -rf "$made" && mkdir -p "$made"/{0,1}/"ä ж 布"
+cp -r "$root"/presets/{drafts,cloths} "$made"
+wrong=0
+
+# same CODE NAME VERB ARGUMENT...: both programs print the same and end with this code. Relative names are in a folder of each.
+same() {
+  local expected=$1 name=$2 k code
+  shift 2
+  for k in 0 1; do
+    code=0
+    (cd "$made/$k" && LC_ALL=C.UTF-8 "${programs[k]}" "$@" >"$name.txt" 2>&1) || code=$?
+    [[ $code == "$expected" ]] || { echo "$name: exit code $code instead of $expected from ${programs[k]}"; wrong=1; }
+  done
+}
+
+for draft in "$made"/*/*.wif; do
+  name=$(basename "$(dirname "$draft")").$(basename "$draft" .wif)
+  same 0 "$name.info" info "$draft"
+  same 0 "$name.analyse" analyse "$draft"
+  same 0 "$name.drawdown" drawdown "$draft"
+  same 0 "$name.convert" convert "$draft" "$name.wif" --liftplan --tidy
+done
+mapfile -t weaves < <("$1" weave --list --language C | grep -oE '^[a-z_0-9]+')
+for weave in "${weaves[@]}"; do same 0 "weave.$weave" weave "$weave" -o "weave.$weave.wif"; done
+same 0 letters convert "$made/drafts/plain.wif" "ä ж 布/плетение.wif"
+same 3 missing info "$made/nowhere.wif"
+same 2 verb unravel "$made/drafts/plain.wif"
+same 2 option render "$made/drafts/plain.wif" --ouput x.png
+same 5 no_folder weave twill -o nowhere/at/all.wif
+echo "$((2 * ${#weaves[@]} + 6 * $(find "$made"/{drafts,cloths} -name '*.wif' | wc -l))) files of weaves and drafts compared"
+
+same 0 export export "$made/cloths/linen.wif" -o set --target gltf --size 256
+textures=0
+while IFS= read -r picture; do
+  off=$(compare -metric RMSE "$made/0/$picture" "$made/1/$picture" null: 2>&1 | sed 's/.*(\(.*\))/\1/') || true
+  awk -v off="$off" 'BEGIN {exit !(off < 0.002)}' || { echo "$picture is $off off"; wrong=1; }
+  textures=$((textures + 1))
+done < <(cd "$made/0" && find set -name '*.png')
+echo "$textures textures compared"
+# What holds the bytes of the pictures, or names them by a hash.
+find "$made" \( -name '*.png' -o -name '*.glb' -o -name texture_set.json \) -delete
+diff -r "$made/0" "$made/1" | head -20
+diff -rq "$made/0" "$made/1" >/dev/null || wrong=1
+exit $wrong

@@ -1,6 +1,6 @@
 #pragma once
-// The program that is tested: the one that was built beside the test, or another one, such as that for Windows under Wine
-// (tests/windows/check.sh), if WEFTLIGHT_PROGRAM names one.
+// The program that is tested: the one that was built beside the test, or another one, such as that for Windows under
+// Wine (tests/windows/check.sh), if WEFTLIGHT_PROGRAM names one.
 
 #include <cstdlib>
 #include <string>

@@ -12,7 +12,8 @@
 namespace weftlight::base {
 namespace {
 
-/// A mutex that waits busily, for pieces that are taken in no time: that of mingw-w64 is not there before its constructor.
+/// A mutex that waits busily, for pieces that are taken in no time: that of mingw-w64 is not there before its
+/// constructor.
 class BusyLock {
  public:
   void lock() {

@@ -217,12 +217,21 @@ base::Result<Staging> make_staging(const fs::path& folder) {
 
 namespace {
 
-base::Result<void> put(const fs::path& made, const fs::path& folder, const SetIdentity& identity, bool force) {
+/// Nobody takes the folder for a dead one's any more. Windows removes a file once nobody has it open, and moves no
+/// folder in which one is.
+void remove_mark(Staging& made) {
+  std::error_code ec;
+  fs::remove(made.folder / kStaged, ec);
+  made.lock = FileLock();
+}
+
+base::Result<void> put(Staging& staging, const fs::path& folder, const SetIdentity& identity, bool force) {
+  const fs::path& made = staging.folder;
   std::error_code ec;
   // Another's may have come since it was asked first.
   if (!force)
     if (base::Result<void> place = check_place_with_remedy(folder, identity); !place) return place;
-  fs::remove(made / kStaged, ec);
+  remove_mark(staging);
   if (!fs::exists(folder, ec) || holds_nothing(folder)) return moved(made, folder);
   const std::optional<Listed> there = listed_in(folder);
   const bool ours = there && same(there->identity, identity);
@@ -245,7 +254,7 @@ base::Result<void> put_in_place(Staging made, const fs::path& folder, const SetI
   const FileLock one_by_one = lock_place(path);
   // While the lock is held.
   const RemovedAtEnd removed(one_by_one.held() ? path : std::string());
-  return put(made.folder, folder, identity, force);
+  return put(made, folder, identity, force);
 }
 
 std::vector<std::string> listed_files(const fs::path& folder) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "weaves/families.h"
@@ -27,9 +28,10 @@ Design straight_draw(int shafts, int treadles, ClothSize size) {
   return design;
 }
 
-int rounded_up(double x) {
+int wave_at(double way, double height) {
   constexpr double kLastBits = 1e-9;
-  return static_cast<int>(std::floor(x + 0.5 + kLastBits));
+  const double exact = height * (0.5 - 0.5 * std::cos(2 * std::numbers::pi * way));
+  return static_cast<int>(std::lround(exact + (way < 0.5 ? -kLastBits : kLastBits)));
 }
 
 }  // namespace weftlight::weaves

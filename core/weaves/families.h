@@ -24,8 +24,10 @@ std::vector<int> satin_steps(int shafts);
 /// A straight threading and treadling, with half of the shafts tied to each treadle, shifted by one.
 Design straight_draw(int shafts, int treadles, ClothSize size);
 
-/// The nearest whole number. Half of one goes up: the last bit of a cosine, which differs from system to system, would decide.
-int rounded_up(double x);
+/// A wave from 0 up to `height` and down again, in whole numbers; `way`: of the wave, 0 to 1. Halves go down while it
+/// rises and up while it falls, which keeps its mean; the last bit of a cosine, another one on another system, would
+/// decide otherwise.
+int wave_at(double way, double height);
 
 // ---- network.cpp
 /// Network drafting. Based on: Alice Schlein, Network Drafting: An Introduction, 1994: the initial is repeated over

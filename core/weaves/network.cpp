@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "weaves/families.h"
 
@@ -10,10 +9,11 @@ std::vector<int> pattern_line(std::string_view form, int ends, int height) {
   std::vector<int> line;
   for (int e = 0; e < ends; ++e) {
     const double t = static_cast<double>(e) / std::max(ends, 1);
-    const double wave = form == "points" ? 1 - std::abs(2 * t - 1)
-                        : form == "saw"  ? t
-                                         : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * t);
-    line.push_back(rounded_up(wave * height));
+    if (form != "points" && form != "saw") {
+      line.push_back(wave_at(t, height));
+      continue;
+    }
+    line.push_back(static_cast<int>(std::lround(height * (form == "saw" ? t : 1 - std::abs(2 * t - 1)))));
   }
   return line;
 }

@@ -2,8 +2,6 @@
 // The corkscrew is based on: Z. Grosicki, Watson's Textile Design and Colour, 7th edition, 1975.
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "weaves/families.h"
@@ -136,8 +134,8 @@ Design undulating_twill(const OverUnder& order, int widest, bool diamonds, Cloth
   const double amplitude = std::clamp(widest, 1, 8) - 1;
   std::vector<int> draw;
   for (int i = 0; i < steps; ++i) {
-    const double wave = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / steps);
-    draw.insert(draw.end(), static_cast<size_t>(1 + rounded_up(amplitude * wave)), i % n);
+    const double way = static_cast<double>(i) / steps;
+    draw.insert(draw.end(), static_cast<size_t>(1 + wave_at(way, amplitude)), i % n);
   }
   if (!diamonds) return make_design({n, draw, tieup, straight(n)}, size);
   draw = mirrored(std::move(draw));

@@ -47,7 +47,6 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return out;
 }
 
-
 std::string pause() { return std::string(" sleep ").append(kPauseS).append(" "); }
 
 }  // namespace

@@ -16,7 +16,7 @@ flags="-O2 -pthread -fwasm-exceptions -sSUPPORT_LONGJMP=wasm -Iinclude"
 
 use_headers fmt tl glm nlohmann fast_float stb tiny_gltf.h GLFW
 # tinygltf names them without their folder.
-for header in stb_image.h stb_image_write.h; do ln -sfn "/usr/include/stb/$header" "include/$header"; done
+for header in stb_image.h stb_image_write.h stb_truetype.h; do ln -sfn "/usr/include/stb/$header" "include/$header"; done
 
 zlib=$(source_of zlib)
 ln -sfn "$zlib/zlib.h" include/zlib.h && ln -sfn "$zlib/zconf.h" include/zconf.h

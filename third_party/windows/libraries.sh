@@ -14,7 +14,7 @@ cc="$launch $machine-gcc-posix" cxx="$launch $machine-g++-posix -std=c++17" ar=$
 . "$root/third_party/debian_sources.sh"
 
 use_headers fmt tl glm nlohmann stb tiny_gltf.h CLI asio asio.hpp boost GLFW
-for header in stb_image.h stb_image_write.h; do ln -sfn "/usr/include/stb/$header" "include/$header"; done
+for header in stb_image.h stb_image_write.h stb_truetype.h; do ln -sfn "/usr/include/stb/$header" "include/$header"; done
 
 build_meshoptimizer
 build_tinygltf

@@ -224,8 +224,4 @@ std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
   return rows.finish();
 }
 
-/// Nothing is written into pictures here.
-void draw_text(Image& /*image*/, int /*x*/, int /*y*/, int /*size*/, const std::string& /*text*/,
-               const std::vector<float>& /*colour*/) {}
-
 }  // namespace weftlight::files

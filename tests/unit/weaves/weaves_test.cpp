@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "../hand_drafts.h"
 #include "../yarns.h"
 #include "analysis/floats.h"
@@ -60,6 +63,27 @@ TEST(Generators, DamaskBlocksMeetInACleanCut) {
   for (int i = 0; i < 8; ++i) {
     EXPECT_NE(cells.get(i, 3), cells.get(i, 4));
     EXPECT_NE(cells.get(3, i), cells.get(4, i));
+  }
+}
+
+/// Halves of a thread were rounded by the last bit of a cosine; now they go down while the wave rises, and up while it
+/// falls.
+TEST(Generators, AnUndulatingTwillRisesAsItFalls) {
+  for (const int widest : {2, 3, 4, 7}) {
+    const Design d = undulating_twill({2, 2, 2, 2}, widest, false, {4096, 8});
+    std::vector<int> ends_on_a_shaft;
+    for (int e = 0; e < d.draft.ends(); ++e) {
+      const bool is_next = e == 0 || d.draft.threading.first(e) != d.draft.threading.first(e - 1);
+      if (is_next) ends_on_a_shaft.push_back(0);
+      ++ends_on_a_shaft.back();
+    }
+    constexpr size_t kWave = 24;  // three times through the shafts
+    ASSERT_GT(ends_on_a_shaft.size(), kWave);
+    for (size_t i = 1; i < kWave / 2; ++i) {
+      const double exact = (widest - 1) * (0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / kWave));
+      const bool half = std::abs(exact - std::floor(exact) - 0.5) < 1e-6;
+      EXPECT_EQ(ends_on_a_shaft[kWave - i] - ends_on_a_shaft[i], half) << widest << ", " << i;
+    }
   }
 }
 

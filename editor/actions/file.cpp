@@ -27,8 +27,8 @@ void add_recent(Actions& all, const FileActions& files, const std::vector<std::s
   }).item.submenu = menu;
   for (size_t i = 0; i < std::min(recent.size(), kMax); ++i) {
     const std::string& path = recent[i];
-    Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().string().c_str(), "",
-                    [&files, path] { files.open_path(path); });
+    Action& a = add(all, "File", ("recent:" + path).c_str(), std::filesystem::path(path).filename().string().c_str(),
+                    "", [&files, path] { files.open_path(path); });
     a.item.submenu = menu;
     a.item.group = i == 0;
   }

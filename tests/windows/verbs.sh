@@ -27,6 +27,8 @@ for draft in "$made"/*/*.wif; do
   same 0 "$name.drawdown" drawdown "$draft"
   same 0 "$name.convert" convert "$draft" "$name.wif" --liftplan --tidy
 done
+same 0 print print "$made/drafts/starter.wif" -o starter.pdf
+same 0 drawing drawdown "$made/drafts/starter.wif" -o starter.svg
 mapfile -t weaves < <("$1" weave --list --language C | grep -oE '^[a-z_0-9]+')
 for weave in "${weaves[@]}"; do same 0 "weave.$weave" weave "$weave" -o "weave.$weave.wif"; done
 same 0 letters convert "$made/drafts/plain.wif" "ä ж 布/плетение.wif"
@@ -46,6 +48,12 @@ while IFS= read -r picture; do
   textures=$((textures + 1))
 done < <(cd "$made/0" && find set -name '*.png')
 echo "$textures textures compared"
+# Cairo rounds halves as the C library does, and PDF holds fonts of the system.
+for k in 0 1; do
+  [[ $(head -c4 "$made/$k/starter.pdf") == %PDF && $(grep -c '<path' "$made/$k/starter.svg") -gt 1000 ]] ||
+    { echo "the sheets of ${programs[k]} are not whole"; wrong=1; }
+  rm "$made/$k/starter.pdf" "$made/$k/starter.svg"
+done
 # What holds the bytes of the pictures, names them by a hash, or holds numbers whose last digits differ.
 find "$made"/[01]/set \( -name '*.png' -o -name '*.gl*' -o -name texture_set.json \) -delete
 sed -i 's|\\|/|g' "$made/1/export.txt"

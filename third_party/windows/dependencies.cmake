@@ -32,6 +32,9 @@ weftlight_windows_library(TinyGLTF::TinyGLTF LINK ${windows_libraries}/lib/libti
                           DEFINE TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
 weftlight_windows_library(meshoptimizer::meshoptimizer LINK ${windows_libraries}/lib/libmeshoptimizer.a)
 weftlight_windows_library(PkgConfig::FREETYPE LINK ${windows_libraries}/lib/libfreetype.a ZLIB::ZLIB)
+set(prefix ${windows_libraries}/prefix)
+weftlight_windows_library(PkgConfig::CAIRO LINK ${prefix}/lib/libcairo.a ${prefix}/lib/libpixman-1.a ${prefix}/lib/libpng16.a
+                          ZLIB::ZLIB gdi32 msimg32 ssp INCLUDE ${prefix}/include/cairo DEFINE CAIRO_WIN32_STATIC_BUILD)
 weftlight_windows_library(PkgConfig::EPOXY LINK ${windows_libraries}/lib/libepoxy.a opengl32 gdi32)
 weftlight_windows_library(glfw LINK ${windows_libraries}/lib/libglfw.a gdi32 user32 shell32)
 weftlight_windows_library(PkgConfig::IMGUI LINK ${windows_libraries}/lib/libimgui.a PkgConfig::FREETYPE glfw opengl32 imm32

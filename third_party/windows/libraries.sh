@@ -39,6 +39,31 @@ printf '#define ENABLE_EGL 0\n#define ENABLE_GLX 0\n' >sources/epoxy/config.h
 library epoxy "-Isources/epoxy -I$epoxy/src" \
   "$epoxy"/src/dispatch_{common,wgl}.c sources/epoxy/{gl,wgl}_generated_dispatch.c
 
+# configured PACKAGE MAKE-FOLDER OPTION...: builds a library by its own configure into the folder `prefix`.
+configured() {
+  local package=$1 folder=$2 from
+  shift 2
+  from=$(source_of "$package")
+  mkdir -p "objects/$package"
+  (cd "objects/$package"
+    export CC=$cc AR=$ar RANLIB=$machine-ranlib CFLAGS="-O2 -w -DCAIRO_WIN32_STATIC_BUILD -I$to/prefix/include" \
+      PKG_CONFIG_LIBDIR=$to/prefix/lib/pkgconfig PKG_CONFIG="pkg-config --static"
+    # What configure is made of is newer in some archives, and needs no making.
+    [[ -f Makefile ]] || "$from/configure" --host=$machine --prefix="$to/prefix" --enable-static --disable-shared "$@" >log 2>&1
+    make -j"$(nproc)" ACLOCAL=: AUTOMAKE=: AUTOCONF=: AUTOHEADER=: -C "$folder" install >>log 2>&1) ||
+    { tail -20 "objects/$package/log" >&2; exit 1; }
+}
+
+# Drafts on paper: PDF, SVG and PNG, with the fonts of Windows.
+mkdir -p prefix/lib/pkgconfig
+printf 'Name: zlib\nDescription: of mingw-w64\nVersion: 1.2\nLibs: -lz\n' >prefix/lib/pkgconfig/zlib.pc
+configured libpng1.6 .
+configured pixman pixman --disable-gtk --disable-libpng --disable-openmp
+(cd objects/pixman && make install-pkgconfigDATA >>log)
+configured cairo src --enable-win32 --enable-win32-font --enable-png --enable-pdf --enable-svg --disable-xlib --disable-xcb \
+  --disable-ft --disable-fc --disable-gobject --disable-ps --disable-script --disable-tee --disable-interpreter \
+  --disable-trace --disable-gtk-doc --disable-valgrind --disable-pthread --disable-symbol-lookup
+
 # Debian's googletest holds its sources.
 library gtest "-I/usr/src/googletest/googletest/include -I/usr/src/googletest/googletest" \
   /usr/src/googletest/googletest/src/gtest-all.cc

@@ -5,18 +5,18 @@
 #include <optional>
 #include <string>
 
+#include "platform/environment_variables.h"
+
 namespace weftlight {
 
 class Variable {
  public:
   Variable(const char* name, const std::string& value) : name_(name) {
     if (const char* before = std::getenv(name)) before_ = before;
-    ::setenv(name, value.c_str(), 1);
+    platform::set_variable(name, value);
   }
-  ~Variable() {
-    if (before_) ::setenv(name_, before_->c_str(), 1);
-    else ::unsetenv(name_);
-  }
+  /// One that was not set is empty then, which the program takes for the same.
+  ~Variable() { platform::set_variable(name_, before_.value_or("")); }
   Variable(const Variable&) = delete;
   Variable& operator=(const Variable&) = delete;
 

@@ -51,7 +51,7 @@ Design starter() {
   // Heavy yarns: a star is about 10 cm wide and visible across a table.
   d = in_yarns(std::move(d), heavy(yarn("Mercerised cotton"), 1.2f), heavy(yarn("Silk"), 1.1f));
   // Close enough to show the stars, with the edge of the table and the folds.
-  d.scene.view_distance = 0.62f;
+  d.scene.view_distance = 0.74f;
   d.scene.view_elevation = 26;
   d.scene.pan_y = -0.08f;
   return titled(std::move(d), "Tide star",

@@ -5,6 +5,7 @@
 export PATH=$PATH:/usr/bin:/bin
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 export WINEPREFIX=${WINEPREFIX:-$root/build/windows/wine} WINEDEBUG=-all WINEDLLOVERRIDES=winemenubuilder.exe=d
+export WEFTLIGHT_FILE_DIALOG=window
 export MESA_SHADER_CACHE_DIR=$WINEPREFIX/mesa  # of the driver, which is one of this system
 for name in HOME XDG_STATE_HOME XDG_CONFIG_HOME XDG_CACHE_HOME; do
   [[ ${!name:-} == /* ]] && export "$name=Z:${!name}"

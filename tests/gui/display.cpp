@@ -136,10 +136,14 @@ std::string Display::hand(const std::string& words) const {
   return said;
 }
 
-/// On the screen, of a point of the window: Wine leaves room for a frame.
-std::string Display::at(Point p) const {
+Point Display::on_screen(Point p) const {
   const auto [x, y] = corner_of_window(name_);
-  return std::to_string(std::lround(p.x) + x) + " " + std::to_string(std::lround(p.y) + y);
+  return {p.x + x, p.y + y};
+}
+
+std::string Display::at(Point p) const {
+  const Point to = on_screen(p);
+  return std::to_string(std::lround(to.x)) + " " + std::to_string(std::lround(to.y));
 }
 
 void Display::move(Point to) const { hand("mousemove " + at(to)); }
@@ -180,8 +184,8 @@ void Display::resize(int width, int height) const {
 
 std::string Display::picture(Point where, Point size) const {
   const auto whole = [](double v) { return static_cast<int>(std::lround(v)); };
-  const auto [x, y] = corner_of_window(name_);
-  return screen_part(name_, x + whole(where.x), y + whole(where.y), whole(size.x), whole(size.y));
+  const Point corner = on_screen(where);
+  return screen_part(name_, whole(corner.x), whole(corner.y), whole(size.x), whole(size.y));
 }
 
 Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,

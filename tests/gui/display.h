@@ -65,6 +65,8 @@ class Display {
   void click_holding(const std::string& key, Point at) const;
   void key(const std::string& keys) const;
   void type(const std::string& text) const;
+  /// On the screen, of a point of the window: Wine leaves room for a frame.
+  Point on_screen(Point p) const;
   /// Gives the window the keyboard focus.
   void focus() const;
   void resize(int width, int height) const;

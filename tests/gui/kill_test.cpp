@@ -30,7 +30,8 @@ constexpr unsigned kSeed = 1;
 class Hand {
  public:
   explicit Hand(const Display& display)
-      : pipe_(popen(("DISPLAY=" + display.name() + " xdotool - >/dev/null 2>&1").c_str(), "w")) {}
+      : corner_(display.on_screen({})),
+        pipe_(popen(("DISPLAY=" + display.name() + " xdotool - >/dev/null 2>&1").c_str(), "w")) {}
   ~Hand() {
     release();
     pclose(pipe_);
@@ -38,7 +39,8 @@ class Hand {
   Hand(const Hand&) = delete;
   Hand& operator=(const Hand&) = delete;
   void move(Point to) {
-    say("mousemove " + std::to_string(std::lround(to.x)) + " " + std::to_string(std::lround(to.y)));
+    say("mousemove " + std::to_string(std::lround(to.x + corner_.x)) + " " +
+        std::to_string(std::lround(to.y + corner_.y)));
   }
   void press() { say("mousedown 1"); }
   void release() { say("mouseup 1"); }
@@ -48,6 +50,7 @@ class Hand {
     std::fputs((words + "\n").c_str(), pipe_);
     std::fflush(pipe_);
   }
+  Point corner_;  // of the window
   FILE* pipe_;
 };
 

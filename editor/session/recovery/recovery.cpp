@@ -81,9 +81,11 @@ std::error_code keep_to_user(const fs::path& folder) {
 FileLock make_session(const fs::path& folder, std::error_code& error) {
   constexpr int kMaxTries = 200;  // another session may clear the folder away before it is locked
   if (fs::is_directory(folder, error)) return FileLock::take((folder / kLock).string());  // only its lock was removed
-  const fs::path making = folder.string() + kMaking;
+  fs::path making;
   FileLock lock;
   for (int i = 0; i < kMaxTries; ++i) {
+    // Each time another one: on a busy machine it may take long until the last one is cleared away.
+    making = folder.parent_path() / (platform::unique_name() + kMaking);
     fs::create_directories(making, error);
     if (!error) error = keep_to_user(making);
     if (error == std::errc::no_such_file_or_directory) continue;  // cleared away meanwhile

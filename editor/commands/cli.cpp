@@ -18,6 +18,7 @@
 #include "commands/option_checks.h"
 #include "commands/parser_texts.h"
 #include "commands/verbs.h"
+#include "platform/error_line.h"
 
 namespace weftlight::commands {
 
@@ -135,7 +136,7 @@ int run_verb(std::string_view name, const RunVerb& run) {
   try {
     return run();
   } catch (...) {
-    std::fprintf(stderr, "weftlight %s: %s\n", std::string(name).c_str(), base::words_of_thrown().c_str());
+    platform::write_error_line("weftlight " + std::string(name) + ": " + base::words_of_thrown());
     const bool reads_only = name == "info" || name == "analyse" || name == "diff";
     return reads_only ? kBadInput : kNotWritten;
   }

@@ -137,7 +137,13 @@ std::string Display::hand(const std::string& words) const {
 }
 
 Point Display::on_screen(Point p) const {
-  const auto [x, y] = corner_of_window(name_);
+  // One that has drawn may not be on the screen yet.
+  static constexpr std::chrono::seconds kComes{2};
+  const auto end = std::chrono::steady_clock::now() + kComes;
+  auto corner = corner_of_window(name_);
+  for (; !corner && std::chrono::steady_clock::now() < end; corner = corner_of_window(name_))
+    std::this_thread::sleep_for(kPause);
+  const auto [x, y] = corner.value_or(std::pair(0, 0));
   return {p.x + x, p.y + y};
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -147,17 +148,17 @@ void wait_for_windows(const std::string& display) {
     }
 }
 
-std::pair<int, int> corner_of_window(const std::string& display) {
+std::optional<std::pair<int, int>> corner_of_window(const std::string& display) {
   const Server server = connect(display);
   if (!server) return {};
-  std::pair<int, int> corner;
+  std::optional<std::pair<int, int>> corner;
   int largest = 0;
   for (const xcb_window_t window : Pings(server.get()).windows()) {
     const std::unique_ptr<xcb_get_geometry_reply_t, Free> place(
         xcb_get_geometry_reply(server.get(), xcb_get_geometry(server.get(), window), nullptr));
     if (!place || place->width * place->height <= largest) continue;
     largest = place->width * place->height;
-    corner = {place->x, place->y};
+    corner.emplace(place->x, place->y);
   }
   return corner;
 }

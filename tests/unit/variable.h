@@ -15,7 +15,6 @@ class Variable {
     if (const char* before = std::getenv(name)) before_ = before;
     platform::set_variable(name, value);
   }
-  /// One that was not set is empty then, which the program takes for the same.
   ~Variable() { platform::set_variable(name_, before_.value_or("")); }
   Variable(const Variable&) = delete;
   Variable& operator=(const Variable&) = delete;

@@ -11,7 +11,10 @@ std::string variable(const char* name) {
   return value != nullptr ? value : "";
 }
 
-void set_variable(const char* name, const std::string& value) { ::setenv(name, value.c_str(), 1); }
+void set_variable(const char* name, const std::string& value) {
+  if (value.empty()) ::unsetenv(name);
+  else ::setenv(name, value.c_str(), 1);
+}
 
 bool errors_go_to_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 

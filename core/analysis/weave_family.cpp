@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <vector>
@@ -185,6 +186,8 @@ WeaveFamily of_circle(const Weave& w) {
   // Of four threads only a broken twill has no two crossings that touch.
   if (n >= 5 && single && (by_ends ? ends : picks).constant >= 2) return WeaveFamily::kSatin;
   if (ends.by_one >= kMostly && picks.by_one >= kMostly) return WeaveFamily::kTwill;
+  // Corkscrew: half of an odd number and a half rise, each two places from the one before the last.
+  if (std::abs(2 * circle.risers - n) == 1 && ends.constant + picks.constant >= 2) return WeaveFamily::kTwill;
   return n == 4 && single ? WeaveFamily::kTwill : WeaveFamily::kOther;
 }
 
@@ -290,6 +293,58 @@ bool is_lace(const Weave& w) {
          std::max(share_of_tabby(w.ends), share_of_tabby(w.picks)) >= kSomeTabby;
 }
 
+/// The longest float of each thread on the side where it shows `up`, round the repeat.
+std::vector<int> longest_of_each(const BitMatrix& threads, bool up) {
+  std::vector<int> out;
+  const int n = threads.cols();
+  for (int t = 0; t < threads.rows(); ++t) {
+    int longest = 0, run = 0;
+    for (int i = 0; i < 2 * n; ++i) {
+      run = threads.get(t, i % n) == up ? run + 1 : 0;
+      longest = std::max(longest, std::min(run, n));
+    }
+    out.push_back(longest);
+  }
+  return out;
+}
+
+/// From plain weave to long floats and back, a little with each thread.
+bool grows_and_shrinks(const std::vector<int>& floats) {
+  constexpr int kStep = 2, kLong = 3;
+  constexpr double kSteps = 0.5;
+  const auto [least, most] = std::ranges::minmax(floats);
+  return most >= kLong && least == 1 &&
+         share_of_neighbours(floats, [](int a, int b) { return std::abs(a - b) <= kStep; }) == 1 &&
+         share_of_neighbours(floats, [](int a, int b) { return a != b; }) >= kSteps;
+}
+
+bool is_waffle(const Weave& w) {
+  constexpr int kLong = 5;  // of either system
+  const std::vector<int> warp = longest_of_each(w.ends, true), weft = longest_of_each(w.picks, false);
+  return grows_and_shrinks(warp) && grows_and_shrinks(weft) &&
+         std::max(std::ranges::max(warp), std::ranges::max(weft)) >= kLong;
+}
+
+/// The fraction of cells amid eight others that cross alike.
+double share_of_solid(const BitMatrix& cells) {
+  const int picks = cells.rows(), ends = cells.cols();
+  int64_t solid = 0;
+  for (int p = 0; p < picks; ++p)
+    for (int e = 0; e < ends; ++e) {
+      bool alike = true;
+      for (int i = 0; i < 9; ++i)
+        alike &= cells.get((p + picks + i / 3 - 1) % picks, (e + ends + i % 3 - 1) % ends) == cells.get(p, e);
+      solid += alike ? 1 : 0;
+    }
+  return static_cast<double>(solid) / static_cast<double>(std::max<int64_t>(1, int64_t{picks} * ends));
+}
+
+/// Blocks of plain weave beside blocks of one system's floats alone.
+bool is_honeycomb(const Weave& w) {
+  constexpr double kPlain = 0.2, kSolid = 0.15;
+  return share_of_plain(w.picks) >= kPlain && share_of_solid(w.picks) >= kSolid;
+}
+
 /// Every other end with every other pick.
 BitMatrix every_other(const BitMatrix& cells, int first_pick, int first_end) {
   BitMatrix out((cells.rows() - first_pick + 1) / 2, (cells.cols() - first_end + 1) / 2);
@@ -340,6 +395,7 @@ WeaveFamily weave_family(const BitMatrix& cells) {
   if (is_double_in_blocks(w.picks)) return WeaveFamily::kDouble;
   if (has_tabby_between(w.picks) || has_tabby_between(w.ends)) return WeaveFamily::kPattern;
   if (has_reversed_blocks(w.picks)) return WeaveFamily::kBlock;
+  if (is_waffle(w) || is_honeycomb(w)) return WeaveFamily::kCells;
   return is_lace(w) ? WeaveFamily::kLace : WeaveFamily::kOther;
 }
 

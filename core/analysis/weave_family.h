@@ -17,14 +17,15 @@ enum class WeaveFamily {
   kOther,
   kPlain,    // every end and pick alternate, by one
   kBasket,   // ends, picks or both alternate in groups: basket weave, ribs
-  kTwill,    // threads repeat each other shifted by one: straight, pointed, undulating or broken
+  kTwill,    // threads repeat each other shifted by one: straight, pointed, undulating or broken; corkscrew
   kSatin,    // single crossings, shifted by the same step of two and more, none touching
   kBlock,    // areas of a twill or satin beside areas of its reverse: damask, turned twill
   kLace,     // spots of floats in plain weave: huck, Bronson, spot weaves
   kPattern,  // pattern threads float over plain weave, or blocks of a 2/2 twill: overshot, summer and winter
   kDouble,   // two and more whole cloths in one: double weave
+  kCells,    // long floats between plain weave draw the cloth into cells: waffle, honeycomb
 };
-inline constexpr size_t kWeaveFamilies = 9;
+inline constexpr size_t kWeaveFamilies = 10;
 
 struct WeaveFamilyName {
   const char *id, *label;  // label: to be shown through base::tr()
@@ -40,6 +41,7 @@ inline constexpr std::array<WeaveFamilyName, kWeaveFamilies> kWeaveFamilyNames{{
     {"lace", base::mark("Lace and spot weave")},
     {"pattern", base::mark("Overshot and other pattern threads")},
     {"double", base::mark("Double weave")},
+    {"cells", base::mark("Waffle and honeycomb")},
 }};
 
 /// `cells`: picks x ends of one face; the drawdown repeats in both directions. Of a large one the first 512 of each are

@@ -36,6 +36,22 @@ TEST(WeaveFamily, Satins) {
   EXPECT_EQ(family({"#....", ".#...", "..#..", "...#.", "....#"}), "twill") << "a twill of five, one up";
 }
 
+TEST(WeaveFamily, Corkscrew) {
+  EXPECT_EQ(family({"##.#.#.#.", "#.##.#.#.", "#.#.##.#.", "#.#.#.##.", "#.#.#.#.#", ".##.#.#.#", ".#.##.#.#",
+                    ".#.#.##.#", ".#.#.#.##"}),
+            "twill");
+}
+
+TEST(WeaveFamily, WaffleAndHoneycomb) {
+  EXPECT_EQ(family({"#.#####.", ".#.###.#", "..#.#.#.", "...#.#..", "....#...", "...#.#..", "..#.#.#.", ".#.###.#"}),
+            "cells")
+      << "on five shafts";
+  EXPECT_EQ(family({"#.#.#.#.#.#.", ".#.#.#.#.#.#", "#.#.#.######", ".#.#.#######", "#.#.#.######", ".#.#.#######",
+                    "#.#.#.#.#.#.", ".#.#.#.#.#.#", "#######.#.#.", "######.#.#.#", "#######.#.#.", "######.#.#.#"}),
+            "cells")
+      << "honeycomb of two blocks";
+}
+
 TEST(WeaveFamily, ClothsInLayers) { EXPECT_EQ(family({"#...", "###.", "..#.", "#.##"}), "double"); }
 
 TEST(WeaveFamily, WhatIsNoClothIsOther) {

@@ -1,7 +1,19 @@
 #include "platform/start.h"
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace weftlight::platform {
 
-std::vector<std::string> start(int argc, char** argv) { return {argv, argv + argc}; }
+std::vector<std::string> start(int argc, char** argv) {
+#if defined(__GLIBC__)
+  // Memory of a megabyte and more goes back to the system as soon as it is freed. By itself glibc raises the size from
+  // which it does so with each such block, up to 32 MB, and then keeps them: 70 MB for the starter, 140 for 10,000 x
+  // 10,000 (medians of two starts).
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+  return {argv, argv + argc};
+}
 
 }  // namespace weftlight::platform

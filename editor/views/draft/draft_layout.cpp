@@ -32,10 +32,10 @@ struct Rulers {
 Rulers rulers_of(const Style& s, bool on) { return on ? Rulers{s.px(kRulerWide), s.px(kRulerHigh)} : Rulers{}; }
 
 Room room_of(const Style& s, Rulers rulers, ImVec2 min, ImVec2 max) {
-  return {
-      max.x - min.x - rulers.wide - s.px(kMargin) * 2 - s.px(kShaftNumbers) - s.px(kGap) - s.px(kBar) -
-          s.px(kPickRuler),
-      max.y - min.y - rulers.high - s.px(kMargin) - s.px(kEndRuler) - s.px(kBar) - s.px(kGap) * 2 - s.px(kScrollbar)};
+  return {max.x - min.x - rulers.wide - s.px(kMargin) * 2 - s.px(kShaftNumbers) - s.px(kGap) - s.pressed_px(kBar) -
+              s.px(kPickRuler),
+          max.y - min.y - rulers.high - s.px(kMargin) - s.px(kEndRuler) - s.pressed_px(kBar) - s.px(kGap) * 2 -
+              s.px(kScrollbar)};
 }
 
 float loom_pitch(const Style& s, float pitch) {
@@ -97,7 +97,7 @@ struct Rows {
 /// Numbers, bar, threading, drawdown; or the reverse, below the ruler and the scroll bar of the ends. `lift`: height of
 /// the drawdown, `shafts`: height of the threading.
 Rows rows_of(const Style& s, float top, float ruler, float shafts, float lift, bool below) {
-  const float labels = s.px(kEndRuler), bar = s.px(kBar), gap = s.px(kGap);
+  const float labels = s.px(kEndRuler), bar = s.pressed_px(kBar), gap = s.px(kGap);
   if (!below) return {top, top + labels, top + labels + bar + gap, top + labels + bar + gap + shafts + gap};
   const float drawdown = top + ruler + s.px(kScrollbar) + gap, threading = drawdown + lift + gap;
   return {threading + shafts + gap + bar, threading + shafts + gap, threading, drawdown};
@@ -144,15 +144,15 @@ DraftLayout lay_out_draft(const Draft& d, const DraftView& v, const Settings& se
   const float weft_x = lift_x + treadles.length + s.px(kGap);
 
   const bool plan = d.shed_control == ShedControl::kLiftplan;
-  l.warp_bar = {GridId::kWarpColors, ends, single(y.bar, s.px(kBar))};
+  l.warp_bar = {GridId::kWarpColors, ends, single(y.bar, s.pressed_px(kBar))};
   l.threading = {GridId::kThreading, ends, shafts};
   l.tieup = {GridId::kTieup, treadles, shafts};
   l.drawdown = {GridId::kDrawdown, ends, picks};
   l.tiled_drawdown = {GridId::kDrawdown, extended(ends, x0, wide), extended(picks, y.drawdown, high)};
   l.lift = {plan ? GridId::kLiftplan : GridId::kTreadling, treadles, picks};
-  l.weft_bar = {GridId::kWeftColors, single(weft_x, s.px(kBar)), picks};
+  l.weft_bar = {GridId::kWeftColors, single(weft_x, s.pressed_px(kBar)), picks};
   l.warp_labels = {GridId::kWarpColors, ends, single(y.labels, s.px(kEndRuler))};
-  l.weft_labels = {GridId::kWeftColors, single(weft_x + s.px(kBar) + 1, s.px(kPickRuler)), picks};
+  l.weft_labels = {GridId::kWeftColors, single(weft_x + s.pressed_px(kBar) + 1, s.px(kPickRuler)), picks};
   l.scroll_shafts = shafts.extent() > shafts.length + 1;
   l.scroll_treadles = treadles.extent() > treadles.length + 1;
   l.scroll_ends = ends.extent() > ends.length + 1;

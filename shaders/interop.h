@@ -25,10 +25,11 @@ using glm::vec4;
 // colour and pattern within a thread. Crossings are stored in square blocks of this many texels.
 #define THREAD_MAP_WIDTH 1024
 #define THREAD_HEAD_TEXELS 5
-#define THREAD_TEXELS 7
+#define THREAD_TEXELS 8
 #define THREAD_BODY 0
 #define THREAD_COLOR 1
 #define THREAD_PATTERN 2
+#define THREAD_DYE 7
 #define YARN_TEXELS 4
 #define CROSSING_BLOCK 4096
 

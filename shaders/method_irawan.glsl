@@ -10,9 +10,10 @@
 
 vec4 shade_irawan(Side side, Lights x, Footprint f) {
   ThreadGrid g = thread_grid(side.face);
-  IrawanPoint p = irawan_point(g, fract(f.at) * g.period);
+  vec2 at = fract(f.at) * g.period;
+  IrawanPoint p = irawan_point(g, at);
   if (p.system < 0) return vec4(0.0);
-  vec4 dye = thread_dye(p.system, p.thread);
+  vec4 dye = thread_dye(g, p.system, p.thread, p.system == 0 ? at.y : at.x);
   YarnLobes yarn = thread_lobes(int(dye.w), dye.rgb);
   float fibre_tan = thread_pattern(p.system, p.thread, g.side).fibre_tan;
   vec3 key = yarn.body * (max(x.l.z, 0.0) / 3.14159265) + yarn.f0 * irawan_specular(p, fibre_tan, x.l, x.v);

@@ -62,8 +62,21 @@ ThreadGrid thread_grid(int face) {
   return grid_of(threads_head, face == 0 ? 1.0 : -1.0);
 }
 
-// A thread's linear colour, and its yarn in w.
-vec4 thread_dye(int system, int thread) { return record_color(thread_texel(record_at(system, thread) + THREAD_COLOR)); }
+// A thread's linear colour at a position along it in mm, and its yarn in w. DYED_ALONG is defined where the colour of some
+// thread changes along it. g: of the thread's layer.
+vec4 thread_dye(ThreadGrid g, int system, int thread, float along) {
+  vec4 dye = record_color(thread_texel(record_at(system, thread) + THREAD_COLOR));
+#if defined(DYED_ALONG)
+  ivec4 own = ivec4(thread_texel(record_at(system, thread) + THREAD_DYE));
+  if (own.y > 0) {
+    float period = system == 0 ? g.period.y : g.period.x;
+    int crossed = thread_at(g, 1 - system, along - floor(along / period) * period);
+    int place = int(thread_texel(record_at(1 - system, crossed) + THREAD_DYE).w);
+    dye.rgb = uintBitsToFloat(thread_texel(own.x + (place + own.z) % own.y).rgb);
+  }
+#endif
+  return dye;
+}
 
 ThreadTexture thread_pattern(int system, int thread, float side) {
   int i = record_at(system, thread) + THREAD_PATTERN;

@@ -1,7 +1,7 @@
 // The threads as texels of four integers each: layout of the records, and unpacking. GLSL 3.30 and C++20
 // (core/render_data/thread_block.h fills them from these same structs; interop.h has their sizes).
 //
-//   a head for each layer; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the
+//   a head for each layer; the colours along threads, one a texel; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the
 //   yarns' lobes
 
 #include "interop.h"
@@ -35,6 +35,7 @@ struct ThreadRecord {
   vec3 color;           // linear
   int yarn;
   ThreadTexture pattern;
+  ivec4 dye;            // first texel of its colours; their number, 0: `color` all along; its phase; its place in the draft
 };
 
 FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {

@@ -15,6 +15,7 @@ using draft::BitMatrix, draft::Face, draft::Rgb, draft::System;
 /// Linear-light colour.
 struct Linear {
   float r = 0, g = 0, b = 0;
+  bool operator==(const Linear&) const = default;
 };
 Linear linear_from_srgb(Rgb c);
 Rgb srgb_from_linear(Linear c);
@@ -32,10 +33,13 @@ struct ThreadBody {
   float spacing_mm = 0;   // width available to it, >= 0; its neighbours may take some and give some (room_mm)
   float width_mm = 0;     // full width of the flattened cross-section; mean along it
   float height_mm = 0;    // full height of the section; mean along it
-  Linear colour;          // linear light
+  Linear colour;          // linear light; mean along the thread
   int yarn = 0;           // index into Cloth::yarns
   float unevenness = 0;   // standard deviation of its thickness along it, over the mean (thickness.h)
   float diameter_mm = 0;  // of the round thread before it is flattened or jammed: its count goes with this
+  int place = 0;          // index in the draft, whose threads another order or fewer may stand for
+  int dye = -1;           // index into Cloth::dyes; -1: `colour` all along
+  int dye_phase = 0;      // where in it the thread starts
   ThreadBorder before = {}, after = {};  // to the thread before it and after it
 };
 
@@ -55,6 +59,7 @@ struct Cloth {
   BitMatrix up;                      // picks x ends; 1: warp on top of this face
   std::vector<ThreadBody> ends, picks;
   std::vector<Yarn> yarns;
+  std::vector<std::vector<Linear>> dyes;  // colours along threads, by the place of the thread that is crossed
   // Layers of a multi-layer cloth such as double cloth (layer_plan.h); empty for a single layer, whose threads stand
   // in the draft's order. Otherwise threads are ordered layer by layer, and those of each layer fill the whole period.
   std::vector<ClothLayer> layers;
@@ -63,6 +68,22 @@ struct Cloth {
   std::vector<float> warp_level_mm, weft_level_mm;
   int first_end = 0, first_pick = 0;  // offset of a single extracted layer in the whole cloth
 };
+
+/// The colour of a thread where it crosses the one of the other system at `place` in the draft.
+inline const Linear& colour_at(const Cloth& cloth, const ThreadBody& thread, int place) {
+  if (thread.dye < 0) return thread.colour;
+  const std::vector<Linear>& dye = cloth.dyes[static_cast<size_t>(thread.dye)];
+  return dye[static_cast<size_t>(place + thread.dye_phase) % dye.size()];
+}
+
+/// The thread of the other system, in the layer of `thread`, in whose room a position along it lies; mm, which wraps.
+const ThreadBody& crossed_at(const Cloth& cloth, System system, int thread, float along_mm);
+
+/// The colour of a thread of the cloth at a position along it.
+inline const Linear& colour_along(const Cloth& cloth, System system, int thread, float along_mm) {
+  const ThreadBody& body = (system == System::kWarp ? cloth.ends : cloth.picks)[static_cast<size_t>(thread)];
+  return body.dye < 0 ? body.colour : colour_at(cloth, body, crossed_at(cloth, system, thread, along_mm).place);
+}
 
 enum class Period { kWholeDraft, kRepeat };
 

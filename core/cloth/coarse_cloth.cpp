@@ -48,7 +48,7 @@ Cloth coarse_cloth(const Cloth& cloth, int ends_a_thread, int picks_a_thread) {
                          picks = chosen(static_cast<int>(cloth.picks.size()), b);
   Cloth out;
   out.width_mm = cloth.width_mm, out.depth_mm = cloth.depth_mm;
-  out.yarns = cloth.yarns;
+  out.yarns = cloth.yarns, out.dyes = cloth.dyes;
   out.ends = widened(cloth.ends, ends, a), out.picks = widened(cloth.picks, picks, b);
   out.up = BitMatrix(static_cast<int>(picks.size()), static_cast<int>(ends.size()));
   for (int p = 0; p < out.up.rows(); ++p) {

@@ -15,6 +15,7 @@
 #include "cloth/relief.h"
 #include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
+#include "design/dye.h"
 #include "design/repeat.h"
 #include "design/srgb.h"
 
@@ -98,15 +99,35 @@ void press(ThreadBody& body, float flattening, float calendered) {
   if (body.width_mm > 0) body.height_mm = std::min(body.height_mm, area / body.width_mm);
 }
 
+std::vector<std::vector<Linear>> linear_dyes(const design::DyedThreads& dyed) {
+  std::vector<std::vector<Linear>> out;
+  for (const std::vector<Rgb>& colors : dyed.tables()) {
+    std::vector<Linear>& dye = out.emplace_back();
+    for (const Rgb& c : colors) dye.push_back(linear_from_srgb(c));
+  }
+  return out;
+}
+
+Linear mean_of(const std::vector<Linear>& colours) {
+  Linear sum;
+  for (const Linear& c : colours) sum.r += c.r, sum.g += c.g, sum.b += c.b;
+  const float n = static_cast<float>(colours.size());
+  return {sum.r / n, sum.g / n, sum.b / n};
+}
+
 /// A design and its yarns after finishing.
 struct Woven {
   const Design& design;
   std::vector<Yarn> finished;
-  float unwashed;  // 0: washed
+  design::DyedThreads dyed;
+  std::vector<std::vector<Linear>> dyes;  // of `dyed`
+  float unwashed;                         // 0: washed
 
   explicit Woven(const Design& d)
       : design(d),
         finished(design::finished(d.yarns, d.finish)),
+        dyed(d),
+        dyes(linear_dyes(dyed)),
         unwashed(1 - std::clamp(d.finish.washed, 0.0f, 1.0f)) {}
 };
 
@@ -140,6 +161,8 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   body.diameter_mm = even;
   body.unevenness = unevenness_of(yarn, design.finish);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
+  body.place = i, body.dye = woven.dyed.table(system, i), body.dye_phase = woven.dyed.phase(system, i);
+  if (body.dye >= 0) body.colour = mean_of(woven.dyes[static_cast<size_t>(body.dye)]);
   return body;
 }
 
@@ -270,6 +293,7 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
   Cloth cloth;
   const Woven woven(design);
   cloth.yarns = woven.finished.empty() ? std::vector<Yarn>{Yarn{}} : woven.finished;
+  cloth.dyes = woven.dyes;
   cloth.up = top_left(cells, size.picks, size.ends, false);
   const LayerPlan plan = find_layers(cloth.up);
   if (plan.layers > 1) {

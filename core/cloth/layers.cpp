@@ -8,7 +8,7 @@ Cloth one_layer(const Cloth& cloth, int i) {
   if (cloth.layers.empty()) return cloth;
   const ClothLayer& l = cloth.layers[static_cast<size_t>(i)];
   Cloth one;
-  one.width_mm = cloth.width_mm, one.depth_mm = cloth.depth_mm, one.yarns = cloth.yarns;
+  one.width_mm = cloth.width_mm, one.depth_mm = cloth.depth_mm, one.yarns = cloth.yarns, one.dyes = cloth.dyes;
   one.ends.assign(cloth.ends.begin() + l.first_end, cloth.ends.begin() + l.first_end + l.ends);
   one.picks.assign(cloth.picks.begin() + l.first_pick, cloth.picks.begin() + l.first_pick + l.picks);
   one.first_end = l.first_end, one.first_pick = l.first_pick;

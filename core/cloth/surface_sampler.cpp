@@ -284,6 +284,7 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   const float period_fraction = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
   const CentrePoint centre = centre_at(lines_, system, thread, step);
   Along a;
+  a.at_mm = s_mm;
   a.centre_mm = centre.height_mm;
   a.slope = centre.slope;
   a.lengthened = std::sqrt(1.0f + centre.slope * centre.slope);
@@ -315,7 +316,6 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const std::vector<ThreadBody>& threads = warp ? cloth_.ends : cloth_.picks;
   const int thread = wrap(a.thread, static_cast<int>(threads.size()));
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
-  const ThreadBody& body = threads[static_cast<size_t>(thread)];
   const Texel texel = texture_at(
       texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, a.turn / thread_formulas::kStraySpacing + l.stray_turn,
                 l.node, l.blend, a.cycles, a.ply_fade});
@@ -332,7 +332,8 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
     along += slant * static_cast<float>(texture.ply_advance) / length;
   }
   s.groove = texel.groove;
-  const glm::vec3 colour = fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  const Linear& dye = colour_along(cloth_, system, thread, l.at_mm);
+  const glm::vec3 colour = fibre_colour(texel, {dye.r, dye.g, dye.b});
   s.colour = {colour.r, colour.g, colour.b};
   s.thread = static_cast<uint32_t>(thread + (warp ? cloth_.first_end : cloth_.first_pick));
   s.system = warp ? 0 : 1;

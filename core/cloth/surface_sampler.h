@@ -73,7 +73,7 @@ class SurfaceSampler {
   };
   /// State of a thread at a sample along it.
   struct Along {
-    float centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
+    float at_mm = 0, centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
     float lengthened = 1;  // height of the vertical cut over that of the section, where the thread climbs
     float bend = 0;        // change of the slope for 1 mm above the centre line
     int node = 0;

@@ -32,6 +32,7 @@ static_assert(sizeof(thread_formulas::ThreadRecord) == THREAD_TEXELS * sizeof(gl
 static_assert(offsetof(thread_formulas::ThreadRecord, body) == THREAD_BODY * sizeof(glm::uvec4));
 static_assert(offsetof(thread_formulas::ThreadRecord, color) == THREAD_COLOR * sizeof(glm::uvec4));
 static_assert(offsetof(thread_formulas::ThreadRecord, pattern) == THREAD_PATTERN * sizeof(glm::uvec4));
+static_assert(offsetof(thread_formulas::ThreadRecord, dye) == THREAD_DYE * sizeof(glm::uvec4));
 
 using thread_formulas::contrast_left;
 using thread_formulas::fibre_detail;

@@ -22,7 +22,8 @@ size_t bytes(const Threads& t) { return static_cast<size_t>(t.size()) * (2 * siz
 size_t bytes(const Design& design) {
   const Draft& d = design.draft;
   size_t sum = sizeof(Design) + bytes(d.threading) + bytes(d.tieup) + bytes(d.treadling) + bytes(d.liftplan) +
-               bytes(d.warp) + bytes(d.weft) + d.palette.size() * sizeof(Rgb) + design.yarns.size() * sizeof(Yarn);
+               bytes(d.warp) + bytes(d.weft) + d.palette.size() * sizeof(Rgb);
+  for (const Yarn& yarn : design.yarns) sum += sizeof(Yarn) + yarn.dye.stretches.size() * sizeof(DyedStretch);
   for (const WeaveUse& use : design.weaves) {
     sum += sizeof(WeaveUse);
     for (const auto& [id, value] : use.values) sum += 2 * sizeof(std::string) + value.size();

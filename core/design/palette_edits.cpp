@@ -1,8 +1,8 @@
 #include "design/palette_edits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -12,10 +12,11 @@
 
 #include "design/fibre.h"
 #include "design/oklab.h"
+#include "draft/hex_color.h"
 
 namespace weftlight::design {
 
-using draft::kMaxColors;
+using draft::kMaxColors, draft::packed_rgb;
 
 namespace {
 
@@ -101,12 +102,6 @@ void reorder(Design& design, std::vector<T>& list, Column column, Rank rank) {
   list = std::move(sorted);
 }
 
-using Bytes = std::array<int, 3>;
-Bytes bytes_of(Rgb c) {
-  const auto byte = [](float channel) { return static_cast<int>(std::lround(255 * channel)); };
-  return {byte(c.r), byte(c.g), byte(c.b)};
-}
-
 /// Yarns of no thread in the draft are bought no longer.
 void forget_purchases(Design& design) {
   std::erase_if(design.plan.purchases, [&](const YarnPurchase& bought) {
@@ -146,11 +141,11 @@ std::vector<int> continued(const std::vector<int>& colors, size_t threads) {
 
 /// The numbers of the colours in the palette, which gets those that it lacks. Empty if there is no room.
 std::vector<int> in_palette(std::vector<Rgb>& palette, const std::vector<Rgb>& colors) {
-  std::map<Bytes, int> known;
-  for (size_t i = 0; i < palette.size(); ++i) known.try_emplace(bytes_of(palette[i]), static_cast<int>(i));
+  std::map<uint32_t, int> known;
+  for (size_t i = 0; i < palette.size(); ++i) known.try_emplace(packed_rgb(palette[i]), static_cast<int>(i));
   std::vector<int> numbers;
   for (const Rgb& color : colors) {
-    const auto [at, is_new] = known.try_emplace(bytes_of(color), static_cast<int>(palette.size()));
+    const auto [at, is_new] = known.try_emplace(packed_rgb(color), static_cast<int>(palette.size()));
     if (is_new) palette.push_back(color);
     numbers.push_back(at->second);
   }
@@ -226,9 +221,9 @@ Design without_yarn(Design design, int yarn, int heir) {
 Design with_merged_colors(Design design) {
   const auto& palette = design.draft.palette;
   std::vector<int> heirs = own_heirs(palette.size());
-  std::map<Bytes, int> first;
+  std::map<uint32_t, int> first;
   for (size_t i = 0; i < palette.size(); ++i)
-    heirs[i] = first.try_emplace(bytes_of(palette[i]), heirs[i]).first->second;
+    heirs[i] = first.try_emplace(packed_rgb(palette[i]), heirs[i]).first->second;
   keep(design, design.draft.palette, &Threads::color, heirs);
   return design;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "design/dye.h"
+
 namespace weftlight::design {
 
 using draft::Draft, draft::Threads;
@@ -71,9 +73,15 @@ Repeat structure_repeat(const BitMatrix& cells) {
 
 Repeat design_repeat(const Design& design, const BitMatrix& cells) {
   const Draft& d = design.draft;
-  return {smallest_column_period(cells, [&](int a, int b) { return same_thread(design, d.warp, a, b); }),
-          smallest_period(cells.rows(),
-                          [&](int a, int b) { return same_thread(design, d.weft, a, b) && same_row(cells, a, b); })};
+  const DyedThreads dyes(design);
+  const auto equal = [&](System system, int a, int b) {
+    const System across = system == System::kWarp ? System::kWeft : System::kWarp;
+    return same_thread(design, d.threads(system), a, b) && dyes.phase(system, a) == dyes.phase(system, b) &&
+           dyes.repeat_after(across, a - b);
+  };
+  return {
+      smallest_column_period(cells, [&](int a, int b) { return equal(System::kWarp, a, b); }),
+      smallest_period(cells.rows(), [&](int a, int b) { return equal(System::kWeft, a, b) && same_row(cells, a, b); })};
 }
 
 double warp_up_fraction(const BitMatrix& cells) {

@@ -2,37 +2,21 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "base/text.h"
 #include "design/edits.h"
+#include "draft/hex_color.h"
 
 namespace weftlight::design {
 
-using draft::Threads, draft::kFromYarn, draft::kMaxThreads;
+using draft::Threads, draft::hex_of, draft::kFromYarn, draft::kMaxThreads, draft::packed_rgb, draft::rgb_from_hex;
 
 namespace {
 
 constexpr std::string_view kColors = "weftlight colours:", kThickness = "weftlight thickness:";
 constexpr std::string_view kSpace = " \t\r\n";
-
-uint32_t packed(Rgb c) {
-  const auto byte = [](float v) { return static_cast<uint32_t>(std::lround(v * 255)); };
-  return byte(c.r) << 16 | byte(c.g) << 8 | byte(c.b);
-}
-
-Rgb unpacked(uint32_t c) {
-  const auto part = [c](int shift) { return static_cast<float>((c >> shift) & 255) / 255; };
-  return {part(16), part(8), part(0)};
-}
-
-std::string hex(uint32_t c) {
-  std::string text = "#000000";
-  for (size_t i = 6; i > 0; --i, c >>= 4) text[i] = "0123456789ABCDEF"[c & 15];
-  return text;
-}
 
 template <class Use>
 void each_thread(const Threads& t, std::span<const int> threads, Use use) {
@@ -49,15 +33,6 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-std::optional<Rgb> color_of(std::string_view word) {
-  uint32_t value = 0;
-  if (word.size() != 7 || word[0] != '#') return {};
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data() + 1, end, value, 16);
-  if (error != std::errc() || stop != end) return {};
-  return unpacked(value);
-}
-
 std::optional<float> thickness_of(std::string_view word) {
   if (word == "-") return kFromYarn;
   float mm = 0;
@@ -72,7 +47,7 @@ std::optional<float> thickness_of(std::string_view word) {
 int index_of(Design& design, Rgb color) {
   const auto& palette = design.draft.palette;
   for (size_t i = 0; i < palette.size(); ++i)
-    if (packed(palette[i]) == packed(color)) return static_cast<int>(i);
+    if (packed_rgb(palette[i]) == packed_rgb(color)) return static_cast<int>(i);
   design = with_new_palette_color(std::move(design), color);
   return static_cast<int>(design.draft.palette.size()) - 1;
 }
@@ -95,7 +70,7 @@ std::string color_text(const Draft& draft, System system, std::span<const int> t
   const Threads& t = draft.threads(system);
   std::string text(kColors);
   each_thread(t, threads,
-              [&](size_t i) { text.append(" ").append(hex(packed(draft.palette[static_cast<size_t>(t.color[i])]))); });
+              [&](size_t i) { text.append(" ").append(hex_of(draft.palette[static_cast<size_t>(t.color[i])])); });
   return text + "\n";
 }
 
@@ -115,7 +90,7 @@ base::Result<ThreadProperties> read_thread_properties(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
   ThreadProperties properties;
   bool whole = false;
-  if (text.starts_with(kColors)) whole = read_values(text.substr(kColors.size()), properties.colors, color_of);
+  if (text.starts_with(kColors)) whole = read_values(text.substr(kColors.size()), properties.colors, rgb_from_hex);
   else if (text.starts_with(kThickness))
     whole = read_values(text.substr(kThickness.size()), properties.thickness_mm, thickness_of);
   if (!whole)

@@ -3,7 +3,9 @@
 // Defaults are here; range, unit, label and source of each parameter in yarn_fields.h.
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "draft/draft.h"
 
@@ -36,6 +38,23 @@ struct Lobes {
   bool operator==(const Lobes&) const = default;
 };
 
+/// A stretch of a thread in one colour; its length is the number of threads that it crosses.
+struct DyedStretch {
+  int threads = 8;           // 1..kMaxDyedThreads
+  std::optional<Rgb> color;  // in steps of 8 bits; none: the thread's own
+  bool fades = false;        // gradually becomes the next stretch's colour
+  bool operator==(const DyedStretch&) const = default;
+};
+
+/// Colours along a thread, as in a painted warp, an ikat or a space-dyed yarn. The sequence starts with the first
+/// thread of the draft that it crosses, and repeats. Functions in dye.h.
+struct Dye {
+  std::vector<DyedStretch> stretches;  // empty: the thread has one colour
+  int shift = 0;                       // threads by which each thread's sequence starts earlier than the one before
+  int scatter = 0;                     // moves each thread's by at most so many to either side, at random
+  bool operator==(const Dye&) const = default;
+};
+
 struct Yarn {
   std::string name = "Cotton";
   float diameter_mm = 0.5f;  // where the draft gives no thickness
@@ -51,6 +70,7 @@ struct Yarn {
   float melange = 0;           // difference in colour of neighbouring fibres
   Lobes lobes;
   float tex = 0;  // count, g/km; 0: not set, follows from the thickness (tex_of() in fibre.h)
+  Dye dye = {};
   bool operator==(const Yarn&) const = default;
 };
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "design/dye.h"
 
 namespace weftlight::design {
 
@@ -34,6 +37,7 @@ Yarn clamped(Yarn yarn) {
   clamp_fields(yarn, kYarnFields);
   yarn.plies = std::clamp(yarn.plies, static_cast<int>(kPliesFacts.low), static_cast<int>(kPliesFacts.high));
   yarn.lobes = clamped(yarn.lobes);
+  yarn.dye = clamped(std::move(yarn.dye));
   return yarn;
 }
 

@@ -10,16 +10,18 @@
 #include "base/text.h"
 #include "base/utf8.h"
 #include "design/count.h"
+#include "design/dye.h"
 #include "design/edits.h"
 #include "design/fibre.h"
 #include "design/written_count.h"
 #include "design/yarn_fields.h"
 #include "design/yarn_presets.h"
+#include "draft/hex_color.h"
 
 namespace weftlight::design {
 
 using base::arg, base::cut_utf8, base::failure, base::fill, base::is_utf8, base::tr;
-using draft::Threads;
+using draft::Threads, draft::hex_of, draft::of_8_bits, draft::packed_rgb, draft::rgb_from_hex;
 
 namespace {
 
@@ -75,38 +77,11 @@ std::string number_text(float value) {
   return {text.data(), end};
 }
 
-std::array<int, 3> bytes_of(Rgb c) {
-  const auto byte = [](float channel) { return static_cast<int>(std::lround(255 * std::clamp(channel, 0.0f, 1.0f))); };
-  return {byte(c.r), byte(c.g), byte(c.b)};
-}
-
-std::string hex_of(Rgb c) {
-  std::string text = "#";
-  for (const int byte : bytes_of(c)) {
-    text += "0123456789ABCDEF"[byte / 16];
-    text += "0123456789ABCDEF"[byte % 16];
-  }
-  return text;
-}
-
-Rgb of_8_bits(Rgb c) {
-  const auto bytes = bytes_of(c);
-  const auto channel = [&](size_t i) { return static_cast<float>(bytes[i]) / 255; };
-  return {channel(0), channel(1), channel(2)};
-}
-
 std::optional<YarnColor> color_in(std::string_view text) {
-  if (text.size() < 7 || text[0] != '#' || (text.size() > 7 && kBlanks.find(text[7]) == std::string_view::npos))
-    return std::nullopt;
-  std::array<float, 3> rgb{};
-  for (size_t i = 0; i < 3; ++i) {
-    int byte = 0;
-    const char *first = text.data() + 1 + 2 * i, *end = first + 2;
-    const auto [stop, error] = std::from_chars(first, end, byte, 16);
-    if (error != std::errc() || stop != end || byte < 0) return std::nullopt;
-    rgb[i] = static_cast<float>(byte) / 255;
-  }
-  return YarnColor{{rgb[0], rgb[1], rgb[2]}, one_line(text.substr(7))};
+  if (text.size() > 7 && kBlanks.find(text[7]) == std::string_view::npos) return std::nullopt;
+  const std::optional<Rgb> rgb = rgb_from_hex(text.substr(0, 7));
+  if (!rgb) return std::nullopt;
+  return YarnColor{*rgb, one_line(text.substr(std::min<size_t>(text.size(), 7)))};
 }
 
 /// In the list, "Fibre" is what the yarn is made of.
@@ -185,6 +160,9 @@ class YarnReader {
     else if (same_word(line.key, "Twist")) take_twist(line);
     else if (same_word(line.key, "Metallic")) out_.yarn.lobes.metallic = same_word(line.value, "true");
     else if (same_word(line.key, "Tint")) take_tint(line);
+    else if (same_word(line.key, "Dye")) take_dye(line);
+    else if (same_word(line.key, "Dye Shift")) take_threads(line, -kMaxDyedThreads, out_.yarn.dye.shift);
+    else if (same_word(line.key, "Dye Scatter")) take_threads(line, 0, out_.yarn.dye.scatter);
     else take_number(line);
   }
 
@@ -204,6 +182,18 @@ class YarnReader {
   void take_tint(const YarnLine& line) {
     if (const auto color = color_in(line.value)) out_.yarn.lobes.specular_tint = color->rgb;
     else remark(line, tr("a colour is written as #1E3A5F Navy"));
+  }
+
+  void take_dye(const YarnLine& line) {
+    if (auto stretches = dye_from_text(line.value)) out_.yarn.dye.stretches = std::move(*stretches);
+    else remark(line, tr("a dye is written as 12 #1F3B73, 6 #1F3B73 fades, 20 own"));
+  }
+
+  void take_threads(const YarnLine& line, int least, int& out) {
+    const std::optional<float> value = number_in(line.value);
+    if (value)
+      out = static_cast<int>(std::clamp(*value, static_cast<float>(least), static_cast<float>(kMaxDyedThreads)));
+    else remark(line, tr("a number of threads was expected"));
   }
 
   void take_number(const YarnLine& line) {
@@ -264,15 +254,18 @@ std::string yarn_text(const LibraryYarn& one) {
     if (field.member != &Yarn::tex || one.count.empty() || spun.tex != yarn.tex)
       add(out, key_of(field.facts), number_text(yarn.*field.member));
   for (const YarnField<Lobes>& field : kLobeFields) add(out, field.facts.key, number_text(yarn.lobes.*field.member));
-  if (bytes_of(yarn.lobes.specular_tint) != bytes_of({1, 1, 1})) add(out, "Tint", hex_of(yarn.lobes.specular_tint));
+  if (packed_rgb(yarn.lobes.specular_tint) != packed_rgb({1, 1, 1})) add(out, "Tint", hex_of(yarn.lobes.specular_tint));
   if (yarn.lobes.metallic) add(out, "Metallic", "true");
+  if (!yarn.dye.stretches.empty()) add(out, "Dye", dye_text(yarn.dye.stretches));
+  if (yarn.dye.shift != 0) add(out, "Dye Shift", std::to_string(yarn.dye.shift));
+  if (yarn.dye.scatter != 0) add(out, "Dye Scatter", std::to_string(yarn.dye.scatter));
   for (const std::string& line : one.other_lines) out.append(line).append("\n");
   return out;
 }
 
 template <class Colors>
 void add_color(Colors& colors, const YarnColor& color) {
-  const auto same = [&](const YarnColor& c) { return bytes_of(c.rgb) == bytes_of(color.rgb); };
+  const auto same = [&](const YarnColor& c) { return packed_rgb(c.rgb) == packed_rgb(color.rgb); };
   if (colors.size() < kMaxYarnColors && std::ranges::none_of(colors, same)) colors.push_back(color);
 }
 
@@ -383,7 +376,7 @@ UsedYarn with_yarn_from(Design design, const LibraryYarn& from, size_t color) {
   const Rgb rgb = from.colors[color].rgb;
   const auto& palette = out.design.draft.palette;
   const auto same = [&] {
-    return std::ranges::find_if(palette, [&](Rgb c) { return bytes_of(c) == bytes_of(rgb); }) - palette.begin();
+    return std::ranges::find_if(palette, [&](Rgb c) { return packed_rgb(c) == packed_rgb(rgb); }) - palette.begin();
   };
   if (static_cast<size_t>(same()) == palette.size()) out.design = with_new_palette_color(std::move(out.design), rgb);
   out.color = static_cast<int>(std::min<size_t>(static_cast<size_t>(same()), palette.size() - 1));

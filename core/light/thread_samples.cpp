@@ -193,8 +193,9 @@ void ThreadSampler::set_shading(ThreadSample& p, int thread, const thread_formul
   p.fibre = point.axis + point.around * textures_[static_cast<size_t>(p.system)][static_cast<size_t>(thread)].fibre_tan;
   p.groove = texel.groove;
   const ThreadBody& body = (p.system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(thread)];
-  const glm::vec3 colour =
-      glm::max(thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b}), kDarkestChannel);
+  const cloth::Linear& dye =
+      colour_along(cloth_, p.system == 0 ? draft::System::kWarp : draft::System::kWeft, thread, point.along);
+  const glm::vec3 colour = glm::max(thread_formulas::fibre_colour(texel, {dye.r, dye.g, dye.b}), kDarkestChannel);
   const Lobes& lobes = cloth_.yarns[static_cast<size_t>(body.yarn)].lobes;
   p.lobes = yarn_lobes(lobes, {colour.r, colour.g, colour.b});
   p.lobes.slope_cov +=

@@ -58,8 +58,6 @@ uint32_t shaded(const Rgb& c, double off) {
 class Swatch {
  public:
   Swatch(const Cloth& cloth, const std::vector<double>& across_mm, const std::vector<double>& down_mm) : cloth_(cloth) {
-    for (const ThreadBody& t : cloth.ends) end_color_.push_back(srgb_from_linear(t.colour));
-    for (const ThreadBody& t : cloth.picks) pick_color_.push_back(srgb_from_linear(t.colour));
     for (int i = 0; i < layer_count(cloth); ++i) {
       const auto l = cloth.layers.empty() ? cloth::ClothLayer{0, cloth.up.cols(), 0, cloth.up.rows()}
                                           : cloth.layers[static_cast<size_t>(i)];
@@ -80,11 +78,12 @@ class Swatch {
       const auto level = [&](const std::vector<float>& mm) { return mm.empty() ? 0.0f : mm[crossing]; };
       const float apart = 0.25f * (cloth_.ends[e].height_mm + cloth_.picks[p].height_mm);
       const float up = cloth_.up.get(pick.thread, end.thread) ? apart : -apart;
-      const auto take = [&](const Place& at, float height, const Rgb& c) {
-        if (std::abs(at.off) <= 1 && height > highest) highest = height, color = shaded(c, at.off);
+      const auto take = [&](const Place& at, float height, const ThreadBody& thread, const ThreadBody& crossed) {
+        if (std::abs(at.off) > 1 || height <= highest) return;
+        highest = height, color = shaded(srgb_from_linear(colour_at(cloth_, thread, crossed.place)), at.off);
       };
-      take(end, level(cloth_.warp_level_mm) + up, end_color_[e]);
-      take(pick, level(cloth_.weft_level_mm) - up, pick_color_[p]);
+      take(end, level(cloth_.warp_level_mm) + up, cloth_.ends[e], cloth_.picks[p]);
+      take(pick, level(cloth_.weft_level_mm) - up, cloth_.picks[p], cloth_.ends[e]);
     }
     return color;
   }
@@ -94,7 +93,6 @@ class Swatch {
     std::vector<Place> across, down;
   };
   const Cloth& cloth_;
-  std::vector<Rgb> end_color_, pick_color_;
   std::vector<Places> layers_;
 };
 

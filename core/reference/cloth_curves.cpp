@@ -100,7 +100,9 @@ base::Result<Curves> cloth_curves(const Cloth& cloth, const CurveOptions& option
     const auto [at, first] = groups.try_emplace({thread.system, body.yarn});
     if (first) at->second = group_of(thread.system, body.yarn, cloth.yarns[static_cast<size_t>(body.yarn)]);
     const ThreadFibres made = thread_fibres(plan, thread);
-    ThreadWriter(at->second, ThreadCurves(paths, plan, made), made, body.colour).write(options.detail);
+    // A curve has one colour: that of its thread in the middle of the patch.
+    const Linear& colour = colour_along(cloth, thread.system, thread.thread, plan.middle(thread.system));
+    ThreadWriter(at->second, ThreadCurves(paths, plan, made), made, colour).write(options.detail);
   }
   Curves curves{options.high_mm - options.low_mm, {}};
   for (auto& [key, group] : groups) {

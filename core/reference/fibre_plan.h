@@ -38,6 +38,7 @@ struct FibrePlan {
 
   float start(System s) const { return s == System::kWarp ? low.y : low.x; }
   float length(System s) const { return s == System::kWarp ? high.y - low.y : high.x - low.x; }
+  float middle(System s) const { return start(s) + 0.5f * length(s); }
   bool repeats_along(System s) const { return repeats[s == System::kWarp ? 1 : 0]; }
 };
 

@@ -129,7 +129,9 @@ void FibreScene::Parts::list_optics() {
 
 Strand FibreScene::Parts::strand_of(const PlannedThread& thread, size_t piece, float tone) const {
   const ThreadBody& body = paths.threads(thread.system)[static_cast<size_t>(thread.thread)];
-  const glm::vec3 colour = glm::clamp(glm::vec3(body.colour.r, body.colour.g, body.colour.b) * tone, 0.0f, 1.0f);
+  // A strand has one colour: that of its thread in the middle of the patch.
+  const cloth::Linear& dye = colour_along(paths.cloth(), thread.system, thread.thread, plan.middle(thread.system));
+  const glm::vec3 colour = glm::clamp(glm::vec3(dye.r, dye.g, dye.b) * tone, 0.0f, 1.0f);
   const formulas::FibreOptics& o = optics[static_cast<size_t>(body.yarn)];
   const bool metallic = o.metal.x > 0;
   return {static_cast<uint32_t>(piece), static_cast<uint32_t>(body.yarn),

@@ -11,8 +11,8 @@ namespace weftlight::reference {
 
 namespace thread_formulas = cloth::thread_formulas;
 
-using cloth::Cloth, cloth::FibreDetail, cloth::Texel, cloth::ThreadBody, cloth::fibre_detail, cloth::texture_at,
-    cloth::thread_textures;
+using cloth::Cloth, cloth::FibreDetail, cloth::Linear, cloth::Texel, cloth::ThreadBody, cloth::fibre_detail,
+    cloth::texture_at, cloth::thread_textures;
 using design::Yarn;
 using draft::System;
 using light::yarn_lobes;
@@ -117,7 +117,8 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from, flo
   const glm::vec3 around = glm::normalize(across - hit.normal * glm::dot(across, hit.normal) + hit.axis * 1e-6f);
   p.smooth = glm::dot(hit.normal, from) >= 0 ? hit.normal : -hit.normal;
   const Yarn& yarn = cloth.yarns[static_cast<size_t>(body.yarn)];
-  const glm::vec3 colour = thread_formulas::fibre_colour(texel, {body.colour.r, body.colour.g, body.colour.b});
+  const Linear& dye = colour_along(cloth, hit.system, hit.thread, hit.along_mm);
+  const glm::vec3 colour = thread_formulas::fibre_colour(texel, {dye.r, dye.g, dye.b});
   p.lobes = yarn_lobes(yarn.lobes, {colour.r, colour.g, colour.b});
   const float relief = thread_formulas::fibre_relief(p.lobes.slope_cov.z);
   const glm::vec3 normal =

@@ -31,7 +31,7 @@ bool same_bodies(const std::vector<ThreadBody>& a, const std::vector<ThreadBody>
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ThreadBody& s, const ThreadBody& t) {
     return s.centre_mm == t.centre_mm && s.spacing_mm == t.spacing_mm && s.width_mm == t.width_mm &&
            s.height_mm == t.height_mm && s.before == t.before && s.after == t.after && s.yarn == t.yarn &&
-           s.colour.r == t.colour.r && s.colour.g == t.colour.g && s.colour.b == t.colour.b;
+           s.colour == t.colour && s.dye == t.dye && s.dye_phase == t.dye_phase;
   });
 }
 
@@ -76,7 +76,7 @@ Period choose_period(const Design& design, const BitMatrix& cells) {
 
 bool same_layout(const Cloth& a, const Cloth& b) {
   return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && same_bodies(a.ends, b.ends) &&
-         same_bodies(a.picks, b.picks) && a.layers.empty() && b.layers.empty();
+         same_bodies(a.picks, b.picks) && a.dyes == b.dyes && a.layers.empty() && b.layers.empty();
 }
 
 MapsSize maps_size(const Cloth& cloth, bool shadows) {

@@ -16,7 +16,7 @@ namespace weftlight::render_data {
 namespace thread_formulas = cloth::thread_formulas;
 
 using base::for_each_job;
-using cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
+using cloth::Linear, cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
     cloth::kReliefReach, cloth::thread_tables, cloth::thread_texture;
 using design::FibreFacts, design::Yarn;
 using draft::System;
@@ -32,7 +32,7 @@ void append(std::vector<glm::uvec4>& to, const Record& record) {
 }
 
 void append_threads(std::vector<glm::uvec4>& to, const Cloth& cloth, System system,
-                    const std::vector<glm::uvec4>& bodies) {
+                    const std::vector<glm::uvec4>& bodies, const std::vector<int>& dyes) {
   const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
   const float length_mm = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
   const std::vector<FibreFacts> facts = cloth::fibre_facts(cloth);
@@ -44,8 +44,23 @@ void append_threads(std::vector<glm::uvec4>& to, const Cloth& cloth, System syst
     record.color = {body.colour.r, body.colour.g, body.colour.b};
     record.yarn = body.yarn;
     record.pattern = thread_texture(cloth.yarns[yarn], facts[yarn], body, system, static_cast<int>(i), length_mm);
+    record.dye.w = body.place;
+    if (body.dye >= 0) {
+      const size_t dye = static_cast<size_t>(body.dye);
+      record.dye = {dyes[dye], static_cast<int>(cloth.dyes[dye].size()), body.dye_phase, body.place};
+    }
     append(to, record);
   }
+}
+
+/// The first texel of each.
+std::vector<int> append_dyes(std::vector<glm::uvec4>& to, const Cloth& cloth) {
+  std::vector<int> first;
+  for (const std::vector<Linear>& dye : cloth.dyes) {
+    first.push_back(static_cast<int>(to.size()));
+    for (const Linear& c : dye) append(to, glm::vec4(c.r, c.g, c.b, 0));
+  }
+  return first;
 }
 
 void append_bins(std::vector<glm::uvec4>& to, const std::vector<int>& first) {
@@ -63,10 +78,11 @@ std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
   ThreadTables t = thread_tables(cloth, top_mm);
   std::vector<glm::uvec4> to(THREAD_HEAD_TEXELS * t.layers.size());
   ThreadHead head{};
+  const std::vector<int> dyes = append_dyes(to, cloth);
   for (const System s : {System::kWarp, System::kWeft}) {
     const int k = s == System::kWarp ? 0 : 1;
     head.threads[k] = static_cast<int>(to.size());
-    append_threads(to, cloth, s, t.bodies[static_cast<size_t>(k)]);
+    append_threads(to, cloth, s, t.bodies[static_cast<size_t>(k)], dyes);
     head.bins[k] = static_cast<int>(to.size());
     append_bins(to, t.first[static_cast<size_t>(k)]);
   }
@@ -86,18 +102,25 @@ std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
 
 namespace {
 
-/// Whether no thread is uneven. Records lie between the offsets of the threads and of the bins.
-bool all_even(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head) {
+/// Whether that holds for each thread: holds(its record). Records lie between the offsets of the threads and of the
+/// bins.
+template <class Holds>
+bool all_threads(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head, Holds holds) {
   for (int system = 0; system < 2; ++system) {
     for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
-      const size_t body = static_cast<size_t>(at + THREAD_BODY);
-      if (body >= records.size()) return false;
-      const auto section = thread_formulas::record_body(records[body]);
-      if (is_uneven(section) || section.aside != glm::vec2(0)) return false;
+      if (static_cast<size_t>(at + THREAD_TEXELS) > records.size()) return false;
+      if (!holds(records.data() + at)) return false;
     }
   }
   return true;
 }
+
+bool is_even(const glm::uvec4* record) {
+  const auto section = thread_formulas::record_body(record[THREAD_BODY]);
+  return !is_uneven(section) && section.aside == glm::vec2(0);
+}
+
+bool has_one_color(const glm::uvec4* record) { return record[THREAD_DYE].y == 0; }
 
 }  // namespace
 
@@ -111,7 +134,9 @@ ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
     layers = static_cast<size_t>(std::max(head.layers, 1));
     kind.one_layer = layers == 1;
     kind.even = (i == 0 || kind.even) && head.even.x > 0 && head.even.y > 0;
-    if (i == 0) kind.smooth = all_even(records, head);
+    if (i > 0) continue;
+    kind.smooth = all_threads(records, head, is_even);
+    kind.dyed = !all_threads(records, head, has_one_color);
   }
   return kind;
 }

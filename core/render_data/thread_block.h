@@ -28,6 +28,7 @@ struct ThreadKind {
   bool even = false;  // all threads of a system have the same spacing
   bool one_layer = false;
   bool smooth = false;    // no thread is uneven along its length
+  bool dyed = false;      // the colour of some thread changes along it
   bool computed = false;  // its crossings are computed from the drawdown
   auto operator<=>(const ThreadKind&) const = default;
 };

@@ -13,7 +13,8 @@
 namespace weftlight::texture_set {
 
 using base::arg, base::core_count, base::fill, base::for_each_job, base::tr;
-using cloth::MapsSize, cloth::SrgbTable, cloth::ThreadBody, cloth::bake, cloth::linear_from_srgb;
+using cloth::MapsSize, cloth::SrgbTable, cloth::ThreadBody, cloth::bake, cloth::linear_from_srgb,
+    cloth::srgb_from_linear;
 using design::Lobes;
 using files::ImageRows, files::PixelType;
 
@@ -90,7 +91,11 @@ std::vector<ClothColor> colors_of(const Design& design, const Cloth& cloth) {
   count(cloth.picks, &ClothColor::picks);
   for (ClothColor& c : out) {
     c.palette = palette_entry(design, c.linear);
-    if (!design.draft.palette.empty()) c.color = design.draft.palette[static_cast<size_t>(c.palette)];
+    // The mean colour of a dyed thread is in no palette.
+    c.color = srgb_from_linear(c.linear);
+    if (!design.draft.palette.empty() &&
+        equal(linear_from_srgb(design.draft.palette[static_cast<size_t>(c.palette)]), c.linear))
+      c.color = design.draft.palette[static_cast<size_t>(c.palette)];
   }
   std::ranges::stable_sort(out, {}, &ClothColor::palette);
   return out;
@@ -115,7 +120,7 @@ RecolourSource::RecolourSource(const FaceSource& source, const std::vector<Cloth
   const auto take = [&](std::vector<ThreadBody>& threads, std::vector<int>& indices) {
     for (ThreadBody& t : threads) {
       indices.push_back(index_of(colors, t.colour));
-      t.colour = {kGrey, kGrey, kGrey};
+      t.colour = {kGrey, kGrey, kGrey}, t.dye = -1;
     }
   };
   take(grey_.ends, color_[0]);

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "base/text.h"
+#include "design/dye.h"
 #include "design/lights.h"
 #include "wif/private.h"
 #include "wif/section_rows.h"
@@ -13,11 +14,11 @@
 namespace weftlight::wif {
 
 using base::tr;
-using design::Assembly, design::ClothPlan, design::Design, design::Finish, design::Leading, design::Loom,
+using design::Assembly, design::ClothPlan, design::Design, design::Dye, design::Finish, design::Leading, design::Loom,
     design::Method, design::MethodFacts, design::NamedView, design::Scene, design::ThreadSection, design::Twist,
-    design::WeaveUse, design::Yarn, design::YarnField, design::YarnPurchase, design::clamped, design::is_environment,
-    design::kFinishFields, design::kLobeFields, design::kMethods, design::kPliesFacts, design::kTwistNames,
-    design::kYarnFields, design::lighting_preset, design::sleying_from_text;
+    design::WeaveUse, design::Yarn, design::YarnField, design::YarnPurchase, design::clamped, design::dye_from_text,
+    design::is_environment, design::kFinishFields, design::kLobeFields, design::kMethods, design::kPliesFacts,
+    design::kTwistNames, design::kYarnFields, design::lighting_preset, design::sleying_from_text;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn,
     draft::kMaxColors, draft::kMaxShafts, draft::kMaxThreads;
 
@@ -101,6 +102,15 @@ Method as_method(std::string_view value) {
 
 std::string text_of(const Source& s, const WifKey& key) { return unescaped(to_utf8(key.value, s.text.encoding)); }
 
+void read_dye(const Source& s, const WifSection& section, const std::string& prefix, Dye& dye) {
+  if (const WifKey* key = section.find(prefix + "Dye")) {
+    if (auto stretches = dye_from_text(key->value)) dye.stretches = std::move(*stretches);
+    else s.unusable(*key);
+  }
+  if (const WifKey* key = section.find(prefix + "Dye Shift")) dye.shift = leading_int(key->value).value_or(0);
+  if (const WifKey* key = section.find(prefix + "Dye Scatter")) dye.scatter = leading_int(key->value).value_or(0);
+}
+
 Yarn read_yarn(const Source& s, const WifSection& section, const std::string& prefix) {
   Yarn yarn;
   if (const WifKey* key = section.find(prefix + "Name")) yarn.name = text_of(s, *key);
@@ -116,6 +126,7 @@ Yarn read_yarn(const Source& s, const WifSection& section, const std::string& pr
   read_fields(s, section, prefix, kYarnFields, yarn);
   read_fields(s, section, prefix, kLobeFields, yarn.lobes);
   read_color(s, section, prefix + "Tint", yarn.lobes.specular_tint);
+  read_dye(s, section, prefix, yarn.dye);
   return clamped(std::move(yarn));
 }
 

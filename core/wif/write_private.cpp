@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "design/dye.h"
 #include "wif/design_sections.h"
 #include "wif/encoding.h"
 #include "wif/numbers.h"
@@ -9,10 +10,10 @@
 
 namespace weftlight::wif {
 
-using design::Assembly, design::ClothPlan, design::Design, design::Finish, design::Look, design::Loom,
+using design::Assembly, design::ClothPlan, design::Design, design::Dye, design::Finish, design::Look, design::Loom,
     design::NamedView, design::Scene, design::ThreadSection, design::WeaveUse, design::Yarn, design::YarnField,
-    design::YarnPurchase, design::kFinishFields, design::kLobeFields, design::kPliesFacts, design::kTwistNames,
-    design::kYarnFields, design::method_name, design::sleying_text;
+    design::YarnPurchase, design::dye_text, design::kFinishFields, design::kLobeFields, design::kPliesFacts,
+    design::kTwistNames, design::kYarnFields, design::method_name, design::sleying_text;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn;
 
 namespace {
@@ -53,6 +54,13 @@ WifEntries without_defaults(WifEntries section, const WifEntries& defaults) {
   return section;
 }
 
+/// As a text: its first number alone is not the value.
+void add_dye(WifEntries& out, const std::string& prefix, const Dye& dye) {
+  if (!dye.stretches.empty()) add(out, prefix + "Dye", dye_text(dye.stretches), true);
+  if (dye.shift != 0) add(out, prefix + "Dye Shift", std::to_string(dye.shift));
+  if (dye.scatter != 0) add(out, prefix + "Dye Scatter", std::to_string(dye.scatter));
+}
+
 WifEntries yarn_entries(const Yarn& yarn, const std::string& prefix) {
   WifEntries out;
   if (!yarn.name.empty()) add(out, prefix + "Name", escaped(yarn.name), true);
@@ -62,6 +70,7 @@ WifEntries yarn_entries(const Yarn& yarn, const std::string& prefix) {
   add_fields(out, prefix, kLobeFields, yarn.lobes);
   add(out, prefix + "Tint", color_text(yarn.lobes.specular_tint));
   add(out, prefix + "Metallic", yarn.lobes.metallic ? "true" : "false");
+  add_dye(out, prefix, yarn.dye);
   return out;
 }
 

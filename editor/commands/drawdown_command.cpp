@@ -14,7 +14,7 @@
 namespace weftlight::commands {
 
 using base::arg, base::fill, base::tr, base::write_file_atomically;
-using draft::BitMatrix, draft::Draft, draft::Face, draft::complement, draft::drawdown;
+using draft::BitMatrix, draft::Face, draft::complement, draft::drawdown;
 
 namespace {
 
@@ -59,12 +59,12 @@ int drawdown_command(const DrawdownOptions& options) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return kDone;  // the caller flushes the stream and reports a full device
   }
-  const Draft& draft = opened.design.draft;
+  const ColoredCells colors(cells, opened.design, options.origin);
   const std::string& out = options.out;
   return finish(form == Form::kText    ? write_file_atomically(out, as_text(cells))
                 : options.points       ? write_drawdown_points(out, cells)
-                : form == Form::kImage ? write_drawdown_image(out, cells, draft, options.origin)
-                                       : write_drawdown_drawing(out, cells, draft, options.origin));
+                : form == Form::kImage ? write_drawdown_image(out, colors)
+                                       : write_drawdown_drawing(out, colors));
 }
 
 }  // namespace weftlight::commands

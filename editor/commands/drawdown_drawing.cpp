@@ -27,13 +27,14 @@ base::Failure too_many_for_drawing(const std::string& path, const BitMatrix& cel
 }
 
 /// Neighbours of the same colour in a row become one rectangle.
-void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, double cell) {
+void draw(cairo_t* pen, const ColoredCells& colors, double cell) {
+  const BitMatrix& cells = colors.cells();
   cairo_set_antialias(pen, CAIRO_ANTIALIAS_NONE);  // no gaps between neighbours
   for (int y = 0; y < cells.rows(); ++y) {
     for (int x = 0; x < cells.cols();) {
-      const Rgb& color = color_on_top(cells, draft, origin, x, y);
+      const Rgb& color = colors.at(x, y);
       int end = x + 1;
-      while (end < cells.cols() && color_on_top(cells, draft, origin, end, y) == color) ++end;
+      while (end < cells.cols() && colors.at(end, y) == color) ++end;
       cairo_set_source_rgb(pen, static_cast<double>(color.r), static_cast<double>(color.g),
                            static_cast<double>(color.b));
       cairo_rectangle(pen, x * cell, y * cell, (end - x) * cell, cell);
@@ -45,8 +46,8 @@ void draw(cairo_t* pen, const BitMatrix& cells, const Draft& draft, DrawdownOrig
 
 }  // namespace
 
-base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatrix& cells, const Draft& draft,
-                                          DrawdownOrigin origin) {
+base::Result<void> write_drawdown_drawing(const std::string& path, const ColoredCells& colors) {
+  const BitMatrix& cells = colors.cells();
   if (int64_t{cells.rows()} * cells.cols() > kMaxDrawn) return too_many_for_drawing(path, cells);
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
@@ -56,7 +57,7 @@ base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatr
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> sheet(
         create(beside.c_str(), cells.cols() * cell, cells.rows() * cell), cairo_surface_destroy);
     const std::unique_ptr<cairo_t, void (*)(cairo_t*)> pen(cairo_create(sheet.get()), cairo_destroy);
-    draw(pen.get(), cells, draft, origin, cell);
+    draw(pen.get(), colors, cell);
     cairo_surface_finish(sheet.get());
     const cairo_status_t drawn = cairo_status(pen.get()), whole = cairo_surface_status(sheet.get());
     const cairo_status_t status = drawn != CAIRO_STATUS_SUCCESS ? drawn : whole;

@@ -8,7 +8,7 @@
 namespace weftlight::commands {
 
 using base::arg, base::fill, base::tr;
-using draft::Rgb;
+using draft::Rgb, draft::System;
 using files::Image, files::PixelType, files::write_image;
 
 namespace {
@@ -30,22 +30,25 @@ base::Failure too_many_for_image(const std::string& path, const BitMatrix& cells
 
 }  // namespace
 
-const draft::Rgb& color_on_top(const BitMatrix& cells, const Draft& draft, DrawdownOrigin origin, int x, int y) {
-  const int end = origin.end1_left ? x : cells.cols() - 1 - x, pick = origin.pick1_bottom ? cells.rows() - 1 - y : y;
-  const int color =
-      cells.get(pick, end) ? draft.warp.color[static_cast<size_t>(end)] : draft.weft.color[static_cast<size_t>(pick)];
-  return draft.palette[static_cast<size_t>(color)];
+const Rgb& ColoredCells::at(int x, int y) const {
+  const int end = origin_.end1_left ? x : cells_.cols() - 1 - x,
+            pick = origin_.pick1_bottom ? cells_.rows() - 1 - y : y;
+  const bool up = cells_.get(pick, end);
+  const Rgb* const dye = up ? dyed_.color(System::kWarp, end, pick) : dyed_.color(System::kWeft, pick, end);
+  if (dye != nullptr) return *dye;
+  const int color = up ? draft_.warp.color[static_cast<size_t>(end)] : draft_.weft.color[static_cast<size_t>(pick)];
+  return draft_.palette[static_cast<size_t>(color)];
 }
 
-base::Result<void> write_drawdown_image(const std::string& path, const BitMatrix& cells, const Draft& draft,
-                                        DrawdownOrigin origin) {
+base::Result<void> write_drawdown_image(const std::string& path, const ColoredCells& colors) {
+  const BitMatrix& cells = colors.cells();
   if (int64_t{cells.rows()} * cells.cols() > kMaxPixels) return too_many_for_image(path, cells);
   const int size = cell_size(cells);
   Image image{cells.cols() * size, cells.rows() * size, 3, {}};
   image.texels.reserve(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const Rgb& c = color_on_top(cells, draft, origin, x / size, y / size);
+      const Rgb& c = colors.at(x / size, y / size);
       image.texels.insert(image.texels.end(), {c.r, c.g, c.b});
     }
   }

@@ -43,6 +43,7 @@ constexpr Golden kGoldens[] = {
     {"denim_cloth", "denim", "--method cloth --view 0,25"},
     {"satin_engine", "satin_8", "--method engine --yarns-per-pixel 0.3"},
     {"twill_irawan", "twill_2_2", "--method irawan --yarns-per-pixel 0.1", "plane", 0.07},
+    {"ikat_threads", "ikat", "--method yarn --yarns-per-pixel 0.15 --view 0,60", "plane", 0.05},
     {"starter_draped", "starter", "--method auto", "tablecloth", 0.05},
 };
 

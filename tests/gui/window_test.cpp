@@ -244,6 +244,39 @@ TEST_F(WindowTest, ACrossSectionIsChosenByItsName) {
   quit(w);
 }
 
+TEST_F(WindowTest, AYarnIsDyedAlongItsLength) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  display_.click(w.middle_of("inspector:Yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.has("section.dye"); }));
+  const double high = w.place_of("section.dye").first.y;
+  display_.click(w.middle_of("section.yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.place_of("section.dye").first.y < high; }));
+  display_.click(w.middle_of("section.dye"));
+  ASSERT_TRUE(comes_true([&] { return w.has("dye.add"); }));
+  const Point corner = w.cell("drawdown", 40, 4), opposite = w.cell("drawdown", 4, 40);
+  const auto drawdown = [&] {
+    return display_.picture({std::min(corner.x, opposite.x), std::min(corner.y, opposite.y)},
+                            {std::abs(corner.x - opposite.x), std::abs(corner.y - opposite.y)});
+  };
+  const auto before = drawdown();
+  display_.click(w.middle_of("dye.add"));
+  ASSERT_TRUE(comes_true([&] { return w.live() != original; }));
+  const auto stretches = [&] { return design_of(w.live()).yarns[0].dye.stretches; };
+  ASSERT_EQ(stretches().size(), 2u) << "the thread's own colour, and another";
+  EXPECT_FALSE(stretches()[0].color);
+  EXPECT_TRUE(comes_true([&] { return drawdown() != before; })) << "the drawdown has the colours";
+  ASSERT_TRUE(comes_true([&] { return w.has("dye:1.fades"); }));
+  display_.click(w.middle_of("dye:1.fades"));
+  EXPECT_TRUE(comes_true([&] { return stretches()[0].fades; }));
+  display_.click(w.middle_of("dye:2.remove"));
+  EXPECT_TRUE(comes_true([&] { return stretches().size() == 1; }));
+  for (int i = 0; i < 3; ++i) display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; }));
+  quit(w);
+}
+
 TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

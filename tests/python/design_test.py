@@ -94,6 +94,16 @@ class Replace(unittest.TestCase):
         np.testing.assert_array_equal(design.warp.thickness_mm, np.float32([0.25] * 8))
         self.assertEqual(warp.replace(yarn=0), warp)
 
+    def test_colours_along_a_thread(self):
+        dye = wl.Dye(stretches=[wl.DyedStretch(threads=12, color=(0, 0, 1), fades=True), wl.DyedStretch(threads=8)], shift=1)
+        design = twill().replace(yarns=[wl.Yarn(dye=dye)])
+        self.assertIn(b"1 Dye=12 #0000FF fades, 8 own", design.to_wif())
+        self.assertIsNone(design.yarns[0].dye.stretches[1].color)
+        for wrong in ({"scatter": -1}, {"stretches": [wl.DyedStretch(threads=0)]}, {"stretches": [wl.DyedStretch()] * 65},
+                      {"stretches": [wl.DyedStretch(color=(0.123, 0, 0))]}):
+            with self.assertRaises(ValueError, msg=wrong):
+                wl.Dye(**wrong)
+
     def test_what_does_not_fit(self):
         design = twill()
         wrong = [{"threading": np.eye(3), "tieup": np.eye(4)}, {"threading": np.zeros(4)}, {"warp": wl.Threads([9] * 8)},

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "design/cloth_plan.h"
+#include "design/dye.h"
 #include "design/fibre.h"
 #include "design/finish.h"
 #include "design/lights.h"
@@ -16,9 +17,9 @@
 
 namespace weftlight::python {
 
-using design::ClothPlan, design::Finish, design::Lobes, design::Look, design::Loom, design::Reed, design::Scene,
-    design::Yarn, design::YarnField, design::YarnPurchase, design::clamped, design::kFinishFields, design::kLobeFields,
-    design::kYarnFields;
+using design::ClothPlan, design::Dye, design::DyedStretch, design::Finish, design::Lobes, design::Look, design::Loom,
+    design::Reed, design::Scene, design::Yarn, design::YarnField, design::YarnPurchase, design::clamped,
+    design::kFinishFields, design::kLobeFields, design::kYarnFields;
 using design::kMaxLoomDents;
 using draft::Threads, draft::kFromYarn, draft::kMaxShafts, draft::kMaxThreads;
 
@@ -43,7 +44,16 @@ void check_lobes(const Lobes& lobes) {
 void check_yarn(const Yarn& yarn) {
   check_fields("Yarn", yarn, kYarnFields);
   check_lobes(yarn.lobes);
+  if (!(design::clamped(yarn.dye) == yarn.dye)) bad_value("Yarn: its dye is out of range");
   if (!(clamped(yarn) == yarn)) bad_value("Yarn: plies are 1 to 8");
+}
+
+void check_dye(const Dye& dye) {
+  if (!(design::clamped(dye) == dye))
+    bad_value(
+        fmt::format("Dye: up to {} stretches of 1 to {} threads in colours of 8 bits, shift -{} to {}, scatter 0 to {}",
+                    design::kMaxDyedStretches, design::kMaxDyedThreads, design::kMaxDyedThreads,
+                    design::kMaxDyedThreads, design::kMaxDyedThreads));
 }
 
 void check_finish(const Finish& finish) { check_fields("Finish", finish, kFinishFields); }
@@ -90,6 +100,16 @@ void bind_yarns(py::module_& module) {
       .field("transmission", &Lobes::transmission)
       .field("metallic", &Lobes::metallic)
       .finish();
+  ValueClass<DyedStretch>(module, "DyedStretch", "A stretch of a thread in one colour.")
+      .field("threads", &DyedStretch::threads)
+      .field("color", &DyedStretch::color)
+      .field("fades", &DyedStretch::fades)
+      .finish();
+  ValueClass<Dye>(module, "Dye", "Colours along a thread, which repeat (docs/yarns.md).", check_dye)
+      .field("stretches", &Dye::stretches)
+      .field("shift", &Dye::shift)
+      .field("scatter", &Dye::scatter)
+      .finish();
   ValueClass<Yarn>(module, "Yarn", "A yarn: its construction and its lobes (docs/yarns.md).", check_yarn)
       .field("name", &Yarn::name)
       .field("diameter_mm", &Yarn::diameter_mm)
@@ -105,6 +125,7 @@ void bind_yarns(py::module_& module) {
       .field("melange", &Yarn::melange)
       .field("lobes", &Yarn::lobes)
       .field("tex", &Yarn::tex)
+      .field("dye", &Yarn::dye)
       .finish();
   module.def(
       "yarn_presets",

@@ -5,8 +5,7 @@
 
 namespace weftlight::commands {
 
-base::Result<void> write_drawdown_drawing(const std::string& path, const BitMatrix& /*cells*/, const Draft& /*draft*/,
-                                          DrawdownOrigin /*origin*/) {
+base::Result<void> write_drawdown_drawing(const std::string& path, const ColoredCells& /*cells*/) {
   return base::failure(base::ErrorKind::kOutput, base::tr("this build cannot write .svg or .pdf; write a .png"), path);
 }
 

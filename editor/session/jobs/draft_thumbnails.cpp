@@ -69,7 +69,7 @@ DraftThumbnail look_of_file(const std::string& path, const std::string& cache_fo
     const base::Result<WifFile> file = read_file(path, kMaxBytes, stop).and_then([&path](const std::string& bytes) {
       return (files::is_picture(path) ? files::read_picture_draft(path) : read_draft(bytes)).file;
     });
-    if (file) look.picture = thumbnail_of(file->design.draft, kThumbnailWidth, kThumbnailHeight);
+    if (file) look.picture = thumbnail_of(file->design, kThumbnailWidth, kThumbnailHeight);
     if (!kept.empty() && !look.picture.pixels.empty()) keep_picture(cache_folder, kept, look.picture);
   }
   look.state = look.picture.pixels.empty() ? DraftThumbnail::State::kUnreadable : DraftThumbnail::State::kThere;

@@ -64,7 +64,7 @@ base::Result<PictureResult> picture_result(const Design& base, const Image& pict
   if (progress.stopped()) return base::failure(base::ErrorKind::kCancelled, tr("stopped"));
   auto design = std::make_shared<const Design>(with_draft(base, std::move(draft), choices));
   out.floats = longest_floats(drawdown(design->draft));
-  out.shown = whole_draft(design->draft, width, height);
+  out.shown = whole_draft(*design, width, height);
   out.design = std::move(design);
   return out;
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/dye.h"
 #include "draft/drawdown.h"
 
 namespace weftlight::session {
 
-using draft::BitMatrix, draft::Rgb, draft::System, draft::Threads, draft::drawdown;
+using draft::BitMatrix, draft::Draft, draft::Rgb, draft::System, draft::Threads, draft::drawdown;
 
 namespace {
 
@@ -95,14 +96,19 @@ struct Picture {
   const BitMatrix cells;
   float strength;  // of the shading: small cells are flat
   float tone;      // factor on weft colours
+  design::DyedThreads dyed;
 
   Rgb color(int x, int y) const {
     const int end = across.at[static_cast<size_t>(x)], pick = down.at[static_cast<size_t>(y)];
     const float px = across.place[static_cast<size_t>(x)], py = down.place[static_cast<size_t>(y)];
     const bool warp = cells.get(pick, end);
     const Threads& threads = draft.threads(warp ? System::kWarp : System::kWeft);
-    const int thread = warp ? across.threads[static_cast<size_t>(end)] : down.threads[static_cast<size_t>(pick)];
+    const int draft_end = across.threads[static_cast<size_t>(end)],
+              draft_pick = down.threads[static_cast<size_t>(pick)];
+    const int thread = warp ? draft_end : draft_pick;
     Rgb c = draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(thread)])];
+    if (const Rgb* const dye = dyed.color(warp ? System::kWarp : System::kWeft, thread, warp ? draft_pick : draft_end))
+      c = *dye;
     if (!warp) c = {c.r * tone, c.g * tone, c.b * tone};
     if (strength <= 0) return c;
     // Neighbours within the sampled threads: cells of several pixels have their true neighbours.
@@ -127,7 +133,8 @@ struct Picture {
 };
 
 /// From end 1 and pick 1 on, repeated where there is room. cell: pixels a thread.
-Thumbnail drawn(const Draft& draft, float cell, int width, int height) {
+Thumbnail drawn(const Design& design, float cell, int width, int height) {
+  const Draft& draft = design.draft;
   const Side across = side_of(width, cell, draft.ends()), down = side_of(height, cell, draft.picks());
   constexpr float kFlat = 2, kShaded = 6;  // pixels per cell
   const Picture picture{draft,
@@ -135,7 +142,8 @@ Thumbnail drawn(const Draft& draft, float cell, int width, int height) {
                         down,
                         crossings_of(draft, across.threads, down.threads),
                         std::clamp((cell - kFlat) / (kShaded - kFlat), 0.0f, 1.0f),
-                        weft_tone(draft)};
+                        weft_tone(draft),
+                        design::DyedThreads(design)};
   Thumbnail out{width, height, {}};
   out.pixels.reserve(static_cast<size_t>(width) * static_cast<size_t>(height));
   for (int y = 0; y < height; ++y)
@@ -148,19 +156,21 @@ float whole_pixels(float cell) { return cell >= 2 ? std::floor(cell) : cell; }
 
 }  // namespace
 
-Thumbnail thumbnail_of(const Draft& draft, int width, int height) {
+Thumbnail thumbnail_of(const Design& design, int width, int height) {
+  const Draft& draft = design.draft;
   if (draft.ends() == 0 || draft.picks() == 0 || width <= 0 || height <= 0) return {};
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   const float fits = std::min(static_cast<float>(draft.ends()), static_cast<float>(draft.picks()) * w / h);
-  return drawn(draft, whole_pixels(w / std::max(fits, static_cast<float>(kMinAcross))), width, height);
+  return drawn(design, whole_pixels(w / std::max(fits, static_cast<float>(kMinAcross))), width, height);
 }
 
-Thumbnail whole_draft(const Draft& draft, int width, int height) {
+Thumbnail whole_draft(const Design& design, int width, int height) {
+  const Draft& draft = design.draft;
   if (draft.ends() == 0 || draft.picks() == 0 || width <= 0 || height <= 0) return {};
   const auto ends = static_cast<float>(draft.ends()), picks = static_cast<float>(draft.picks());
   const float cell = whole_pixels(std::min(static_cast<float>(width) / ends, static_cast<float>(height) / picks));
   const auto side = [cell](float threads) { return std::max(static_cast<int>(threads * cell), 1); };
-  return drawn(draft, cell, side(ends), side(picks));
+  return drawn(design, cell, side(ends), side(picks));
 }
 
 }  // namespace weftlight::session

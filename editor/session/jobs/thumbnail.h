@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "draft/draft.h"
+#include "design/design.h"
 
 namespace weftlight::session {
 
-using draft::Draft;
+using design::Design;
 
 /// RGBA8, red in the lowest byte, sRGB; row 0 on top.
 struct Thumbnail {
@@ -19,8 +19,8 @@ struct Thumbnail {
 
 /// End 1 at the right, pick 1 on top. A small draft is repeated; a large one is shown as far as it fits its shorter
 /// side. Empty if the draft has no crossing.
-Thumbnail thumbnail_of(const Draft& draft, int width, int height);
+Thumbnail thumbnail_of(const Design& design, int width, int height);
 /// The same of all its crossings, each once, in at most this size.
-Thumbnail whole_draft(const Draft& draft, int width, int height);
+Thumbnail whole_draft(const Design& design, int width, int height);
 
 }  // namespace weftlight::session

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "design/dye.h"
 #include "files/files.h"
 
 namespace weftlight::session {
 
-using draft::BitMatrix, draft::Rgb, draft::Threads;
+using draft::BitMatrix, draft::Rgb, draft::System, draft::Threads;
 using files::Image;
 
 namespace {
@@ -28,7 +29,10 @@ void draw_crossing(Image& image, int column, int row, Rgb color, bool warp_up, b
     }
 }
 
-Rgb color_of(const Design& design, const Threads& threads, int thread) {
+/// Of a thread where it crosses another one.
+Rgb color_of(const Design& design, const design::DyedThreads& dyed, System system, int thread, int crossing) {
+  if (const Rgb* const color = dyed.color(system, thread, crossing)) return *color;
+  const Threads& threads = design.draft.threads(system);
   return design.draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(thread)])];
 }
 
@@ -46,12 +50,14 @@ std::string cloth_so_far_png(const AtLoom& at, const Design& design, const BitMa
   const int woven = static_cast<int>(std::clamp<int64_t>(place.woven, place.next_pick - first, kPicks));
   Image image{ends * kPixels, (kBarePicks + std::min(woven, kPicks)) * kPixels, 3, {}};
   image.texels.resize(static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 3);
+  const design::DyedThreads dyed(design);
   for (int row = 0; row < image.height / kPixels; ++row) {
     const int back = row - kBarePicks + 1;  // picks before the next one
     const int pick = first + (((place.next_pick - first - back) % of) + of) % of;
     for (int end = 0; end < ends; ++end) {
       const bool bare = back < 1, warp_up = bare || cells.get(pick, end);
-      const Rgb color = warp_up ? color_of(design, draft.warp, end) : color_of(design, draft.weft, pick);
+      const Rgb color =
+          warp_up ? color_of(design, dyed, System::kWarp, end, pick) : color_of(design, dyed, System::kWeft, pick, end);
       draw_crossing(image, ends - 1 - end, row, color, warp_up, bare);
     }
   }

@@ -55,23 +55,15 @@ std::vector<Samples> samples_along(const Axis& axis, int pixels, bool tiled) {
 
 }  // namespace
 
-std::vector<ImU32> thread_colors(const Draft& draft, System system) {
-  std::vector<ImU32> out;
-  for (int color : draft.threads(system).color) out.push_back(to_u32(draft.palette[static_cast<size_t>(color)]));
-  return out;
-}
-
-CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle style, const Colors& colors,
-                     const Axis& ends, const Axis& picks, bool tiled) {
+CellImage cell_image(const design::Design& design, const BitMatrix& cells, Face face, DrawdownStyle style,
+                     const Colors& colors, const Axis& ends, const Axis& picks, bool tiled) {
   CellImage image{static_cast<int>(ends.length), static_cast<int>(picks.length), {}};
   image.pixels.resize(static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
-  const bool structure = style == DrawdownStyle::kStructure;
-  const auto warp = structure ? std::vector<ImU32>(static_cast<size_t>(draft.ends()), colors.ink)
-                              : thread_colors(draft, System::kWarp);
-  const auto weft = structure ? std::vector<ImU32>(static_cast<size_t>(draft.picks()), colors.paper)
-                              : thread_colors(draft, System::kWeft);
+  const CrossingColors threads =
+      style == DrawdownStyle::kStructure ? two_colors(design.draft, colors.ink, colors.paper) : crossing_colors(design);
   const auto across = samples_along(ends, image.width, tiled), down = samples_along(picks, image.height, tiled);
-  const std::vector<Lanes> warp_lanes = lanes_of(warp), weft_lanes = lanes_of(weft);
+  const std::vector<Lanes> warp_lanes = lanes_of(threads.warp), weft_lanes = lanes_of(threads.weft);
+  const bool dyed = !threads.dyed.empty();
   const uint64_t flip = face == Face::kBack ? 1 : 0;
   size_t at = 0;
   for (const Samples& rows : down)
@@ -84,7 +76,8 @@ CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, Draw
         for (const int end : columns) {
           if (end < 0) continue;
           const uint64_t up = (row[end >> 6] >> (end & 63) & 1) ^ flip;
-          sum += up ? warp_lanes[static_cast<size_t>(end)] : below;
+          if (dyed) sum += lanes_of(up ? threads.of(System::kWarp, end, pick) : threads.of(System::kWeft, pick, end));
+          else sum += up ? warp_lanes[static_cast<size_t>(end)] : below;
         }
       }
       image.pixels[at++] = mean_of(sum);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/axis.h"
+#include "views/common/crossing_colors.h"
 #include "views/common/panel.h"
 
 namespace weftlight::views {
@@ -13,9 +14,6 @@ namespace weftlight::views {
 using draft::BitMatrix, draft::Draft, draft::Face, draft::System;
 using session::DrawdownStyle;
 using ui::Axis, ui::Colors;
-
-/// Colours of the threads of a system, as ImGui packs them.
-std::vector<ImU32> thread_colors(const Draft& draft, System system);
 
 /// True where the warp is on top on the given face.
 inline bool warp_on_top(const BitMatrix& cells, Face face, int end, int pick) {
@@ -29,7 +27,7 @@ struct CellImage {
 
 /// One pixel per pixel of the panes of the two axes. kStructure: ink where the warp is on top. `tiled`: the drawdown
 /// repeats beyond its edges.
-CellImage cell_image(const Draft& draft, const BitMatrix& cells, Face face, DrawdownStyle style, const Colors& colors,
-                     const Axis& ends, const Axis& picks, bool tiled = false);
+CellImage cell_image(const design::Design& design, const BitMatrix& cells, Face face, DrawdownStyle style,
+                     const Colors& colors, const Axis& ends, const Axis& picks, bool tiled = false);
 
 }  // namespace weftlight::views

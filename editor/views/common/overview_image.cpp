@@ -71,25 +71,23 @@ std::pair<int, int> update_colors(std::vector<ImU32>& before, const std::vector<
 
 }  // namespace
 
-bool OverviewImage::update(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp,
-                           const std::vector<ImU32>& weft, int width, int height) {
+bool OverviewImage::update(const BitMatrix& cells, bool front, const CrossingColors& colors, int width, int height) {
   width = std::min(width, cells.cols());
   height = std::min(height, cells.rows());
   computed_ = 0;
   if (width <= 0 || height <= 0) return false;
   const bool rebuild = image_.width != width || image_.height != height || cells_.rows() != cells.rows() ||
-                       cells_.cols() != cells.cols() || front_ != front;
+                       cells_.cols() != cells.cols() || front_ != front || colors_.dyed != colors.dyed;
   if (rebuild) {
     image_ = {width, height, std::vector<ImU32>(static_cast<size_t>(width) * static_cast<size_t>(height))};
     cells_ = cells;
     front_ = front;
-    warp_ = warp;
-    weft_ = weft;
+    colors_ = colors;
     compute(whole());
     return true;
   }
-  const auto [end0, end1] = update_colors(warp_, warp);
-  const auto [pick0, pick1] = update_colors(weft_, weft);
+  const auto [end0, end1] = update_colors(colors_.warp, colors.warp);
+  const auto [pick0, pick1] = update_colors(colors_.weft, colors.weft);
   compute(update_cells(cells));
   if (end0 < end1)
     compute({pixel_of(end0, width, cells.cols()), pixel_of(end1 - 1, width, cells.cols()) + 1, 0, height});
@@ -128,6 +126,7 @@ void OverviewImage::compute_row(int y, int x0, int x1) {
   const int pick0 = first_of(y, image_.height, cells_.rows()), pick1 = first_of(y + 1, image_.height, cells_.rows());
   const int end0 = first_of(x0, image_.width, ends), end1 = first_of(x1, image_.width, ends);
   std::vector<Sum> sums(static_cast<size_t>(x1 - x0));
+  const int middle_pick = (pick0 + pick1 - 1) / 2;
   int x = x0;
   for (int end = end0; end < end1;) {
     // All ends within one word and one pixel.
@@ -136,14 +135,15 @@ void OverviewImage::compute_row(int y, int x0, int x1) {
     const int word = end / kWord, stop = std::min({end1, (word + 1) * kWord, first_of(x + 1, image_.width, ends)});
     const int width = stop - end;
     const uint64_t mask = (width == kWord ? ~uint64_t{0} : (uint64_t{1} << width) - 1) << (end % kWord);
+    const int middle_end = (end + stop - 1) / 2;
     Counter up;
     for (int pick = pick0; pick < pick1; ++pick) {
       const uint64_t bits = cells_.row(pick)[static_cast<size_t>(word)] & mask;
       const uint64_t visible = front_ ? bits : ~bits & mask;
       up.add(visible);
-      sum.add(weft_[static_cast<size_t>(pick)], width - std::popcount(visible));
+      sum.add(colors_.of(System::kWeft, pick, middle_end), width - std::popcount(visible));
     }
-    for (int e = end; e < stop; ++e) sum.add(warp_[static_cast<size_t>(e)], up.of(e % kWord));
+    for (int e = end; e < stop; ++e) sum.add(colors_.of(System::kWarp, e, middle_pick), up.of(e % kWord));
     end = stop;
   }
   for (int i = x0; i < x1; ++i)

@@ -13,9 +13,8 @@ using draft::BitMatrix;
 class OverviewImage {
  public:
   /// An image of width x height pixels, at most the number of ends and picks; end 1 at the left, pick 1 on top. True if
-  /// a pixel may have changed. `warp`, `weft`: thread colours.
-  bool update(const BitMatrix& cells, bool front, const std::vector<ImU32>& warp, const std::vector<ImU32>& weft,
-              int width, int height);
+  /// a pixel may have changed. A thread whose colour changes along it has one in each pixel, that at its middle.
+  bool update(const BitMatrix& cells, bool front, const CrossingColors& colors, int width, int height);
   const CellImage& image() const { return image_; }
   /// Number of pixels computed by the last update().
   int64_t computed() const { return computed_; }
@@ -35,7 +34,7 @@ class OverviewImage {
   CellImage image_;
   BitMatrix cells_;
   bool front_ = true;
-  std::vector<ImU32> warp_, weft_;
+  CrossingColors colors_;
   int64_t computed_ = 0;
 };
 

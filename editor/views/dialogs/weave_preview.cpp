@@ -22,7 +22,7 @@ constexpr int kGapsFrom = 4;       // pixels a cell from which gaps tell warp fr
 /// Of the threads on top at (x, y) of the picture, with a gap of one pixel along the upper one.
 CellImage cells_as_pixels(const Design& design, const ShownWeave& shown, int width, int height, ImU32 line) {
   const BitMatrix cells = drawdown(design.draft);
-  const auto warp = thread_colors(design.draft, System::kWarp), weft = thread_colors(design.draft, System::kWeft);
+  const CrossingColors colors = crossing_colors(design);
   const int cell = static_cast<int>(shown.cell);
   CellImage out{width, height, std::vector<ImU32>(static_cast<size_t>(width) * static_cast<size_t>(height), line)};
   for (int y = 0; y < height; ++y)
@@ -31,15 +31,14 @@ CellImage cells_as_pixels(const Design& design, const ShownWeave& shown, int wid
       const bool up = warp_on_top(cells, Face::kFront, end, pick);
       if (cell >= kGapsFrom && (up ? x : y) % cell == cell - 1) continue;
       out.pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] =
-          up ? warp[static_cast<size_t>(end)] : weft[static_cast<size_t>(pick)];
+          up ? colors.of(System::kWarp, end, pick) : colors.of(System::kWeft, pick, end);
     }
   return out;
 }
 
 CellImage reduced(const Design& design, const ShownWeave& shown, int width, int height) {
   OverviewImage overview;
-  overview.update(drawdown(design.draft), true, thread_colors(design.draft, System::kWarp),
-                  thread_colors(design.draft, System::kWeft), std::min(width, shown.ends),
+  overview.update(drawdown(design.draft), true, crossing_colors(design), std::min(width, shown.ends),
                   std::min(height, shown.picks));
   return overview.image();
 }

@@ -11,7 +11,7 @@ ImTextureID CellTexture::of(const DraftContext& c, const GridPane& p, bool tiled
                 p.y.scroll,   p.x.length,   p.y.length};
   if (texture_.empty() || !(key == key_)) {
     const CellImage image =
-        cell_image(c.design.draft, c.cells, c.view.face, c.settings.drawdown_style, c.style.color, p.x, p.y, tiled);
+        cell_image(c.design, c.cells, c.view.face, c.settings.drawdown_style, c.style.color, p.x, p.y, tiled);
     texture_.set(image.width, image.height, image.pixels);
     key_ = key;
   }

@@ -107,7 +107,7 @@ void draw_thread(ImDrawList* dl, PixelRect box, ImU32 color, bool upright) {
 bool has_label(int i, int step) { return i == 0 || ((i + 1) % step == 0 && i * 4 >= step * 3); }
 
 struct ThreadStyle {
-  std::vector<ImU32> warp, weft;
+  CrossingColors color;
   float gap;                                  // pixels between threads
   std::vector<float> warp_inset, weft_inset;  // pixels left free on each side of a thinner thread; empty: 0
   float inset(System s, int thread) const {
@@ -137,33 +137,51 @@ std::vector<float> insets(const Design& d, System system, float pitch) {
 }
 
 ThreadStyle thread_style(const DraftContext& c, const GridPane& p) {
-  const Draft& d = c.design.draft;
   if (c.settings.drawdown_style == DrawdownStyle::kStructure)
-    return {std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink),
-            std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper),
-            0,
-            {},
-            {}};
+    return {two_colors(c.design.draft, c.style.color.ink, c.style.color.paper), 0, {}, {}};
   const bool threads = c.settings.drawdown_style == DrawdownStyle::kThreads && p.x.pitch >= kGapsFrom;
-  if (!threads) return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 0, {}, {}};
-  return {thread_colors(d, System::kWarp), thread_colors(d, System::kWeft), 1,
-          insets(c.design, System::kWarp, p.x.pitch), insets(c.design, System::kWeft, p.y.pitch)};
+  if (!threads) return {crossing_colors(c.design), 0, {}, {}};
+  return {crossing_colors(c.design), 1, insets(c.design, System::kWarp, p.x.pitch),
+          insets(c.design, System::kWeft, p.y.pitch)};
 }
 
-/// The warp floats of an end, each drawn as one rectangle.
+/// The warp floats of an end, each drawn as one rectangle as far as its colour goes.
 void draw_warp_floats(ImDrawList* dl, const DraftContext& c, const GridPane& p, const ThreadStyle& style, int end) {
   const int last = p.y.end_visible();
   const float inset = style.inset(System::kWarp, end);
   for (int pick = p.y.first_visible(); pick < last;) {
-    int stop = pick;
-    while (stop < last && warp_on_top(c.cells, c.view.face, end, stop)) ++stop;
-    if (stop > pick) {
-      const PixelRect box{{p.x.low(end) + style.gap + inset, low_of(p.y, pick, stop)},
-                          {p.x.high(end) - inset, high_of(p.y, pick, stop)}};
-      const ImU32 color = style.warp[static_cast<size_t>(end)];
-      style.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
+    if (!warp_on_top(c.cells, c.view.face, end, pick)) {
+      ++pick;
+      continue;
     }
-    pick = stop + 1;
+    const ImU32 color = style.color.of(System::kWarp, end, pick);
+    int stop = pick + 1;
+    while (stop < last && warp_on_top(c.cells, c.view.face, end, stop) &&
+           style.color.of(System::kWarp, end, stop) == color)
+      ++stop;
+    const PixelRect box{{p.x.low(end) + style.gap + inset, low_of(p.y, pick, stop)},
+                        {p.x.high(end) - inset, high_of(p.y, pick, stop)}};
+    style.gap > 0 ? draw_thread(dl, box, color, true) : dl->AddRectFilled(box.min, box.max, color);
+    pick = stop;
+  }
+}
+
+/// A pick from edge to edge, one rectangle as far as its colour goes.
+void draw_pick(ImDrawList* dl, const GridPane& p, const ThreadStyle& style, int pick) {
+  const float inset = style.inset(System::kWeft, pick);
+  const auto draw = [&](float from, float to, ImU32 color) {
+    const PixelRect box{{from, p.y.low(pick) + style.gap + inset}, {to, p.y.high(pick) - inset}};
+    style.gap > 0 ? draw_thread(dl, box, color, false) : dl->AddRectFilled(box.min, box.max, color);
+  };
+  if (style.color.dyed.table(System::kWeft, pick) < 0)
+    return draw(p.min().x, p.max().x, style.color.weft[static_cast<size_t>(pick)]);
+  const int last = p.x.end_visible();
+  for (int end = p.x.first_visible(); end < last;) {
+    const ImU32 color = style.color.of(System::kWeft, pick, end);
+    int stop = end + 1;
+    while (stop < last && style.color.of(System::kWeft, pick, stop) == color) ++stop;
+    draw(low_of(p.x, end, stop), high_of(p.x, end, stop), color);
+    end = stop;
   }
 }
 
@@ -325,12 +343,7 @@ void draw_drawdown_cells(ImDrawList* dl, const DraftContext& c, const GridPane& 
   const ThreadStyle style = thread_style(c, p);
   dl->PushClipRect(a, b, true);
   dl->AddRectFilled(a, b, blend(c.style.color.ink, c.style.color.paper, c.style.dark ? 0.9f : 0.15f));
-  for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) {
-    const float inset = style.inset(System::kWeft, pick);
-    const PixelRect box{{a.x, p.y.low(pick) + style.gap + inset}, {b.x, p.y.high(pick) - inset}};
-    const ImU32 color = style.weft[static_cast<size_t>(pick)];
-    style.gap > 0 ? draw_thread(dl, box, color, false) : dl->AddRectFilled(box.min, box.max, color);
-  }
+  for (int pick = p.y.first_visible(); pick < p.y.end_visible(); ++pick) draw_pick(dl, p, style, pick);
   for (int end = p.x.first_visible(); end < p.x.end_visible(); ++end) draw_warp_floats(dl, c, p, style, end);
   dl->PopClipRect();
   if (c.settings.drawdown_style == DrawdownStyle::kStructure) draw_lines(dl, c, p);

@@ -99,12 +99,9 @@ void Minimap::update(const DraftContext& c, int width, int height) {
   const Key key{c.revision, c.view.face, structure, c.style.dark, width, height};
   if (key == key_) return;
   key_ = key;
-  const Draft& d = c.design.draft;
-  const auto warp = structure ? std::vector<ImU32>(static_cast<size_t>(d.ends()), c.style.color.ink)
-                              : thread_colors(d, System::kWarp);
-  const auto weft = structure ? std::vector<ImU32>(static_cast<size_t>(d.picks()), c.style.color.paper)
-                              : thread_colors(d, System::kWeft);
-  if (!overview_.update(c.cells, c.view.face == Face::kFront, warp, weft, width, height)) return;
+  const CrossingColors colors =
+      structure ? two_colors(c.design.draft, c.style.color.ink, c.style.color.paper) : crossing_colors(c.design);
+  if (!overview_.update(c.cells, c.view.face == Face::kFront, colors, width, height)) return;
   const CellImage& image = overview_.image();
   texture_.set(image.width, image.height, image.pixels);
 }

@@ -14,6 +14,7 @@
 #include "ui/icons.h"
 #include "ui/widgets.h"
 #include "views/inspector/count_row.h"
+#include "views/inspector/dye_rows.h"
 #include "views/inspector/lobes_plot.h"
 
 namespace weftlight::views {
@@ -265,7 +266,8 @@ MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, Yar
   Panel c{panel, drawing};
   Yarn yarn = c.design.yarns[static_cast<size_t>(c.view.yarn)];
   const auto& palette = c.design.draft.palette;
-  const Rgb colour = palette[std::min(static_cast<size_t>(std::max(c.view.color, 0)), palette.size() - 1)];
+  const size_t active = std::min(static_cast<size_t>(std::max(c.view.color, 0)), palette.size() - 1);
+  const Rgb colour = palette[active];
   const ImVec2 picture = ImGui::GetCursorPos();
   // The strip is drawn last, so that it shows the new values of the sliders.
   ImGui::Dummy({ImGui::GetContentRegionAvail().x, c.style.px(kStripHeight)});
@@ -276,6 +278,7 @@ MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, Yar
     if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, mark("Name"));
     if (const char* what = draw_properties(c, yarn)) edit = changed(c.view.yarn, yarn, what);
   }
+  if (draw_dye(c, yarn, colour, palette[(active + 1) % palette.size()])) edit = changed(c.view.yarn, yarn, mark("Dye"));
   if (MaybeEdit optics = draw_optics(c, yarn, colour)) edit = std::move(optics);
   if (MaybeEdit finish = draw_finish(c)) edit = std::move(finish);
   const ImVec2 after = ImGui::GetCursorPos();

@@ -64,7 +64,7 @@ void draw_drawdown(const PanelContext& c, int pick, PixelRect room) {
   const bool up = c.settings.pick1_bottom;
   const int pick_row = up ? rows - 1 - woven : woven;  // the row of the pick
   const int columns = std::min(d.ends(), static_cast<int>(room.width() / pitch));
-  const auto warp = thread_colors(d, System::kWarp), weft = thread_colors(d, System::kWeft);
+  const CrossingColors colors = crossing_colors(c.design);
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float width = static_cast<float>(columns) * pitch;
   for (int row = 0; row < rows; ++row) {
@@ -74,7 +74,7 @@ void draw_drawdown(const PanelContext& c, int pick, PixelRect room) {
     const float alpha = p > pick ? kPaleAhead : 1.0f;
     for (int i = 0; i < columns; ++i) {
       const int end = c.settings.end1_right ? columns - 1 - i : i;
-      const ImU32 color = c.cells.get(p, end) ? warp[static_cast<size_t>(end)] : weft[static_cast<size_t>(p)];
+      const ImU32 color = c.cells.get(p, end) ? colors.of(System::kWarp, end, p) : colors.of(System::kWeft, p, end);
       const float x = room.min.x + static_cast<float>(i) * pitch;
       dl->AddRectFilled({x, y}, {x + pitch - 1, y + pitch - 1}, with_alpha(color, alpha));
     }

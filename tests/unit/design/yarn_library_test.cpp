@@ -38,6 +38,7 @@ TEST(YarnLibrary, IsWrittenAndReadAgain) {
   library.yarns.push_back(tuna());
   library.yarns.back().yarn.tex = 0, library.yarns.back().count.clear();
   library.yarns.push_back(tuna());
+  library.yarns.back().yarn.dye = {{{12, draft::Rgb{0, 0, 1}, true}, {8, {}, false}}, -3, 2};
   const YarnLibrary again = read(yarn_library_text(library));
   EXPECT_TRUE(again.remarks.empty());
   EXPECT_EQ(again.head, library.head);

@@ -149,7 +149,7 @@ std::vector<Seen> printed_swatches(const Workplace& at, std::string&) {
 
 std::vector<Seen> thumbnails(const Workplace&, std::string&) {
   constexpr int kWidth = 480, kHeight = 300, kCell = 10;  // a cell is as wide as lets 48 stand across
-  const session::Thumbnail t = session::thumbnail_of(marked_design().draft, kWidth, kHeight);
+  const session::Thumbnail t = session::thumbnail_of(marked_design(), kWidth, kHeight);
   Seen s{"thumbnail", image_of(t.width, t.height, t.pixels)};
   s.x = kWidth - kEnds * kCell, s.width = kEnds * kCell, s.height = kPicks * kCell;
   return {s};
@@ -222,7 +222,7 @@ std::vector<Seen> window_drawdowns(const Workplace&, std::string&) {
       const std::string name =
           std::string(face == Face::kFront ? "front " : "back ") + corner.end1 + " " + corner.pick1;
       const CellImage flat =
-          cell_image(design.draft, cells, face, DrawdownStyle::kColor, light_colors(), l.drawdown.x, l.drawdown.y);
+          cell_image(design, cells, face, DrawdownStyle::kColor, light_colors(), l.drawdown.x, l.drawdown.y);
       out.push_back(Seen::whole("colours " + name, image_of(flat.width, flat.height, flat.pixels), face)
                         .from(corner.left, corner.bottom));
       for (const DrawdownStyle style : {DrawdownStyle::kThreads, DrawdownStyle::kColor}) {

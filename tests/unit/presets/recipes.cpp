@@ -212,6 +212,40 @@ Design double_weave() {
        "pocket."});
 }
 
+// The colours of each end start a thread earlier than those of the end before, or later, so that two groups of ends
+// make an arrow. Both meet at the same place of a sequence of 33 at every 33rd end.
+Design ikat() {
+  constexpr int kLength = 33, kHalf = 12, kMiddle = 17;
+  Design d =
+      with_colors(plain({2 * kLength, 2 * kLength}), palette({0x16264f, 0x1b2c58, 0xb5472f}), {{0, 1}}, {{1, 1}});
+  Yarn tied = heavy(yarn("Mercerised cotton"), 1.0f);
+  const Yarn ground = tied;
+  tied.name = "Tied and dyed";
+  const Rgb white = hex(0xece3cd), red = hex(0xb5472f);
+  tied.dye.stretches = {{11, {}, false}, {4, {}, true},     {5, white, false},
+                        {4, red, false}, {5, white, false}, {4, white, true}};
+  tied.dye.shift = 1, tied.dye.scatter = 1;
+  Yarn other_way = tied;
+  other_way.name = "Tied the other way";
+  other_way.dye.shift = -1;
+  d = with_yarns(std::move(d), ground, with_thickness(yarn("Mercerised cotton"), 0.35f));
+  d.yarns.push_back(tied), d.yarns.push_back(other_way);
+  for (int first = 0; first < 2 * kLength; first += kLength) {
+    for (int i = 0; i < kHalf; ++i) {
+      d = with_thread_yarn(std::move(d), System::kWarp, first + kMiddle - 1 - i, 2);
+      d = with_thread_yarn(std::move(d), System::kWarp, first + kMiddle + i, 3);
+    }
+    for (const int stripe : {1, 32}) d = with_thread_color(std::move(d), System::kWarp, first + stripe, 2);
+  }
+  // A rep: the warp is so close that it covers the weft.
+  d.draft.warp.spacing_mm.assign(2 * kLength, 0.85f);
+  d.draft.weft.spacing_mm.assign(2 * kLength, 1.1f);
+  d.scene = starter().scene;
+  return titled(std::move(d), "Arrow ikat",
+                {"A rep whose warp was tied and dyed before it was woven.",
+                 "Each end is dyed a pick further on than the one before, so that the colours make arrows."});
+}
+
 Design swatch(const Yarn& preset) {
   Design d = with_colors(plain({16, 16}), palette({0xd8cdbb, 0xe6ddcd}), {{0, 1}}, {{1, 1}});
   return titled(in_yarns(std::move(d), preset, preset), preset.name, {"Plain weave swatch of one yarn."});
@@ -246,6 +280,7 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/undulating_twill.wif", undulating()},
       {"drafts/summer_and_winter.wif", summer_winter()},
       {"drafts/double_weave.wif", double_weave()},
+      {"drafts/ikat.wif", ikat()},
   };
   // Even yarns in the drafts of the chart and of golden images.
   for (PresetRecipe& recipe : all)

@@ -102,7 +102,7 @@ Design plain(int ends = 2, int picks = 2) {
 }
 
 TEST(Thumbnails, ShowTheDrawdownInItsColours) {
-  const Thumbnail t = thumbnail_of(plain().draft, 384, 248);
+  const Thumbnail t = thumbnail_of(plain(), 384, 248);
   ASSERT_EQ(t.pixels.size(), 384u * 248u);
   const auto at = [&](int x, int y) { return t.pixels[static_cast<size_t>(y * 384 + x)] & 0xFFFFFF; };
   const auto red = [](uint32_t c) { return (c & 255) > 150 && (c >> 16) == 0; };
@@ -114,8 +114,20 @@ TEST(Thumbnails, ShowTheDrawdownInItsColours) {
   EXPECT_TRUE(red(at(384 - 20, 4))) << "a small draft is repeated";
 }
 
+TEST(Thumbnails, ShowTheColoursAlongAThread) {
+  Design d = plain();
+  d.yarns[0].dye.stretches = {{1, draft::Rgb{0, 1, 0}, false}, {1, {}, false}};
+  d.yarns.emplace_back();
+  d.draft.weft.yarn.assign(d.draft.weft.yarn.size(), 1);
+  const Thumbnail t = thumbnail_of(d, 384, 248);
+  const auto at = [&](int x, int y) { return t.pixels[static_cast<size_t>(y * 384 + x)] & 0xFFFFFF; };
+  EXPECT_GT(at(384 - 4, 4) >> 8 & 255, 150u) << "green at pick 1";
+  EXPECT_EQ(at(384 - 4, 4) & 255, 0u);
+  EXPECT_GT(at(384 - 12, 12) & 255, 150u) << "the thread's own red at pick 2";
+}
+
 TEST(Thumbnails, ALargeDraftShowsOneCrossingPerPixel) {
-  const Thumbnail t = thumbnail_of(plain(9000, 7000).draft, 384, 248);
+  const Thumbnail t = thumbnail_of(plain(9000, 7000), 384, 248);
   ASSERT_EQ(t.pixels.size(), 384u * 248u);
   int reds = 0, blues = 0;
   for (const uint32_t c : t.pixels) reds += static_cast<int>(c & 255), blues += static_cast<int>((c >> 16) & 255);
@@ -125,13 +137,13 @@ TEST(Thumbnails, ALargeDraftShowsOneCrossingPerPixel) {
 TEST(Thumbnails, WhiteDamaskShowsItsPattern) {
   Design d = plain();
   d.draft.palette = {{0.95f, 0.94f, 0.92f}, {0.96f, 0.95f, 0.93f}};
-  const Thumbnail t = thumbnail_of(d.draft, 384, 248);
+  const Thumbnail t = thumbnail_of(d, 384, 248);
   EXPECT_GT((t.pixels[384 - 4] & 255), (t.pixels[384 - 12] & 255) + 20);
 }
 
 TEST(Thumbnails, AnEmptyDraftHasNone) {
-  EXPECT_TRUE(thumbnail_of(Draft{}, 10, 10).pixels.empty());
-  EXPECT_TRUE(thumbnail_of(plain().draft, 0, 10).pixels.empty());
+  EXPECT_TRUE(thumbnail_of(Design{}, 10, 10).pixels.empty());
+  EXPECT_TRUE(thumbnail_of(plain(), 0, 10).pixels.empty());
 }
 
 class DraftThumbnailsTest : public ScratchTest {

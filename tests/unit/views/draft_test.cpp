@@ -23,11 +23,11 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
   BitMatrix cells(5, 6);
   cells.set(0, 0, true);
   const Axis ends{0, 12, 2, 0, 6, false}, picks{0, 10, 2, 0, 5, false};
-  const CellImage image = cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
+  const CellImage image = cell_image(d, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
   ASSERT_EQ(image.pixels.size(), 120u);
   EXPECT_EQ(image.pixels[0], IM_COL32(0, 0, 0, 255)) << "the warp is black and on top at end 1, pick 1";
   EXPECT_EQ(image.pixels[2], IM_COL32(255, 255, 255, 255));
-  const CellImage back = cell_image(d.draft, cells, Face::kBack, DrawdownStyle::kColor, light_colors(), ends, picks);
+  const CellImage back = cell_image(d, cells, Face::kBack, DrawdownStyle::kColor, light_colors(), ends, picks);
   EXPECT_EQ(back.pixels[0], IM_COL32(255, 255, 255, 255));
 
   d.draft = blank_draft(400, 400, 2, 2);
@@ -36,9 +36,34 @@ TEST(CellImage, ShowsTheThreadOnTopAndTheMeanWhenCellsAreSmall) {
   for (int pick = 0; pick < 400; ++pick)
     for (int end = pick % 2; end < 400; end += 2) plain.set(pick, end, true);
   const Axis small{0, 100, 0.25f, 0, 400, true};
-  const CellImage mean = cell_image(d.draft, plain, Face::kFront, DrawdownStyle::kColor, light_colors(), small, small);
+  const CellImage mean = cell_image(d, plain, Face::kFront, DrawdownStyle::kColor, light_colors(), small, small);
   for (ImU32 pixel : mean.pixels)
     EXPECT_NEAR(static_cast<double>(pixel & 255), 127, 1) << "plain weave is grey when small";
+}
+
+TEST(CellImage, ShowsTheColoursAlongAThread) {
+  Design d = straight_twill(6, 6);
+  d.yarns[0].dye.stretches = {{1, draft::Rgb{1, 0, 0}, false}, {2, draft::Rgb{0, 0, 1}, false}};
+  const Axis side{0, 12, 2, 0, 6, false};
+  for (const bool warp : {true, false}) {
+    BitMatrix cells(6, 6);
+    for (int p = 0; p < 6 && warp; ++p)
+      for (int e = 0; e < 6; ++e) cells.set(p, e, true);
+    const CellImage image = cell_image(d, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), side, side);
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 12; ++x)
+        EXPECT_EQ(image.pixels[static_cast<size_t>(y * 12 + x)],
+                  (warp ? y : x) / 2 % 3 == 0 ? IM_COL32(255, 0, 0, 255) : IM_COL32(0, 0, 255, 255));
+  }
+}
+
+TEST(Layout, AFingerHitsTheColourBars) {
+  const Design d = straight_twill(6, 5);
+  Style style;
+  style.finger = 44;
+  const DraftLayout l = lay_out_draft(d.draft, {}, {}, style, {0, 0}, {800, 600});
+  EXPECT_GE(l.warp_bar.y.high(0) - l.warp_bar.y.low(0), 43);
+  EXPECT_GE(l.weft_bar.x.high(0) - l.weft_bar.x.low(0), 43);
 }
 
 TEST(Layout, GridsAreWhereTheMapSaysAndAlignWithTheTieUp) {
@@ -105,8 +130,7 @@ TEST(CellImage, RepeatsBeyondTheEdgesIfTiled) {
   BitMatrix cells(3, 4);
   cells.set(0, 0, true);
   const Axis ends{0, 24, 2, -4, 4, true}, picks{0, 18, 2, -1, 3, false};
-  const CellImage image =
-      cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks, true);
+  const CellImage image = cell_image(d, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks, true);
   int black = 0;
   for (int y = 0; y < 18; ++y)
     for (int x = 0; x < 24; ++x) {
@@ -124,9 +148,9 @@ TEST(CellImage, Pick1AtTheBottomFlipsTheImage) {
   BitMatrix cells(6, 4);
   cells.set(0, 1, true), cells.set(4, 3, true);
   Axis ends{0, 8, 2, 0, 4, true}, picks{0, 12, 2, 0, 6, false};
-  const CellImage down = cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
+  const CellImage down = cell_image(d, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
   picks.reversed = true;
-  const CellImage up = cell_image(d.draft, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
+  const CellImage up = cell_image(d, cells, Face::kFront, DrawdownStyle::kColor, light_colors(), ends, picks);
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < 8; ++x)
       EXPECT_EQ(up.pixels[static_cast<size_t>(8 * y + x)], down.pixels[static_cast<size_t>(8 * (11 - y) + x)]);

@@ -45,7 +45,7 @@ TEST(Overview, EveryPixelIsTheMeanOfAllItsCrossings) {
   const Cloth c = random_cloth(333, 275);
   for (const bool front : {true, false}) {
     OverviewImage overview;
-    EXPECT_TRUE(overview.update(c.cells, front, c.warp, c.weft, 50, 41));
+    EXPECT_TRUE(overview.update(c.cells, front, {c.warp, c.weft, {}}, 50, 41));
     for (int y = 0; y < 41; ++y)
       for (int x = 0; x < 50; ++x)
         ASSERT_EQ(overview.image().pixels[static_cast<size_t>(50 * y + x)], mean_of(c, front, 50, 41, x, y))
@@ -53,34 +53,55 @@ TEST(Overview, EveryPixelIsTheMeanOfAllItsCrossings) {
   }
 }
 
+TEST(Overview, AThreadHasItsColourAtTheMiddleOfEachPixel) {
+  constexpr int kEnds = 8, kPicks = 12;
+  design::Design d;
+  d.draft = draft::blank_draft(kEnds, kPicks, 1, 1);
+  d.yarns[0].dye.stretches = {{3, draft::Rgb{1, 0, 0}, false}, {3, draft::Rgb{0, 0, 1}, false}};
+  d.draft.weft.yarn.assign(kPicks, 1);
+  d.yarns.emplace_back();
+  BitMatrix cells(kPicks, kEnds);
+  for (int p = 0; p < kPicks; ++p)
+    for (int e = 0; e < kEnds; ++e) cells.set(p, e, true);
+  OverviewImage overview;
+  EXPECT_TRUE(overview.update(cells, true, crossing_colors(d), kEnds, kPicks / 3));
+  for (int y = 0; y < kPicks / 3; ++y)
+    for (int x = 0; x < kEnds; ++x)
+      EXPECT_EQ(overview.image().pixels[static_cast<size_t>(y * kEnds + x)],
+                y % 2 == 0 ? IM_COL32(255, 0, 0, 255) : IM_COL32(0, 0, 255, 255));
+  d.yarns[0].dye.shift = 3;
+  EXPECT_TRUE(overview.update(cells, true, crossing_colors(d), kEnds, kPicks / 3)) << "the colours changed";
+  EXPECT_EQ(overview.image().pixels[1], IM_COL32(0, 0, 255, 255));
+}
+
 TEST(Overview, AnEditComputesOnlyThePixelsThatItChanges) {
   Cloth c = random_cloth(2000, 1500);
   OverviewImage overview;
-  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112);
   EXPECT_EQ(overview.computed(), 150 * 112);
-  EXPECT_FALSE(overview.update(c.cells, true, c.warp, c.weft, 150, 112)) << "nothing changed";
+  EXPECT_FALSE(overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112)) << "nothing changed";
   c.cells.set(700, 1000, !c.cells.get(700, 1000));
-  EXPECT_TRUE(overview.update(c.cells, true, c.warp, c.weft, 150, 112));
+  EXPECT_TRUE(overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112));
   EXPECT_LE(overview.computed(), 8) << "one word of ends";
   for (int p = 0; p < 1500; ++p) c.cells.set(p, 1999, true);
-  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112);
   EXPECT_LE(overview.computed(), 8 * 112);
   c.warp[600] = IM_COL32(1, 2, 3, 255);
-  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112);
   EXPECT_EQ(overview.computed(), 112) << "one end's column";
   c.weft[900] = IM_COL32(1, 2, 3, 255);
   c.cells.set(3, 3, !c.cells.get(3, 3));
-  overview.update(c.cells, true, c.warp, c.weft, 150, 112);
+  overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112);
   EXPECT_LE(overview.computed(), 150 + 8) << "one pick's row, and a crossing";
   OverviewImage anew;
-  anew.update(c.cells, true, c.warp, c.weft, 150, 112);
+  anew.update(c.cells, true, {c.warp, c.weft, {}}, 150, 112);
   EXPECT_EQ(overview.image().pixels, anew.image().pixels);
 }
 
 TEST(Overview, SmallDraftsHaveAtMostOnePixelPerCrossing) {
   const Cloth c = random_cloth(20, 3);
   OverviewImage overview;
-  overview.update(c.cells, true, c.warp, c.weft, 150, 30);
+  overview.update(c.cells, true, {c.warp, c.weft, {}}, 150, 30);
   EXPECT_EQ(overview.image().width, 20);
   EXPECT_EQ(overview.image().height, 3);
 }

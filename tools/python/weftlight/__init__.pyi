@@ -89,6 +89,38 @@ class Lobes:
     @property
     def metallic(self) -> bool: ...
 
+class DyedStretch:
+    """A stretch of a thread in one colour. Edges are sharp, or it fades evenly into the next stretch."""
+
+    def __init__(self, **fields: object) -> None: ...
+    def replace(self, **fields: object) -> DyedStretch: ...
+    def __eq__(self, other: object) -> bool: ...
+    @property
+    def threads(self) -> int:
+        """Threads that it crosses, 1 to 10,000."""
+    @property
+    def color(self) -> tuple[float, float, float] | None:
+        """None: the thread's own."""
+    @property
+    def fades(self) -> bool: ...
+
+class Dye:
+    """Colours along a thread, from pick 1 or end 1 on: a painted warp, ikat, space-dyed yarn. They repeat."""
+
+    def __init__(self, **fields: object) -> None:
+        """ValueError: out of range, more than 64 stretches, or a colour that is not of 8 bits a channel."""
+    def replace(self, **fields: object) -> Dye: ...
+    def __eq__(self, other: object) -> bool: ...
+    @property
+    def stretches(self) -> list[DyedStretch]:
+        """Empty: the thread has one colour."""
+    @property
+    def shift(self) -> int:
+        """Threads by which each thread's sequence starts earlier than that of the thread before."""
+    @property
+    def scatter(self) -> int:
+        """Moves each thread's sequence by at most so many threads to either side, at random."""
+
 class Yarn:
     """A yarn: its construction and its lobes. Ranges and sources: docs/yarns.md."""
 
@@ -126,6 +158,9 @@ class Yarn:
     @property
     def tex(self) -> float:
         """Count, g/km; 0: not set, follows from the thickness (tex_of())."""
+    @property
+    def dye(self) -> Dye:
+        """Colours along the thread."""
 
 class Finish:
     """Degrees of finishing, each 0 to 1; they may be combined."""

@@ -36,11 +36,19 @@ cd build/check/tests/gui
 mapfile -t cases < <(./gui_test --gtest_list_tests | awk '/^[^ ]/ {suite = $1} /^  / {print suite $1}' |
   grep -E '^(WindowTest|KillTest|FilesTest|TabsTest|DeskTest|DrawingTest|ToolsTest|Ways/ClickTest|Ways/PressTest)\.' |
   grep -vE 'ComparesWithTheRayTraced|PrintsOnTheSystemsPrinter|TwoWindowsOnOneFile|CanBeReloadedOrReplaced|Kdialog|ThroughALink|AFailedSaveIs|WhileTheNameOfALoomIs|ARightClickOpens')
+try() { timeout --kill-after=10 600 ./gui_test --gtest_brief=1 --gtest_filter="$1" >window.txt 2>&1; }
 for case in "${cases[@]}"; do
   wineserver -k 2>/dev/null || true
   wineserver -w
-  timeout --kill-after=10 600 ./gui_test --gtest_brief=1 --gtest_filter="$case" >window.txt 2>&1 ||
-    { status=$?; cat window.txt; failed "$case, exit code $status"; }
+  status=0
+  try "$case" || status=$?
+  # Wine's own word: its server leaves with its last program, and one that starts just then loses it.
+  if ((status)) && grep -q '^wine client error' window.txt; then
+    echo "Wine lost its server, again: $case"
+    status=0
+    try "$case" || status=$?
+  fi
+  ((status == 0)) || { cat window.txt; failed "$case, exit code $status"; }
 done
 ((${#cases[@]} > 0)) || failed "gui_test lists no case"
 echo "${#cases[@]} cases of the window"

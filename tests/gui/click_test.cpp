@@ -64,12 +64,18 @@ class ClickTest : public OnDisplay, public testing::WithParamInterface<Way> {
     return w.cell(grid, a, b);
   }
   /// The draft after what the hand did: all of it is there once one undo has taken it back, and redo brings it whole.
+  /// Empty, and a failure, as soon as one of these does not come.
   design::Design after(const Window& w, const std::string& before, const std::string& what) const {
-    EXPECT_TRUE(comes_true([&] { return w.live() != before; })) << what << " changed nothing";
+    const auto fails = [&](bool changed, const char* how) {
+      const bool came = comes_true([&] { return (w.live() != before) == changed; });
+      EXPECT_TRUE(came) << what << how;
+      return !came;
+    };
+    if (fails(true, " changed nothing")) return {};
     display_.key("ctrl+z");
-    EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << what << " is not one step of undo";
+    if (fails(false, " is not one step of undo")) return {};
     display_.key("ctrl+shift+z");
-    EXPECT_TRUE(comes_true([&] { return w.live() != before; })) << what;
+    if (fails(true, " does not come again")) return {};
     return design_of(w.live());
   }
   void expect_click(const Window& w, const std::string& grid, int a, int b, const design::Design& wanted) const {
@@ -103,10 +109,11 @@ TEST_P(ClickTest, IsOneCrossingThoughTheLoomGrowsUnderThePointer) {
   expect_click(w, "drawdown", 3, 2, first);  // and another takes it back, with all that the first had added
   if (HasFailure()) return;
 
-  // Held still, then with a hand that trembles.
+  // Held still, then with a hand that trembles. All three stay in view, though the loom that grows takes of the
+  // drawdown's height, in a window that has the frame of Windows on the same screen, too.
   for (const std::vector<Point>& tremor :
        {std::vector<Point>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {{0, 0}, {1, 0}, {0, 0}, {0, 1}, {-1, -1}, {0, 0}}})
-    for (const auto& [end, pick] : {std::pair{20, 44}, {2, 20}, {36, 3}}) {
+    for (const auto& [end, pick] : {std::pair{20, 40}, {2, 20}, {36, 3}}) {
       const design::Design now = design_of(w.live());
       const Point at = cell(w, "drawdown", end, pick);
       std::vector<Point> along;

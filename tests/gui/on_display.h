@@ -135,14 +135,16 @@ class OnDisplay : public testing::Test {
       if (entry.path().extension() == ".journal") bytes += entry.file_size(ignored);
     return bytes;
   }
-  /// Kills the window once its unsaved work is on the disk: that is promised after half a second, of a machine that has
-  /// no other work.
-  void kill_once_kept(Window& w) const {
+  /// Until unsaved work is on the disk: that is promised after half a second, of a machine that has no other work.
+  void wait_until_kept() const {
     EXPECT_TRUE(comes_true([&] {
       const uintmax_t before = journal_bytes();
       usleep(600'000);
       return before > 0 && journal_bytes() == before;
     })) << "the work is not kept";
+  }
+  void kill_once_kept(Window& w) const {
+    wait_until_kept();
     w.process().kill_now();
     w.process().wait();
   }

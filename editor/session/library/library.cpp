@@ -29,6 +29,7 @@ namespace {
                                                      mark("Herringbone"),
                                                      mark("Houndstooth"),
                                                      mark("Huck lace"),
+                                                     mark("Ikat"),
                                                      mark("Linen"),
                                                      mark("Linen plain"),
                                                      mark("Log cabin"),

@@ -28,14 +28,15 @@ TEST(Family, WeavesOfTheTableAreKnown) {
       {"basket", {"basket"}},
       {"twill",
        {"straight", "twill", "broken_twill", "point_twill", "herringbone", "advancing_twill", "undulating_twill",
-        "network", "houndstooth", "glen_check", "sett"}},
+        "network", "houndstooth", "glen_check", "sett", "corkscrew"}},
       {"satin", {"satin"}},
       {"block", {"damask"}},
       {"lace", {"huck", "bronson", "bronson_lace", "canvas", "ms_and_os", "swivel"}},
       {"pattern", {"overshot", "summer_winter", "clipped_spots", "beiderwand"}},
       {"double", {"double", "double_blocks"}},
+      {"cells", {"waffle", "honeycomb"}},
       // Honest: nothing that the analysis describes.
-      {"other", {"waffle", "honeycomb", "corkscrew", "echo", "jin", "deflected", "stitched", "taquete", "shadow"}},
+      {"other", {"echo", "jin", "deflected", "stitched", "taquete", "shadow"}},
   };
   for (const auto& [family, weaves] : families)
     for (const char* weave : weaves) EXPECT_EQ(found(weave), family) << weave;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../centre_height.h"
+#include "design/fibre.h"
 #include "drafts.h"
 
 namespace weftlight::cloth {
@@ -84,11 +85,21 @@ TEST(LayOut, YarnsWithoutSpacingTouchWithSlightGaps) {
     }
 }
 
-TEST(LayOut, JammedThreadsAreNarrowerAndTaller) {
-  const ThreadBody free = whole(design_of(2, 2, 1.0f, 0.4f), plain(2, 2)).ends[0];
-  const ThreadBody jammed = whole(design_of(2, 2, 0.38f, 0.4f), plain(2, 2)).ends[0];
-  EXPECT_LE(jammed.width_mm, 0.38f);
-  EXPECT_GT(jammed.height_mm, free.height_mm);
+TEST(LayOut, JammedThreadsArePressedTogetherAndThenGetTaller) {
+  constexpr float kHigh = 0.3578f;  // of 0.4 mm at a roundness of 0.8
+  const auto end = [](float spacing, float fibre) {
+    Design d = design_of(2, 2, spacing, 0.4f);
+    d.yarns[0].flattening = 0.8f, d.yarns[0].diameter_mm = 0.4f;
+    d.yarns[0].tex = fibre * design::tex_of(d.yarns[0]) / static_cast<float>(design::packing_fraction(d.yarns[0]));
+    return whole(d, plain(2, 2)).ends[0];
+  };
+  const ThreadBody free = end(0.42f, 0.3f), loose = end(0.36f, 0.3f), dense = end(0.36f, 0.75f);
+  EXPECT_NEAR(free.height_mm, kHigh, 1e-3f);
+  EXPECT_FLOAT_EQ(loose.width_mm, 0.36f);
+  EXPECT_NEAR(loose.height_mm, free.height_mm, 1e-3f) << "its fibres have room";
+  EXPECT_NEAR(dense.height_mm, 0.16f / 0.36f, 1e-3f) << "its section keeps its area";
+  // Half of what it lacks: from 0.6 to 0.75.
+  EXPECT_NEAR(end(0.30f, 0.6f).height_mm, 0.8f * 0.16f / 0.30f, 1e-3f);
 }
 
 TEST(LayOut, RepeatIsTheSmallestTile) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -32,10 +33,11 @@ namespace {
 // Spacing over width where the draft gives no spacing: a balanced cloth of touching threads is a few percent open (1 -
 // 1/1.06 a system).
 constexpr float kTouching = 1.06f;
-// Where the room is narrower than a thread, its fibres are first pushed together, at the height that the thread has, up
-// to this fraction of its section; then it gets taller, up to this height over width. Fibres in a hexagon fill 0.91 of
-// it; a yarn holds 0.4 to 0.6 before it is woven (Hearle, Grosberg, Backer 1969).
+// Where the room is narrower than a thread, fibres that no twist holds are first pushed together, at the height that
+// the thread has, up to this fraction of its section; then it gets taller, up to this height over width. Fibres in a
+// hexagon fill 0.91 of it; a yarn holds 0.4 to 0.6 before it is woven (Hearle, Grosberg, Backer 1969).
 constexpr float kDensest = 0.75f;
+constexpr float kFirmTwist = 0.4f;  // tangent of the twist from which a yarn keeps its section; by eye
 const float kTallest = thread_formulas::kTallestSection;
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
@@ -51,8 +53,8 @@ T entry(const std::vector<T>& table, int i, T missing) {
 /// Negative and NaN mean "take the yarn's".
 bool is_given(float mm) { return mm >= 0.0f; }
 
-/// packing: fraction of the free thread's section that is fibre; it counts only for the height.
-ThreadBody body_of(float diameter, float spacing, const Yarn& yarn, float packing = kDensest) {
+/// least: fraction of its section to which a thread can be pressed; it counts only for the height.
+ThreadBody body_of(float diameter, float spacing, const Yarn& yarn, float least = 1) {
   ThreadBody body;
   diameter = std::clamp(diameter, 0.0f, kLargest_mm);
   const float flat = std::isnan(yarn.flattening) ? 1.0f : std::clamp(yarn.flattening, 0.3f, 1.0f);
@@ -65,7 +67,7 @@ ThreadBody body_of(float diameter, float spacing, const Yarn& yarn, float packin
   const float wanted = diameter / std::sqrt(section);
   body.width_mm = std::min(wanted, body.spacing_mm);
   if (body.width_mm <= 0.0f) return body;
-  const float left = std::max(body.width_mm / wanted, std::min(packing / kDensest, 1.0f));  // of the area
+  const float left = std::max(body.width_mm / wanted, least);
   body.height_mm = std::min(left * diameter * diameter / body.width_mm, kTallest * body.width_mm);
   return body;
 }
@@ -106,9 +108,16 @@ void press(ThreadBody& body, float flattening, float calendered) {
   if (body.width_mm > 0) body.height_mm = std::min(body.height_mm, area / body.width_mm);
 }
 
-std::vector<float> packings(const std::vector<Yarn>& yarns) {
+/// By yarn, the fraction of its section to which it can be pressed.
+std::vector<float> least_sections(const std::vector<Yarn>& yarns) {
   std::vector<float> out;
-  for (const Yarn& yarn : yarns) out.push_back(static_cast<float>(design::packing_fraction(yarn)));
+  for (const Yarn& yarn : yarns) {
+    const float tangent =
+        yarn.twist == design::Twist::kNone ? 0 : std::numbers::pi_v<float> * yarn.diameter_mm * yarn.turns_per_m / 1000;
+    const float soft = 1 - std::clamp(tangent / kFirmTwist, 0.0f, 1.0f);
+    const float packing = static_cast<float>(design::packing_fraction(yarn));
+    out.push_back(1 - soft * (1 - std::clamp(packing / kDensest, 0.0f, 1.0f)));
+  }
   return out;
 }
 
@@ -132,7 +141,7 @@ Linear mean_of(const std::vector<Linear>& colours) {
 struct Woven {
   const Design& design;
   std::vector<Yarn> finished;
-  std::vector<float> packing;  // of the yarns as spun
+  std::vector<float> least_section;  // by yarn
   design::DyedThreads dyed;
   std::vector<std::vector<Linear>> dyes;  // of `dyed`
   float unwashed;                         // 0: washed
@@ -140,7 +149,7 @@ struct Woven {
   explicit Woven(const Design& d)
       : design(d),
         finished(design::finished(d.yarns, d.finish)),
-        packing(packings(d.yarns)),
+        least_section(least_sections(d.yarns)),
         dyed(d),
         dyes(linear_dyes(dyed)),
         unwashed(1 - std::clamp(d.finish.washed, 0.0f, 1.0f)) {}
@@ -168,7 +177,7 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   const size_t index = static_cast<size_t>(&yarn - design.yarns.data());
   float even = diameter_of(design, threads, i);
   if (woven.unwashed > 0) even /= 1 + (design::bloom(yarn) - 1) * woven.unwashed;
-  ThreadBody body = body_of(even, spacing, woven.finished[index], woven.packing[index]);
+  ThreadBody body = body_of(even, spacing, woven.finished[index], woven.least_section[index]);
   const float calendered = std::min(design.finish.calendered, 1.0f);
   if (calendered > 0) press(body, woven.finished[index].flattening, calendered);
   if (design.finish.raised > 0 && body.width_mm > 0) cover_with_nap(body, std::min(design.finish.raised, 1.0f));

@@ -87,9 +87,9 @@ TEST(LayOut, YarnsWithoutSpacingTouchWithSlightGaps) {
 
 TEST(LayOut, JammedThreadsArePressedTogetherAndThenGetTaller) {
   constexpr float kHigh = 0.3578f;  // of 0.4 mm at a roundness of 0.8
-  const auto end = [](float spacing, float fibre) {
+  const auto end = [](float spacing, float fibre, float turns = 0) {
     Design d = design_of(2, 2, spacing, 0.4f);
-    d.yarns[0].flattening = 0.8f, d.yarns[0].diameter_mm = 0.4f;
+    d.yarns[0].flattening = 0.8f, d.yarns[0].diameter_mm = 0.4f, d.yarns[0].turns_per_m = turns;
     d.yarns[0].tex = fibre * design::tex_of(d.yarns[0]) / static_cast<float>(design::packing_fraction(d.yarns[0]));
     return whole(d, plain(2, 2)).ends[0];
   };
@@ -98,8 +98,8 @@ TEST(LayOut, JammedThreadsArePressedTogetherAndThenGetTaller) {
   EXPECT_FLOAT_EQ(loose.width_mm, 0.36f);
   EXPECT_NEAR(loose.height_mm, free.height_mm, 1e-3f) << "its fibres have room";
   EXPECT_NEAR(dense.height_mm, 0.16f / 0.36f, 1e-3f) << "its section keeps its area";
-  // Half of what it lacks: from 0.6 to 0.75.
-  EXPECT_NEAR(end(0.30f, 0.6f).height_mm, 0.8f * 0.16f / 0.30f, 1e-3f);
+  EXPECT_NEAR(end(0.30f, 0.6f).height_mm, 0.8f * 0.16f / 0.30f, 1e-3f) << "until three quarters of it are fibre";
+  EXPECT_NEAR(end(0.36f, 0.3f, 400).height_mm, dense.height_mm, 1e-3f) << "twist holds the fibres";
 }
 
 TEST(LayOut, RepeatIsTheSmallestTile) {

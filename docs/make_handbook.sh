@@ -89,6 +89,11 @@ if wants colours; then
   drag warp_colors 8 0 15 0
   shot colours 1180x480+0+28
 fi
+if wants dyed; then
+  open_window "$root/presets/drafts/ikat.wif" '{"toured":true}'
+  click inspector:Yarns; click yarn.list; click yarn:3; click section.yarns; click section.dye
+  away; shot dyed
+fi
 if wants weave; then
   weave straight scarf 48
   open_window "$work/scarf.wif" "$quiet"

@@ -5,16 +5,16 @@
 #include <map>
 #include <utility>
 
+#include "base/words.h"
 #include "design/oklab.h"
 #include "draft/hex_color.h"
 
 namespace weftlight::design {
 
+using base::next_word, base::same_word;
 using draft::hex_of, draft::of_8_bits, draft::rgb_from_hex;
 
 namespace {
-
-constexpr std::string_view kBlanks = " \t";
 
 Rgb mixed(Rgb from, Rgb to, float t) {
   const Oklab a = oklab_of(from), b = oklab_of(to);
@@ -31,19 +31,6 @@ int scattered(System system, int thread, int most) {
   h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53u;
   h ^= h >> 33;
   return static_cast<int>(h % (2 * static_cast<uint64_t>(most) + 1)) - most;
-}
-
-/// Removes and returns the next word.
-std::string_view next_word(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  const std::string_view word = text.substr(0, std::min(text.find_first_of(kBlanks), text.size()));
-  text.remove_prefix(word.size());
-  return word;
-}
-
-bool same_word(std::string_view text, std::string_view lower_case) {
-  return std::ranges::equal(text, lower_case, {},
-                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
 }
 
 /// "12 #1F3B73 fades".

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "base/text.h"
+#include "base/words.h"
 #include "design/edits.h"
 #include "draft/hex_color.h"
 
 namespace weftlight::design {
 
+using base::next_word;
 using draft::Threads, draft::hex_of, draft::kFromYarn, draft::kMaxThreads, draft::packed_rgb, draft::rgb_from_hex;
 
 namespace {
@@ -22,15 +24,6 @@ template <class Use>
 void each_thread(const Threads& t, std::span<const int> threads, Use use) {
   for (const int thread : threads)
     if (thread >= 0 && thread < t.size()) use(static_cast<size_t>(thread));
-}
-
-/// Removes and returns the next word of the text; empty at its end.
-std::string_view next_word(std::string_view& text) {
-  const size_t first = std::min(text.find_first_not_of(kSpace), text.size());
-  text.remove_prefix(first);
-  const std::string_view word = text.substr(0, std::min(text.find_first_of(kSpace), text.size()));
-  text.remove_prefix(word.size());
-  return word;
 }
 
 std::optional<float> thickness_of(std::string_view word) {

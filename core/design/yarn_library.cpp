@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/utf8.h"
+#include "base/words.h"
 #include "design/count.h"
 #include "design/dye.h"
 #include "design/edits.h"
@@ -20,7 +21,7 @@
 
 namespace weftlight::design {
 
-using base::arg, base::cut_utf8, base::failure, base::fill, base::is_utf8, base::tr;
+using base::arg, base::cut_utf8, base::failure, base::fill, base::is_utf8, base::same_word, base::tr;
 using draft::Threads, draft::hex_of, draft::of_8_bits, draft::packed_rgb, draft::rgb_from_hex;
 
 namespace {
@@ -49,8 +50,6 @@ std::string lowered(std::string_view text) {
   std::ranges::transform(out, out.begin(), lower);
   return out;
 }
-
-bool same_word(std::string_view a, std::string_view b) { return lowered(a) == lowered(b); }
 
 /// Whether the text is a count of that weight, to within the rounding of labels.
 bool says(std::string_view count, const Yarn& yarn) {

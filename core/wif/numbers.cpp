@@ -23,14 +23,6 @@ std::string uppercase(std::string_view text) {
   return result;
 }
 
-bool same_word(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  for (size_t i = 0; i < a.size(); ++i) {
-    if (upper(a[i]) != upper(b[i])) return false;
-  }
-  return true;
-}
-
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

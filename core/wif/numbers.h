@@ -6,14 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "base/words.h"
+
 namespace weftlight::wif {
+
+using base::same_word;
 
 bool is_blank(char c);
 std::string_view trimmed(std::string_view text);
 char upper(char c);
 std::string uppercase(std::string_view text);
-/// Ignoring the case of ASCII letters.
-bool same_word(std::string_view a, std::string_view b);
 
 /// The integer at the start of a value; the rest is a comment. INT_MAX if it is larger.
 std::optional<int> leading_int(std::string_view value);

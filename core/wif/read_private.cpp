@@ -13,7 +13,7 @@
 
 namespace weftlight::wif {
 
-using base::tr;
+using base::next_word, base::tr;
 using design::Assembly, design::ClothPlan, design::Design, design::Dye, design::Finish, design::Leading, design::Loom,
     design::Method, design::MethodFacts, design::NamedView, design::Scene, design::ThreadSection, design::Twist,
     design::WeaveUse, design::Yarn, design::YarnField, design::YarnPurchase, design::clamped, design::dye_from_text,
@@ -272,15 +272,6 @@ void read_weaves(const Source& s, std::vector<WeaveUse>& weaves) {
     use.first_pick = std::max(place[2] - 1, 0), use.picks = place[3];
   }
   for (WeaveUse& use : weaves) std::ranges::sort(use.values);
-}
-
-/// Removes and returns the next word; empty at the end.
-std::string_view next_word(std::string_view& text) {
-  text = trimmed(text);
-  const size_t end = std::min(text.find(' '), text.size());
-  const std::string_view word = text.substr(0, end);
-  text.remove_prefix(end);
-  return word;
 }
 
 /// "1 2 1+3 0" as rows of bits; values beyond `columns` are ignored.

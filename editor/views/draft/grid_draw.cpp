@@ -14,7 +14,7 @@
 namespace weftlight::views {
 
 using design::Design;
-using draft::BitMatrix, draft::CellRect, draft::Draft, draft::Face, draft::Threads;
+using draft::BitMatrix, draft::CellRect, draft::Face, draft::Threads;
 using session::BarPaint, session::Cell, session::ClosestWeave, session::DrawdownStyle, session::GridId, session::Report,
     session::is_on;
 using ui::PixelRect, ui::Colors, ui::blend, ui::font_size, ui::label_step, ui::reading_color, ui::with_alpha;

@@ -12,7 +12,6 @@
 namespace weftlight::views {
 
 using base::tr;
-using draft::Draft, draft::System;
 using session::DocumentView, session::DrawdownStyle;
 using ui::PixelRect, ui::Axis, ui::Colors, ui::clamp_scroll, ui::hit_area, ui::with_alpha;
 

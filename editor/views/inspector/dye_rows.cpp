@@ -14,7 +14,7 @@ namespace weftlight::views {
 using base::arg, base::fill, base::tr;
 using design::Dye, design::DyedStretch, design::dye_colors, design::kMaxDyedStretches, design::kMaxDyedThreads,
     design::length_of;
-using draft::Draft, draft::Rgb, draft::System, draft::Threads;
+using draft::Draft, draft::Rgb, draft::Threads;
 using ui::buttons_row, ui::icon_button, ui::muted_text, ui::number_field, ui::row_label, ui::section, ui::slider,
     ui::text_button, ui::tooltip;
 

@@ -59,7 +59,7 @@ ClothPlan clamped(ClothPlan plan) {
   limit(plan.spare, 0, kMaxSpare, usual.spare);
   limit(plan.reed.dents, 0, kMaxDents, 0);
   plan.pieces = std::clamp(plan.pieces, 1, kMaxPieces);
-  if (!is_sleying(plan.sleying)) plan.sleying = usual.sleying;
+  if (!is_sleying(plan.sleying)) plan.sleying = ClothPlan().sleying;
   plan.purchases = clamped(std::move(plan.purchases));
   return plan;
 }

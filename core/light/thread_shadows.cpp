@@ -282,9 +282,7 @@ struct ThreadShadows::Around {
   glm::vec2 base{0};     // origin of its period
   std::array<std::array<Near, 2 * kMiddle + 1>, 2> threads;
 
-  const Near& near(int of, int step) const {
-    return threads[static_cast<size_t>(of)][static_cast<size_t>(kMiddle + step)];
-  }
+  const Near& near(int of, int step) const { return threads[of == 0 ? 0 : 1][static_cast<size_t>(kMiddle + step)]; }
   void fetch(ThreadScene& scene, const ThreadGrid& g, int of, int step) {
     const int n = g.count[of], at = middle[of] + step;
     const int period = at >= 0 ? at / n : -((-at + n - 1) / n), index = g.first[of] + at - period * n;

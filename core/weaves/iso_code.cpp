@@ -152,7 +152,7 @@ Code code_of(const std::vector<Column>& columns) {
   for (size_t i = 1; i < groups.size(); ++i) code.steps.push_back(rise(groups[i - 1], groups[i]));
   if (code.steps.empty() || any_zero(code.steps)) return {};
   const int step = code.steps[0], n = code.picks();
-  if (std::ranges::all_of(code.steps, [step](int s) { return s == step; })) code.steps = {step};
+  if (std::ranges::all_of(code.steps, [step](int s) { return s == step; })) code.steps.resize(1);
   const bool regular = code.steps.size() == 1, twill = regular && (step == 1 || step == n - 1);
   code.kind = satin && !twill && (!regular || std::gcd(step, n) == 1) ? kSatin : kTwill;
   return code.kind == kTwill && !regular ? Code{} : code;

@@ -64,7 +64,10 @@ if command -v man >/dev/null; then
 fi
 for verb in info render export; do grep -q "weftlight $verb" <(zcat -f "$page") || fail "$verb is not in the manual page"; done
 if command -v appstreamcli >/dev/null; then
-  appstreamcli validate --no-net "$share"/metainfo/*.xml >"$root/log" || { cat "$root/log"; fail "the AppStream data"; }
+  # AppStream 1.0 fails where there is no home page to name, which 0.16 does not know.
+  appstreamcli validate --no-net "$share"/metainfo/*.xml >"$root/log" ||
+    { grep -q '^W:.* url-homepage-missing' "$root/log" && ! grep '^[EW]:' "$root/log" | grep -v url-homepage-missing; } ||
+    { cat "$root/log"; fail "the AppStream data"; }
 fi
 # The module for Python: a package of its own, which finds the program's files.
 grep -q dist-packages <(dpkg-deb -c "$deb"; tar -tzf "$archive") && fail "the program's packages hold the Python module"

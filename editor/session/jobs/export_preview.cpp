@@ -155,7 +155,7 @@ void ExportPreviewer::ask(Face face, const TextureSetOptions& options, const Pre
         return export_preview(*design, face, small, sizes, running.stop());
       },
       [this](base::Result<ExportPreview> made) {
-        made_ = std::move(made);
+        made_.emplace(std::move(made));
         busy_ = false;
       }));
 }

@@ -20,12 +20,30 @@ result=0
 failed() { echo "FAILED: $*"; result=1; }
 ctest --test-dir build/windows --output-on-failure -j "$(nproc)" "$@" || failed "unit tests"
 
+# Wine's server leaves with its last program, and one that starts just then fails. A shell of Windows that waits holds it.
+hold_server() {
+  local pipe
+  pipe=$(mktemp -u)
+  mkfifo "$pipe"
+  exec 9<>"$pipe"
+  rm "$pipe"
+  wine cmd /c 'set /p waited=' <&9 >/dev/null 2>&1 9>&- &
+}
+end_server() {
+  wineserver -k 2>/dev/null || true
+  wineserver -w
+}
+
 program=$root/tests/windows/program.sh
+end_server
+hold_server
 tests/windows/verbs.sh "$root/build/check/weftlight" "$program" "$root/build/windows/verbs" || failed "verbs"
+end_server
 
 export WEFTLIGHT_PROGRAM=$program
 # Those without the ground, whose ambient shadow needs Embree.
-xvfb-run -a build/check/tests/golden/golden_test --gtest_brief=1 \
+xvfb-run -a bash -c "$(declare -f hold_server)"'; hold_server; exec "$@"' held \
+  build/check/tests/golden/golden_test --gtest_brief=1 \
   --gtest_filter='*twill_vrst03:*satin_threads:*gauze_gaps:*satin_engine:*twill_irawan' || failed "pictures"
 
 # Each case with a desktop of its own, which Wine keeps on the display of its first program. Left out are suites about what only
@@ -38,8 +56,7 @@ mapfile -t cases < <(./gui_test --gtest_list_tests | awk '/^[^ ]/ {suite = $1} /
   grep -vE 'ComparesWithTheRayTraced|PrintsOnTheSystemsPrinter|TwoWindowsOnOneFile|CanBeReloadedOrReplaced|Kdialog|ThroughALink|AFailedSaveIs|WhileTheNameOfALoomIs|ARightClickOpens')
 try() { timeout --kill-after=10 600 ./gui_test --gtest_brief=1 --gtest_filter="$1" >window.txt 2>&1; }
 for case in "${cases[@]}"; do
-  wineserver -k 2>/dev/null || true
-  wineserver -w
+  end_server
   status=0
   try "$case" || status=$?
   # Wine's own word: its server leaves with its last program, and one that starts just then loses it.

@@ -122,11 +122,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, v
   vec2 size = sample_size(pattern, sqrt(abs(dx.x * dy.y - dx.y * dy.x)), p.normal.z, length_mm);
   FibreDetail detail = fibre_detail(pattern, fract(p.along / length_mm), p.turn, size, length_mm);
   Texel texel = detail.texel;
-#if defined(DYED_ALONG) && !defined(ONE_LAYER)
-  vec4 dye = thread_dye(thread_layer(hit.layer, g.side), hit.system, thread, p.along);
-#else
-  vec4 dye = thread_dye(g, hit.system, thread, p.along);
-#endif
+  vec4 dye = thread_dye(hit_layer(g, hit), hit.system, thread, p.along);
   YarnLobes lobes = thread_lobes(int(dye.w), fibre_colour(texel, dye.rgb));
   float relief = fibre_relief(lobes.slope_cov.z);
   vec3 n = detail_normal(frame_at, pattern, detail, relief, length_mm, x.v);

@@ -62,6 +62,15 @@ ThreadGrid thread_grid(int face) {
   return grid_of(threads_head, face == 0 ? 1.0 : -1.0);
 }
 
+// The grid of the layer that was hit.
+ThreadGrid hit_layer(ThreadGrid g, ThreadHit hit) {
+#if defined(ONE_LAYER)
+  return g;
+#else
+  return thread_layer(hit.layer, g.side);
+#endif
+}
+
 // A thread's linear colour at a position along it in mm, and its yarn in w. DYED_ALONG is defined where the colour of some
 // thread changes along it. g: of the thread's layer.
 vec4 thread_dye(ThreadGrid g, int system, int thread, float along) {

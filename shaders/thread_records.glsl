@@ -1,8 +1,8 @@
 // The threads as texels of four integers each: layout of the records, and unpacking. GLSL 3.30 and C++20
 // (core/render_data/thread_block.h fills them from these same structs; interop.h has their sizes).
 //
-//   a head for each layer; the colours along threads, one a texel; the ends' records; the bins of the ends, four a texel; the picks' records; theirs; the
-//   yarns' lobes
+//   a head for each layer; the colours along threads, one a texel; the ends' records; the bins of the ends, four a
+//   texel; the picks' records; theirs; the yarns' lobes
 
 #include "interop.h"
 #include "thread_texture.glsl"

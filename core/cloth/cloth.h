@@ -69,10 +69,9 @@ struct Cloth {
   int first_end = 0, first_pick = 0;  // offset of a single extracted layer in the whole cloth
 };
 
-/// The colour of a thread where it crosses the one of the other system at `place` in the draft.
-inline const Linear& colour_at(const Cloth& cloth, const ThreadBody& thread, int place) {
-  if (thread.dye < 0) return thread.colour;
-  const std::vector<Linear>& dye = cloth.dyes[static_cast<size_t>(thread.dye)];
+/// Of the colours along a dyed thread, that where it crosses the thread of the other system at `place` in the draft.
+template <class Colour>
+const Colour& at_place(const std::vector<Colour>& dye, const ThreadBody& thread, int place) {
   return dye[static_cast<size_t>(place + thread.dye_phase) % dye.size()];
 }
 
@@ -82,7 +81,8 @@ const ThreadBody& crossed_at(const Cloth& cloth, System system, int thread, floa
 /// The colour of a thread of the cloth at a position along it.
 inline const Linear& colour_along(const Cloth& cloth, System system, int thread, float along_mm) {
   const ThreadBody& body = (system == System::kWarp ? cloth.ends : cloth.picks)[static_cast<size_t>(thread)];
-  return body.dye < 0 ? body.colour : colour_at(cloth, body, crossed_at(cloth, system, thread, along_mm).place);
+  if (body.dye < 0) return body.colour;
+  return at_place(cloth.dyes[static_cast<size_t>(body.dye)], body, crossed_at(cloth, system, thread, along_mm).place);
 }
 
 enum class Period { kWholeDraft, kRepeat };

@@ -34,8 +34,8 @@ namespace {
 // 1/1.06 a system).
 constexpr float kTouching = 1.06f;
 // Where the room is narrower than a thread, fibres that no twist holds are first pushed together, at the height that
-// the thread has, up to this fraction of its section; then it gets taller, up to this height over width. Fibres in a
-// hexagon fill 0.91 of it; a yarn holds 0.4 to 0.6 before it is woven (Hearle, Grosberg, Backer 1969).
+// the thread has, up to this fraction of its section; then it gets taller, up to this height over width. Round fibres,
+// packed as closely as they go, fill 0.91 of it, the yarns of presets 0.4 to 0.65 before they are woven; by eye.
 constexpr float kDensest = 0.75f;
 constexpr float kFirmTwist = 0.4f;  // tangent of the twist from which a yarn keeps its section; by eye
 const float kTallest = thread_formulas::kTallestSection;
@@ -130,11 +130,15 @@ std::vector<std::vector<Linear>> linear_dyes(const design::DyedThreads& dyed) {
   return out;
 }
 
-Linear mean_of(const std::vector<Linear>& colours) {
-  Linear sum;
-  for (const Linear& c : colours) sum.r += c.r, sum.g += c.g, sum.b += c.b;
-  const float n = static_cast<float>(colours.size());
-  return {sum.r / n, sum.g / n, sum.b / n};
+std::vector<Linear> means_of(const std::vector<std::vector<Linear>>& dyes) {
+  std::vector<Linear> out;
+  for (const std::vector<Linear>& dye : dyes) {
+    Linear sum;
+    for (const Linear& c : dye) sum.r += c.r, sum.g += c.g, sum.b += c.b;
+    const float n = static_cast<float>(dye.size());
+    out.push_back({sum.r / n, sum.g / n, sum.b / n});
+  }
+  return out;
 }
 
 /// A design and its yarns after finishing.
@@ -144,7 +148,8 @@ struct Woven {
   std::vector<float> least_section;  // by yarn
   design::DyedThreads dyed;
   std::vector<std::vector<Linear>> dyes;  // of `dyed`
-  float unwashed;                         // 0: washed
+  std::vector<Linear> dye_means;
+  float unwashed;  // 0: washed
 
   explicit Woven(const Design& d)
       : design(d),
@@ -152,6 +157,7 @@ struct Woven {
         least_section(least_sections(d.yarns)),
         dyed(d),
         dyes(linear_dyes(dyed)),
+        dye_means(means_of(dyes)),
         unwashed(1 - std::clamp(d.finish.washed, 0.0f, 1.0f)) {}
 };
 
@@ -186,7 +192,7 @@ ThreadBody thread_in_room(const Woven& woven, System system, int i, float spacin
   body.unevenness = unevenness_of(yarn, design.finish);
   body.colour = linear_from_srgb(entry(design.draft.palette, entry(threads.color, i, 0), Rgb{}));
   body.place = i, body.dye = woven.dyed.table(system, i), body.dye_phase = woven.dyed.phase(system, i);
-  if (body.dye >= 0) body.colour = mean_of(woven.dyes[static_cast<size_t>(body.dye)]);
+  if (body.dye >= 0) body.colour = woven.dye_means[static_cast<size_t>(body.dye)];
   return body;
 }
 

@@ -146,4 +146,13 @@ const Rgb* DyedThreads::color(System system, int thread, int crossing) const {
   return &colors[static_cast<size_t>(crossing + place.phase) % colors.size()];
 }
 
+const Rgb& color_at(const Draft& draft, const DyedThreads& dyed, System system, int thread, int crossing) {
+  if (const Rgb* const color = dyed.color(system, thread, crossing)) return *color;
+  return draft.palette[static_cast<size_t>(draft.threads(system).color[static_cast<size_t>(thread)])];
+}
+
+const Rgb& color_on_top(const Draft& draft, const DyedThreads& dyed, bool warp_up, int end, int pick) {
+  return warp_up ? color_at(draft, dyed, System::kWarp, end, pick) : color_at(draft, dyed, System::kWeft, pick, end);
+}
+
 }  // namespace weftlight::design

@@ -64,4 +64,9 @@ class DyedThreads {
   std::vector<std::vector<Rgb>> tables_;
 };
 
+/// The colour of a thread where it crosses another one. dyed: of that draft's design.
+const Rgb& color_at(const Draft& draft, const DyedThreads& dyed, System system, int thread, int crossing);
+/// The same of the thread on top at a crossing.
+const Rgb& color_on_top(const Draft& draft, const DyedThreads& dyed, bool warp_up, int end, int pick);
+
 }  // namespace weftlight::design

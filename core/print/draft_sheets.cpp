@@ -120,11 +120,6 @@ struct Drawing {
   double pick_y(const SheetPart& part, int pick) const {
     return picks_y() + (options.pick1_bottom ? part.pick1 - 1 - pick : pick - part.pick0) * cell();
   }
-  /// Of a thread where it crosses another one.
-  const Rgb& color_at(System system, int thread, int crossing) const {
-    const Rgb* const dye = dyed.color(system, thread, crossing);
-    return dye != nullptr ? *dye : color_of(system, thread);
-  }
   const Rgb& color_of(System system, int thread) const {
     return draft().palette[static_cast<size_t>(draft().threads(system).color[static_cast<size_t>(thread)])];
   }
@@ -172,7 +167,7 @@ void draw_sides(const Pen& pen, const Drawing& g, const SheetPart& part) {
 /// In the colours of the threads, one rectangle per run of one colour.
 void draw_drawdown(const Pen& pen, const Drawing& g, const SheetPart& part) {
   const auto color = [&](int pick, int end) -> const Rgb& {
-    return g.cells.get(pick, end) ? g.color_at(System::kWarp, end, pick) : g.color_at(System::kWeft, pick, end);
+    return color_on_top(g.draft(), g.dyed, g.cells.get(pick, end), end, pick);
   };
   for (int p = part.pick0; p < part.pick1; ++p)
     for (int e = part.end0; e < part.end1;) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -12,7 +13,8 @@
 namespace weftlight::print {
 
 using base::for_each_job;
-using cloth::Cloth, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::layer_count, cloth::srgb_from_linear;
+using cloth::Cloth, cloth::Linear, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::layer_count,
+    cloth::srgb_from_linear;
 using design::Design;
 using draft::BitMatrix, draft::Face, draft::Rgb;
 
@@ -58,6 +60,10 @@ uint32_t shaded(const Rgb& c, double off) {
 class Swatch {
  public:
   Swatch(const Cloth& cloth, const std::vector<double>& across_mm, const std::vector<double>& down_mm) : cloth_(cloth) {
+    for (const ThreadBody& t : cloth.ends) end_color_.push_back(srgb_from_linear(t.colour));
+    for (const ThreadBody& t : cloth.picks) pick_color_.push_back(srgb_from_linear(t.colour));
+    for (const std::vector<Linear>& dye : cloth.dyes)
+      std::ranges::transform(dye, std::back_inserter(dye_color_.emplace_back()), srgb_from_linear);
     for (int i = 0; i < layer_count(cloth); ++i) {
       const auto l = cloth.layers.empty() ? cloth::ClothLayer{0, cloth.up.cols(), 0, cloth.up.rows()}
                                           : cloth.layers[static_cast<size_t>(i)];
@@ -78,12 +84,12 @@ class Swatch {
       const auto level = [&](const std::vector<float>& mm) { return mm.empty() ? 0.0f : mm[crossing]; };
       const float apart = 0.25f * (cloth_.ends[e].height_mm + cloth_.picks[p].height_mm);
       const float up = cloth_.up.get(pick.thread, end.thread) ? apart : -apart;
-      const auto take = [&](const Place& at, float height, const ThreadBody& thread, const ThreadBody& crossed) {
-        if (std::abs(at.off) > 1 || height <= highest) return;
-        highest = height, color = shaded(srgb_from_linear(colour_at(cloth_, thread, crossed.place)), at.off);
+      const auto take = [&](const Place& at, float height, const Rgb& c) {
+        if (std::abs(at.off) <= 1 && height > highest) highest = height, color = shaded(c, at.off);
       };
-      take(end, level(cloth_.warp_level_mm) + up, cloth_.ends[e], cloth_.picks[p]);
-      take(pick, level(cloth_.weft_level_mm) - up, cloth_.picks[p], cloth_.ends[e]);
+      const ThreadBody &warp = cloth_.ends[e], &weft = cloth_.picks[p];
+      take(end, level(cloth_.warp_level_mm) + up, color_at(warp, end_color_[e], weft.place));
+      take(pick, level(cloth_.weft_level_mm) - up, color_at(weft, pick_color_[p], warp.place));
     }
     return color;
   }
@@ -92,7 +98,14 @@ class Swatch {
   struct Places {
     std::vector<Place> across, down;
   };
+  /// own: where the thread has one colour.
+  const Rgb& color_at(const ThreadBody& thread, const Rgb& own, int place) const {
+    return thread.dye < 0 ? own : at_place(dye_color_[static_cast<size_t>(thread.dye)], thread, place);
+  }
+
   const Cloth& cloth_;
+  std::vector<Rgb> end_color_, pick_color_;
+  std::vector<std::vector<Rgb>> dye_color_;
   std::vector<Places> layers_;
 };
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/loops.h"
 #include "base/text.h"
 #include "cloth/srgb_table.h"
+#include "draft/hex_color.h"
 #include "files/image_rows.h"
 #include "texture_set/material_files.h"
 
@@ -29,33 +29,26 @@ constexpr size_t kSharesPerImage = 3;
 constexpr int kMaxPieceSide = 16384;  // of a window of the maps
 constexpr int kThumbnailSide = 256;
 
-bool equal(const Linear& a, const Linear& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
-
 /// The first entry of the palette with this colour.
 int palette_entry(const Design& design, const Linear& color) {
   const auto& palette = design.draft.palette;
-  const auto at = std::ranges::find_if(palette, [&](const Rgb& c) { return equal(linear_from_srgb(c), color); });
+  const auto at = std::ranges::find_if(palette, [&](const Rgb& c) { return linear_from_srgb(c) == color; });
   return at == palette.end() ? 0 : static_cast<int>(at - palette.begin());
 }
 
 ClothColor& color_in(std::vector<ClothColor>& colors, const Linear& linear) {
-  const auto at = std::ranges::find_if(colors, [&](const ClothColor& c) { return equal(c.linear, linear); });
+  const auto at = std::ranges::find_if(colors, [&](const ClothColor& c) { return c.linear == linear; });
   if (at != colors.end()) return *at;
   colors.push_back({linear, {}, 0, {}, 0, 0});
   return colors.back();
 }
 
 int index_of(const std::vector<ClothColor>& colors, const Linear& linear) {
-  const auto at = std::ranges::find_if(colors, [&](const ClothColor& c) { return equal(c.linear, linear); });
+  const auto at = std::ranges::find_if(colors, [&](const ClothColor& c) { return c.linear == linear; });
   return static_cast<int>(at - colors.begin());
 }
 
-std::string hex(const Rgb& c) {
-  const auto byte = [](float v) { return static_cast<int>(std::lround(255 * std::clamp(v, 0.0f, 1.0f))); };
-  char text[16];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(c.r), byte(c.g), byte(c.b));
-  return text;
-}
+std::string hex(const Rgb& c) { return fmt::format("#{:06x}", draft::packed_rgb(c)); }
 
 std::string file_of(const SetImages& set, const RecolourImage& image, Face face) {
   return set.target.images[0].prefix + set.name + face_suffix(set.target, face) + image.suffix + ".png";
@@ -91,11 +84,11 @@ std::vector<ClothColor> colors_of(const Design& design, const Cloth& cloth) {
   count(cloth.picks, &ClothColor::picks);
   for (ClothColor& c : out) {
     c.palette = palette_entry(design, c.linear);
-    // The mean colour of a dyed thread is in no palette.
     c.color = srgb_from_linear(c.linear);
-    if (!design.draft.palette.empty() &&
-        equal(linear_from_srgb(design.draft.palette[static_cast<size_t>(c.palette)]), c.linear))
-      c.color = design.draft.palette[static_cast<size_t>(c.palette)];
+    // Exactly as it was chosen; the mean colour of a dyed thread is in no palette.
+    const auto& palette = design.draft.palette;
+    if (!palette.empty() && linear_from_srgb(palette[static_cast<size_t>(c.palette)]) == c.linear)
+      c.color = palette[static_cast<size_t>(c.palette)];
   }
   std::ranges::stable_sort(out, {}, &ClothColor::palette);
   return out;

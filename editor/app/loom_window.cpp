@@ -1,12 +1,12 @@
 #include "app/loom_window.h"
 
-#include <cmath>
 #include <memory>
 
 #include "app/fixed_window.h"
 #include "app/window.h"
 #include "base/text.h"
 #include "draft/drawdown.h"
+#include "draft/hex_color.h"
 #include "loom/tabby.h"
 #include "session/loom/cloth_so_far.h"
 #include "views/loom/loom_panel.h"
@@ -19,15 +19,6 @@ using loom::PhoneShown, loom::PhoneStep;
 using session::cloth_so_far_png, session::greet, session::hear, session::loom_groups, session::place_of,
     session::shown_step, session::step_by_hand, session::words_of;
 using views::draw_loom;
-
-namespace {
-
-std::string hex_of(draft::Rgb color) {
-  const auto channel = [](float value) { return std::lround(std::fmin(std::fmax(value, 0.0f), 1.0f) * 255); };
-  return fmt::format("#{:02x}{:02x}{:02x}", channel(color.r), channel(color.g), channel(color.b));
-}
-
-}  // namespace
 
 LoomWindow::LoomWindow(Session& session, Editing& editing, const Settings& settings)
     : session_(session), editing_(editing), settings_(settings), link_(Window::wake), phone_(Window::wake) {}

@@ -8,7 +8,7 @@
 namespace weftlight::commands {
 
 using base::arg, base::fill, base::tr;
-using draft::Rgb, draft::System;
+using draft::Rgb;
 using files::Image, files::PixelType, files::write_image;
 
 namespace {
@@ -33,11 +33,7 @@ base::Failure too_many_for_image(const std::string& path, const BitMatrix& cells
 const Rgb& ColoredCells::at(int x, int y) const {
   const int end = origin_.end1_left ? x : cells_.cols() - 1 - x,
             pick = origin_.pick1_bottom ? cells_.rows() - 1 - y : y;
-  const bool up = cells_.get(pick, end);
-  const Rgb* const dye = up ? dyed_.color(System::kWarp, end, pick) : dyed_.color(System::kWeft, pick, end);
-  if (dye != nullptr) return *dye;
-  const int color = up ? draft_.warp.color[static_cast<size_t>(end)] : draft_.weft.color[static_cast<size_t>(pick)];
-  return draft_.palette[static_cast<size_t>(color)];
+  return color_on_top(draft_, dyed_, cells_.get(pick, end), end, pick);
 }
 
 base::Result<void> write_drawdown_image(const std::string& path, const ColoredCells& colors) {

@@ -10,6 +10,7 @@
 #include "commands/plan_options.h"
 #include "design/fibre.h"
 #include "draft/drawdown.h"
+#include "draft/hex_color.h"
 
 namespace weftlight::commands {
 
@@ -37,9 +38,7 @@ Selvedges selvedges_of(const Design& design, const ClothMeasures& m) {
 
 /// "#c0392b".
 std::string hex_of(const Design& design, int color) {
-  const Rgb& c = design.draft.palette[static_cast<size_t>(color)];
-  const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
+  return fmt::format("#{:06x}", draft::packed_rgb(design.draft.palette[static_cast<size_t>(color)]));
 }
 
 std::string runs_text(const Design& design, const std::vector<ThreadRun>& runs) {

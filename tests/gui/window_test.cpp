@@ -53,6 +53,18 @@ class WindowTest : public OnDisplay {
     return bytes_of(out);
   }
 
+  /// Opens a section of the yarns' page and closes the one above, so that all of it is visible; waits for a control in
+  /// it.
+  void open_below_yarns(const Window& w, const char* section, const char* control) {
+    display_.click(w.middle_of("inspector:Yarns"));
+    ASSERT_TRUE(comes_true([&] { return w.has(section); }));
+    const double high = w.place_of(section).first.y;
+    display_.click(w.middle_of("section.yarns"));
+    ASSERT_TRUE(comes_true([&] { return w.place_of(section).first.y < high; }));
+    display_.click(w.middle_of(section));
+    ASSERT_TRUE(comes_true([&] { return w.has(control); }));
+  }
+
   void quit(Window& w) {
     display_.key("ctrl+q");
     EXPECT_EQ(w.process().wait(), 0);
@@ -248,14 +260,9 @@ TEST_F(WindowTest, AYarnIsDyedAlongItsLength) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string original = w.live();
-  display_.click(w.middle_of("inspector:Yarns"));
-  ASSERT_TRUE(comes_true([&] { return w.has("section.dye"); }));
-  const double high = w.place_of("section.dye").first.y;
-  display_.click(w.middle_of("section.yarns"));
-  ASSERT_TRUE(comes_true([&] { return w.place_of("section.dye").first.y < high; }));
-  display_.click(w.middle_of("section.dye"));
-  ASSERT_TRUE(comes_true([&] { return w.has("dye.add"); }));
-  const Point corner = w.cell("drawdown", 40, 4), opposite = w.cell("drawdown", 4, 40);
+  open_below_yarns(w, "section.dye", "dye.add");
+  if (HasFatalFailure()) return;
+  const Point corner = w.cell("drawdown", 16, 1), opposite = w.cell("drawdown", 1, 16);
   const auto drawdown = [&] {
     return display_.picture({std::min(corner.x, opposite.x), std::min(corner.y, opposite.y)},
                             {std::abs(corner.x - opposite.x), std::abs(corner.y - opposite.y)});
@@ -281,14 +288,8 @@ TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   const std::string original = w.live();
-  display_.click(w.middle_of("inspector:Yarns"));
-  ASSERT_TRUE(comes_true([&] { return w.has("section.lobes"); }));
-  // Close the sections above, so that plot and sliders are both visible.
-  const double high = w.place_of("section.lobes").first.y;
-  display_.click(w.middle_of("section.yarns"));
-  ASSERT_TRUE(comes_true([&] { return w.place_of("section.lobes").first.y < high; }));
-  display_.click(w.middle_of("section.lobes"));
-  ASSERT_TRUE(comes_true([&] { return w.has("yarn.specular"); }));
+  open_below_yarns(w, "section.lobes", "yarn.specular");
+  if (HasFatalFailure()) return;
   const auto seen = [&](const char* control) {
     const auto [place, size] = w.place_of(control);
     return display_.picture(place, size);

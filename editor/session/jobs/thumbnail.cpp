@@ -102,13 +102,8 @@ struct Picture {
     const int end = across.at[static_cast<size_t>(x)], pick = down.at[static_cast<size_t>(y)];
     const float px = across.place[static_cast<size_t>(x)], py = down.place[static_cast<size_t>(y)];
     const bool warp = cells.get(pick, end);
-    const Threads& threads = draft.threads(warp ? System::kWarp : System::kWeft);
-    const int draft_end = across.threads[static_cast<size_t>(end)],
-              draft_pick = down.threads[static_cast<size_t>(pick)];
-    const int thread = warp ? draft_end : draft_pick;
-    Rgb c = draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(thread)])];
-    if (const Rgb* const dye = dyed.color(warp ? System::kWarp : System::kWeft, thread, warp ? draft_pick : draft_end))
-      c = *dye;
+    Rgb c = color_on_top(draft, dyed, warp, across.threads[static_cast<size_t>(end)],
+                         down.threads[static_cast<size_t>(pick)]);
     if (!warp) c = {c.r * tone, c.g * tone, c.b * tone};
     if (strength <= 0) return c;
     // Neighbours within the sampled threads: cells of several pixels have their true neighbours.

@@ -7,7 +7,7 @@
 
 namespace weftlight::session {
 
-using draft::BitMatrix, draft::Rgb, draft::System, draft::Threads;
+using draft::BitMatrix, draft::Rgb;
 using files::Image;
 
 namespace {
@@ -27,13 +27,6 @@ void draw_crossing(Image& image, int column, int row, Rgb color, bool warp_up, b
       image.texels[at + 1] = color.g * shade;
       image.texels[at + 2] = color.b * shade;
     }
-}
-
-/// Of a thread where it crosses another one.
-Rgb color_of(const Design& design, const design::DyedThreads& dyed, System system, int thread, int crossing) {
-  if (const Rgb* const color = dyed.color(system, thread, crossing)) return *color;
-  const Threads& threads = design.draft.threads(system);
-  return design.draft.palette[static_cast<size_t>(threads.color[static_cast<size_t>(thread)])];
 }
 
 }  // namespace
@@ -56,8 +49,7 @@ std::string cloth_so_far_png(const AtLoom& at, const Design& design, const BitMa
     const int pick = first + (((place.next_pick - first - back) % of) + of) % of;
     for (int end = 0; end < ends; ++end) {
       const bool bare = back < 1, warp_up = bare || cells.get(pick, end);
-      const Rgb color =
-          warp_up ? color_of(design, dyed, System::kWarp, end, pick) : color_of(design, dyed, System::kWeft, pick, end);
+      const Rgb& color = color_on_top(draft, dyed, warp_up, end, pick);
       draw_crossing(image, ends - 1 - end, row, color, warp_up, bare);
     }
   }

@@ -94,6 +94,7 @@ bool draw_stretches(const PanelContext& c, Dye& dye, Rgb own) {
     const RowChange change = draw_stretch(c, id, static_cast<int>(i) + 1, dye.stretches[i], own);
     ImGui::PopID();
     if (change == RowChange::kRemove) dye.stretches.erase(dye.stretches.begin() + static_cast<std::ptrdiff_t>(i));
+    if (dye.stretches.empty()) dye = {};
     if (change != RowChange::kNone) return true;
   }
   return false;

@@ -1,248 +1,24 @@
-// The larger shared files on the GPU against the same text in C++: threads as bodies, their pattern, packing and
-// unpacking of records, shading of the methods, flyaway fibres. The cloth is uploaded as by the renderer.
+// The larger shared files on the GPU against the same text in C++: threads as bodies, their pattern and colours,
+// shading of the methods, flyaway fibres. The cloth is uploaded as by the renderer.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <cstring>
-#include <glm/gtc/packing.hpp>
-#include <random>
 
-#include "../render_data/designs.h"
-#include "cloth/thickness.h"
-#include "cloth/thread_scene.h"
 #include "gl/gpu_cloth.h"
-#include "light/yarn_lobes.h"
+#include "packed_threads.h"
 #include "pixel_program.h"
-#include "render_data/cloth_block.h"
-#include "render_data/thread_block.h"
-
-namespace weftlight::cloth::thread_formulas {
-
-/// The threads as the GPU fetches them (shaders/thread_fetch.glsl), from what is uploaded.
-class PackedThreads {
- public:
-  PackedThreads(const render_data::PackedCloth& cloth, float side) : cloth_(cloth), head_(head_at(0)), side_(side) {}
-
-  uvec4 texel(int i) const { return cloth_.lobes.threads[static_cast<size_t>(i)]; }
-  ThreadHead head_at(int i) const {
-    return thread_head(texel(i), texel(i + 1), texel(i + 2), texel(i + 3), texel(i + 4));
-  }
-  using ThreadGrid = thread_formulas::ThreadGrid;
-  ThreadGrid thread_layer(int layer, float side) const { return grid_of(head_at(layer * THREAD_HEAD_TEXELS), side); }
-  int record_at(int system, int thread) const { return head_.threads[system] + thread * THREAD_TEXELS; }
-  ThreadSection thread_body(int system, int thread) const {
-    return record_body(texel(record_at(system, thread) + THREAD_BODY));
-  }
-  uint thread_cells(int system, int thread, int crossing) const {
-    const auto strips = [](int cells) { return (cells + STRIP_CELLS - 1) / STRIP_CELLS; };
-    const int along = system == 1 ? cloth_.ends : cloth_.picks,
-              before = system == 1 ? 0 : cloth_.picks * strips(cloth_.ends);
-    const int i = before + thread * strips(along) + crossing / STRIP_CELLS;
-    return cloth_.strips[static_cast<size_t>(i)] >> (crossing % STRIP_CELLS);
-  }
-  int thread_bin(int system, int bin) const { return static_cast<int>(texel(head_.bins[system] + bin / 4)[bin & 3]); }
-  vec4 crossing_at(int end, int pick) {
-    if (cloth_.crossings.empty()) return computed_crossing(grid_of(head_, 1), end, pick);
-    const render_data::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * cloth_.ends + end)];
-    return {glm::unpackHalf1x16(h[0]), glm::unpackHalf1x16(h[1]), glm::unpackHalf1x16(h[2]), glm::unpackHalf1x16(h[3])};
-  }
-#define FORMULA
-#include "shaders/threads.glsl"
-// These read the one before.
-#include "shaders/crossings.glsl"
-#include "shaders/irawan.glsl"
-#undef FORMULA
-  ThreadGrid grid() const { return grid_of(head_, side_); }
-  vec4 look(int system, int thread) const { return record_color(texel(record_at(system, thread) + THREAD_COLOR)); }
-  ThreadTexture pattern(int system, int thread) const {
-    const int i = record_at(system, thread) + THREAD_PATTERN;
-    return pattern_on(record_pattern(texel(i), texel(i + 1), texel(i + 2), texel(i + 3), texel(i + 4)), side_);
-  }
-  YarnData yarn(int yarn) const {
-    const int i = head_.yarns + yarn * YARN_TEXELS;
-    return record_yarn(texel(i), texel(i + 1), texel(i + 2), texel(i + 3));
-  }
-
- private:
-  const render_data::PackedCloth& cloth_;
-  ThreadHead head_;
-  float side_;
-};
-
-}  // namespace weftlight::cloth::thread_formulas
 
 namespace weftlight::gl {
 
-using cloth::Cloth, cloth::Period, cloth::Texel, cloth::ThreadBody, cloth::ThreadTexture, cloth::highest_thread,
-    cloth::lay_out, cloth::thread_section, cloth::texture_at, cloth::thread_crossings, cloth::thread_texture;
+using cloth::Texel, cloth::ThreadTexture, cloth::texture_at;
 using cloth::thread_formulas::texture_point;
-using design::Design, design::Twist;
-using draft::BitMatrix, draft::CellRect, draft::Face, draft::System, draft::drawdown;
-using light::yarn_data;
-using render_data::PackedCloth, render_data::ThreadKind, render_data::thread_kind, render_data::twill;
+using render_data::ThreadKind, render_data::thread_kind;
 
 namespace {
-
-using cloth::thread_formulas::PackedThreads;
-using glm::vec2, glm::vec3;
-using glm::vec4;
-
-/// Equal bit for bit, including NaN.
-template <class T>
-std::array<std::byte, sizeof(T)> bytes_of(const T& value) {
-  return std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
-}
-
-/// A 2/2 twill of two yarns, plied and twisted, with two thick ends: spacings differ, so that bins are used.
-Cloth uneven_twill() {
-  Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
-  d.yarns.push_back(d.yarns[0]);
-  d.yarns[0].twist = Twist::kZ, d.yarns[0].plies = 2, d.yarns[0].unevenness = 50;
-  d.yarns[1].twist = Twist::kS, d.yarns[1].lobes.along_width = 0.1f, d.yarns[1].lobes.fuzz = 0.3f;
-  std::fill(d.draft.weft.yarn.begin(), d.draft.weft.yarn.end(), 1);
-  d.draft.warp.spacing_mm.assign(d.draft.warp.color.size(), 0.6f);
-  d.draft.warp.spacing_mm[1] = 1.7f;
-  return lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft);
-}
-
-/// Two layers of plain weave that change places after sixteen threads.
-Cloth pockets() {
-  Design d = twill(16, 8, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
-  BitMatrix cells(d.draft.picks(), d.draft.ends());
-  for (int p = 0; p < cells.rows(); ++p) {
-    for (int e = 0; e < cells.cols(); ++e) {
-      const bool first = e % 2 == 0, above = (e / 16 + p / 16) % 2 == 0;
-      cells.set(p, e, first == (p % 2 == 0) ? (e / 2 + p / 2) % 2 == 0 : first == above);
-    }
-  }
-  return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
-}
-
-PackedCloth packed(const Cloth& cloth) {
-  PackedCloth p;
-  p.width_mm = cloth.width_mm, p.depth_mm = cloth.depth_mm, p.mean_spacing_mm = render_data::mean_spacing_mm(cloth);
-  p.ends = static_cast<int>(cloth.ends.size()), p.picks = static_cast<int>(cloth.picks.size());
-  const std::vector<vec4> crossings = thread_crossings(cloth, {0, p.ends, 0, p.picks});
-  p.crossings = render_data::packed_crossings(crossings);
-  p.lobes.threads = render_data::thread_records(cloth, cloth.layers.empty() ? highest_thread(cloth, crossings) : 0);
-  return p;
-}
-
-/// The same without stored crossings, as of a draft that has too many of them.
-PackedCloth in_strips(const Cloth& cloth) {
-  PackedCloth p = packed(cloth);
-  p.crossings = {};
-  p.strips = render_data::cell_strips(cloth.up);
-  return p;
-}
-
-/// Threads of two thicknesses, some uneven, that cross at random.
-Cloth unordered(int ends, int picks) {
-  Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
-  d.draft = draft::blank_draft(ends, picks, 2, 2);
-  d.yarns.push_back(d.yarns[0]);
-  d.yarns[1].unevenness = 40;
-  d.plan.warp_shrinkage = d.plan.weft_shrinkage = 0;  // drafts of so many crossings have no relief
-  std::mt19937 rng(static_cast<unsigned>(ends * 1000 + picks));
-  for (auto* threads : {&d.draft.warp, &d.draft.weft}) {
-    threads->spacing_mm.assign(threads->color.size(), 0.7f);
-    for (size_t i = 0; i < threads->color.size(); ++i) {
-      threads->yarn[i] = rng() % 3 == 0;
-      if (i % 5 == 0) threads->spacing_mm[i] = 1.1f;
-    }
-  }
-  BitMatrix cells(picks, ends);
-  for (int p = 0; p < picks; ++p)
-    for (int e = 0; e < ends; ++e) cells.set(p, e, rng() % 2 == 0);
-  return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
-}
-
-TEST(ComputedCrossings, AreThoseThatAreStored) {
-  for (const glm::ivec2 size : {glm::ivec2(1, 1), {1, 3}, {3, 1}, {22, 22}, {23, 45}, {64, 9}, {131, 70}}) {
-    const Cloth cloth = unordered(size.x, size.y);
-    const PackedCloth p = in_strips(cloth);
-    PackedThreads threads(p, 1);
-    const std::vector<vec4> stored = thread_crossings(cloth, {0, size.x, 0, size.y});
-    float most = 0;
-    for (int pick = 0; pick < size.y; ++pick) {
-      for (int end = 0; end < size.x; ++end) {
-        const vec4 off = threads.crossing_at(end, pick) - stored[static_cast<size_t>(pick * size.x + end)];
-        for (int i = 0; i < 4; ++i) most = std::max(most, std::abs(off[i]));
-      }
-    }
-    // Sections are rounded where they are packed.
-    EXPECT_LT(most, 2e-4f) << size.x << " x " << size.y;
-  }
-}
-
-TEST(ComputedCrossings, LieBelowABoundForAnyWeave) {
-  const Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
-  const Cloth even = lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft);
-  for (const Cloth& cloth : {even, uneven_twill(), unordered(131, 70)}) {
-    const CellRect all{0, cloth.up.cols(), 0, cloth.up.rows()};
-    const float own = highest_thread(cloth, thread_crossings(cloth, all)), bound = highest_thread(cloth);
-    EXPECT_GE(bound, own);
-    EXPECT_LE(bound, 2 * own);
-    std::printf("  bound %g of %g mm\n", static_cast<double>(bound), static_cast<double>(own));
-  }
-}
-
-TEST(ComputedCrossings, FollowPaintedCells) {
-  Cloth cloth = unordered(131, 70);
-  std::vector<uint32_t> strips = render_data::cell_strips(cloth.up);
-  for (int p = 60; p < 70; ++p)
-    for (int e = 120; e < 131; ++e) cloth.up.set(p, e, (p + e) % 3 == 0);
-  for (const render_data::StripPatch& patch : render_data::cell_strips(cloth.up, {120, 131, 60, 70}))
-    std::ranges::copy(patch.strips, strips.begin() + static_cast<std::ptrdiff_t>(patch.first));
-  EXPECT_EQ(strips, render_data::cell_strips(cloth.up));
-}
-
-TEST(ThreadRecords, ComeBackAsTheyWentIn) {
-  const Cloth cloth = uneven_twill();
-  const PackedCloth p = packed(cloth);
-  const PackedThreads back(p, 1);
-  for (const System system : {System::kWarp, System::kWeft}) {
-    const auto& threads = system == System::kWarp ? cloth.ends : cloth.picks;
-    const float length = system == System::kWarp ? cloth.depth_mm : cloth.width_mm;
-    const int s = system == System::kWarp ? 0 : 1;
-    for (int i = 0; i < static_cast<int>(threads.size()); ++i) {
-      const ThreadBody& body = threads[static_cast<size_t>(i)];
-      const auto section = back.thread_body(s, i);
-      const auto in_section = thread_section(body, length);
-      EXPECT_EQ(vec2(section.centre, section.half_room), vec2(in_section.centre, in_section.half_room));
-      // Offsets of borders are bytes.
-      const float step = section.half_room / 127;
-      EXPECT_NEAR(section.half_width, in_section.half_width, step);
-      EXPECT_NEAR(section.half_height / section.half_width, body.height_mm / body.width_mm, 1e-4f);
-      for (int k = 0; k < 2; ++k) {
-        EXPECT_NEAR(section.aside[k], in_section.aside[k], 0.51f * step);
-        EXPECT_NEAR(section.sway[k], in_section.sway[k], 0.26f * step);
-      }
-      EXPECT_EQ(back.look(s, i), vec4(body.colour.r, body.colour.g, body.colour.b, body.yarn));
-      cloth::ThreadRecord in{}, out{};
-      in.pattern = thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], body, system, i, length);
-      out.pattern = back.pattern(s, i);
-      EXPECT_EQ(bytes_of(in), bytes_of(out)) << "thread " << i << " of system " << s;
-    }
-  }
-  // Parameters of a yarn, all different, so that a mix-up shows.
-  interop::YarnData in{};
-  std::array<float, sizeof in / sizeof(float)> numbers;
-  for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<float>(i) + 0.5f;
-  std::memcpy(&in, numbers.data(), sizeof in);
-  std::array<glm::uvec4, YARN_TEXELS> texels;
-  std::memcpy(texels.data(), &in, sizeof in);
-  const interop::YarnData out = cloth::thread_formulas::record_yarn(texels[0], texels[1], texels[2], texels[3]);
-  EXPECT_EQ(bytes_of(in), bytes_of(out));
-  const interop::YarnData second = yarn_data(cloth.yarns[1].lobes), fetched = back.yarn(1);
-  EXPECT_EQ(bytes_of(second), bytes_of(fetched));
-}
 
 using RayCase = std::array<vec4, 3>;  // position, side; towards the eye; towards the light, sample's cycles
 
@@ -258,7 +34,7 @@ constexpr const char* kRayMain = R"(
     ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
     ThreadTexture x = thread_pattern(hit.system, thread, g.side);
     Texel t = texture_at(x, texture_point(x, fract(p.along / length_mm), p.turn, given(2).w, 1.0));
-    vec4 look = thread_dye(g, hit.system, thread, p.along);
+    vec4 look = thread_dye(hit_layer(g, hit), hit.system, thread, p.along);
     YarnLobes y = thread_lobes(int(look.w), look.rgb);
     if (row == 0) result = vec4(float(hit.system), float(thread), hit.at.z, 0.0);
     if (row == 1) result = vec4(threads_block(g, hit.at, l, 24, hit.system, thread) ? 1.0 : 0.0);
@@ -353,17 +129,6 @@ std::vector<RayCase> ray_cases(const PackedCloth& p, int count, unsigned seed, c
   return cases;
 }
 
-TEST(ThreadRecords, TellOfWhatKindTheThreadsAre) {
-  const Design d = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
-  const ThreadKind even =
-      thread_kind(packed(lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft)).lobes.threads);
-  EXPECT_TRUE(even.even && even.one_layer && even.smooth);
-  const ThreadKind uneven = thread_kind(packed(uneven_twill()).lobes.threads);
-  EXPECT_TRUE(!uneven.even && uneven.one_layer && !uneven.smooth);
-  EXPECT_FALSE(thread_kind(packed(pockets()).lobes.threads).one_layer);
-  EXPECT_FALSE(thread_kind({}).even || thread_kind({}).smooth);
-}
-
 /// Uploads a cloth; its strips, if it has any, first wrong, then in patches that begin and end anywhere.
 void upload_in_pieces(GpuCloth& gpu, const PackedCloth& cloth) {
   PackedCloth wrong = cloth;
@@ -424,11 +189,7 @@ constexpr const char* kDyeMain = R"(
   result = vec4(-1.0);
   if (hit.system >= 0) {
     ThreadPoint p = thread_point(hit.system, hit.strand, hit.at);
-#if defined(ONE_LAYER)
-    result = thread_dye(g, hit.system, hit.strand.thread, p.along);
-#else
-    result = thread_dye(thread_layer(hit.layer, g.side), hit.system, hit.strand.thread, p.along);
-#endif
+    result = thread_dye(hit_layer(g, hit), hit.system, hit.strand.thread, p.along);
   }
 )";
 

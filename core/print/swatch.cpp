@@ -21,6 +21,7 @@ using draft::BitMatrix, draft::Face, draft::Rgb;
 namespace {
 
 constexpr uint32_t kPaper = 0xffffff;
+constexpr double kEdge = 1.0001;  // of a thread, in half widths: threads that touch leave no gap by their last bits
 
 /// The thread whose room holds a point, and how far the point is from its middle, in half widths: beyond 1 in the gap.
 struct Place {
@@ -85,7 +86,7 @@ class Swatch {
       const float apart = 0.25f * (cloth_.ends[e].height_mm + cloth_.picks[p].height_mm);
       const float up = cloth_.up.get(pick.thread, end.thread) ? apart : -apart;
       const auto take = [&](const Place& at, float height, const Rgb& c) {
-        if (std::abs(at.off) <= 1 && height > highest) highest = height, color = shaded(c, at.off);
+        if (std::abs(at.off) <= kEdge && height > highest) highest = height, color = shaded(c, at.off);
       };
       const ThreadBody &warp = cloth_.ends[e], &weft = cloth_.picks[p];
       take(end, level(cloth_.warp_level_mm) + up, color_at(warp, end_color_[e], weft.place));

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "design/edits.h"
+#include "print/sheets.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::print {
@@ -217,6 +218,15 @@ TEST(Print, TheSwatchOfADoubleWeaveShowsItsFace) {
   EXPECT_LT(blue, 0.03) << "the lower layer";
   EXPECT_GT(red, 0.35);
   EXPECT_GT(green, 0.35);
+}
+
+TEST(Print, TheSwatchOfAClothWithoutGapsShowsNoPaper) {
+  // Ends that fill their room, at places whose last bits differ.
+  Design d = overshot_design(66, 66);
+  d.draft.warp.spacing_mm.assign(66, 0.85f);
+  d.draft.warp.thickness_mm.assign(66, 1);
+  const std::vector<uint32_t> pixels = swatch_pixels(d, draft::drawdown(d.draft), {}, 2000, 100, 11.8);
+  EXPECT_EQ(std::ranges::count(pixels, 0xffffffu), 0);
 }
 
 TEST(Print, TheSwatchOfAnOpenClothShowsThePaper) {

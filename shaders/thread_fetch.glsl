@@ -42,6 +42,17 @@ vec4 crossing_at(int end, int pick) {
 }
 #endif
 
+#if defined(STRAIGHT_THREADS) || defined(COMPUTED_CROSSINGS)
+vec2 aside_at(int end, int pick) { return vec2(0.0); }
+#else
+// After the blocks of the crossings.
+vec2 aside_at(int end, int pick) {
+  int rows = (threads_head.count.y + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
+  int block = (rows + pick / CROSSING_BLOCK) * threads_head.crossing_blocks + end / CROSSING_BLOCK;
+  return texelFetch(crossing_map, ivec3(end & (CROSSING_BLOCK - 1), pick & (CROSSING_BLOCK - 1), block), 0).xy;
+}
+#endif
+
 ThreadHead head_at(int i) {
   return thread_head(thread_texel(i), thread_texel(i + 1), thread_texel(i + 2), thread_texel(i + 3), thread_texel(i + 4));
 }

@@ -27,7 +27,7 @@ struct ThreadHead {
   float bottom;         // lower bound of the threads, mm
   float reach;          // height of the layer's weave above its own middle plane, mm
   int layers;           // of the cloth
-  int spare;
+  float aside;          // the furthest that washing moves a thread sideways, mm; 0: no thread is moved
 };
 
 struct ThreadRecord {
@@ -53,7 +53,7 @@ FORMULA ThreadHead thread_head(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 e) {
   h.bottom = uintBitsToFloat(e.x);
   h.reach = uintBitsToFloat(e.y);
   h.layers = int(e.z);
-  h.spare = int(e.w);
+  h.aside = uintBitsToFloat(e.w);
   return h;
 }
 
@@ -69,6 +69,7 @@ struct ThreadGrid {
   float reach;    // height of its weave above its own middle plane
   float side;     // 1: the front; -1: the back, where heights change sign
   vec2 even;      // common spacing of the threads of each system, 0 if they differ
+  float aside;    // the furthest that washing moves a thread sideways, 0: none is moved
   ivec2 slubs;    // thick and thin places along an end, along a pick
 };
 
@@ -84,6 +85,7 @@ FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
   g.reach = h.reach;
   g.side = side;
   g.even = h.even;
+  g.aside = h.aside;
   g.slubs = ivec2(slubs_in(h.period.y), slubs_in(h.period.x));
   return g;
 }

@@ -6,8 +6,9 @@
 // Neighbouring threads of a system share the room that the sett leaves. Where one is thick, the border to its neighbour
 // moves aside, and the neighbour gives way; where it is thin, the neighbour takes its room. A thread fills the same part
 // of its room everywhere, so the cloth is covered as if the threads were even: threads that touch leave no holes beside
-// a thin place. Sections are interpolated between crossings; the pattern is periodic. The slope that it adds (two
-// degrees in the steepest slub) is not in the normal, here and in the traced reference.
+// a thin place. Sections are interpolated between crossings; the pattern is periodic. A thread turns with its centre line;
+// that its sides are not parallel (two degrees in the steepest slub) is not in the normal, here and in the traced
+// reference.
 
 #ifndef FORMULA
 #define FORMULA

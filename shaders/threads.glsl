@@ -11,14 +11,18 @@
 //   ThreadSection thread_body(int system, int thread)
 //   int thread_bin(int system, int bin)            the first thread that reaches past the bin's start
 //   vec4 crossing_at(int end, int pick)            height and slope of the warp, of the weft
+//   vec2 aside_at(int end, int pick)               how far washing moves both sideways there, if grid.aside is not 0
 //   ThreadGrid thread_layer(int i, float side)     the cloth's layer i: thread_records.glsl's grid_of()
 // and may define these where they hold for the cloth, so that unneeded code is left out (a software renderer runs both
 // sides of a branch):
 //   EVEN_THREADS   the threads of each system have the same spacing
 //   ONE_LAYER
 //   SMOOTH_YARNS   no thread is uneven along its length
+//   STRAIGHT_THREADS   washing moves no thread sideways (core/cloth/washed_aside.h)
 //
 // Loops test their condition at the end: a software renderer would run the body of one that tests first once more.
+//
+// Where threads are moved sideways, those that cross them are stretched between their new places.
 //
 // A cloth of several layers has a grid for each; at a position each layer has one end and one pick.
 //
@@ -73,7 +77,7 @@ FORMULA vec2 strand_thin(Strand s, float along) {
 
 // Position of the centre line across.
 FORMULA float strand_centre(Strand s, float along) {
-#if defined(SMOOTH_YARNS)
+#if defined(SMOOTH_YARNS) && defined(STRAIGHT_THREADS)
   return s.centre;
 #else
   return s.centre + s.aside * (clamp(along, s.low, s.high) - s.start);
@@ -164,12 +168,17 @@ FORMULA int thread_before(ThreadGrid g, int system, int thread) {
 
 // A thread's half width, half height and offset aside where it crosses thread `at` of the other system.
 FORMULA vec3 section_at(ThreadGrid g, int system, int thread, ThreadSection body, int at) {
+  vec2 sways = vec2(0.0f);
 #if !defined(SMOOTH_YARNS)
   if (is_uneven(body)) {
-    return section_between(body, sway_at(g, system, thread_before(g, system, thread), at), sway_at(g, system, thread, at));
+    sways = vec2(sway_at(g, system, thread_before(g, system, thread), at), sway_at(g, system, thread, at));
   }
 #endif
-  return section_between(body, 0.0f, 0.0f);
+  vec3 section = section_between(body, sways.x, sways.y);
+#if !defined(STRAIGHT_THREADS)
+  if (g.aside > 0.0f) section.z += system == 0 ? aside_at(thread, at).x : aside_at(at, thread).y;
+#endif
+  return section;
 }
 
 // section, next: half width, half height, offset aside at the crossing and at the next one; centre: without the offset.
@@ -221,6 +230,8 @@ struct NearThread {
   float next_centre;
   float border;        // between both, at the position
   vec2 sways;          // of that border where the two threads around the position cross it
+  vec4 aside;          // how far washing moves the thread where these cross it, and its neighbour
+  float edge;          // of the cell, on the side of the thread's centre
   ThreadSection body;
 };
 
@@ -236,19 +247,21 @@ FORMULA NearThread even_thread(ThreadGrid g, int system, float at, float base) {
   n.next_centre = next.y + base;
   n.border = n.centre + (up ? n.body.half_room : -n.body.half_room);
   n.sways = vec2(0.0f);
+  n.aside = vec4(0.0f);
+  n.edge = n.centre;
   return n;
 }
 
 // The same with the border where threads `cross` and `next_cross` of the other system cross it; the position lies the
 // part t of the way from the first to the second.
 FORMULA NearThread settled_thread(ThreadGrid g, int system, NearThread n, float at, int cross, int next_cross, float t) {
-#if !defined(SMOOTH_YARNS)
+#if !defined(SMOOTH_YARNS) || !defined(STRAIGHT_THREADS)
   bool up = n.next_centre >= n.centre;
   int border = up ? n.thread : n.next;
   n.border += up ? n.body.aside.y : n.body.aside.x;
   float sway = up ? n.body.sway.y : n.body.sway.x;
   if (sway > 0.0f) n.sways = vec2(sway_at(g, system, border, cross), sway_at(g, system, border, next_cross));
-  n.border += sway * mix(n.sways.x, n.sways.y, t);
+  n.border += sway * mix(n.sways.x, n.sways.y, t) + 0.5f * mix(n.aside.x + n.aside.z, n.aside.y + n.aside.w, t);
   if (up ? at >= n.border : at < n.border) {
     int thread = n.thread;
     float centre = n.centre;
@@ -256,6 +269,8 @@ FORMULA NearThread settled_thread(ThreadGrid g, int system, NearThread n, float 
     n.centre = n.next_centre;
     n.next = thread;
     n.next_centre = centre;
+    n.aside = vec4(n.aside.z, n.aside.w, n.aside.x, n.aside.y);
+    n.edge += n.centre - centre;
     n.body = thread_body(system, n.thread);
   }
 #endif
@@ -274,30 +289,71 @@ FORMULA vec3 section_near(ThreadGrid g, int system, NearThread n, float sway, in
   return section_between(n.body, up ? other : sway, up ? sway : other);
 }
 
-// swapped: the threads that cross it have changed places since its border was found.
-FORMULA Strand strand_at(ThreadGrid g, int system, NearThread n, NearThread cross, bool swapped, vec2 here, vec2 next) {
-  vec2 sways = swapped ? vec2(n.sways.y, n.sways.x) : n.sways;
-  return strand_of(n.thread, section_near(g, system, n, sways.x, cross.thread),
-                   section_near(g, system, n, sways.y, cross.next), n.body.half_height, n.centre, cross.centre,
-                   cross.next_centre - cross.centre, g.side, here, next);
+// Two values of a thread, where the two threads around the position cross it. swapped: these have changed places since
+// the values were found.
+FORMULA vec2 in_order(float here, float next, bool swapped) { return swapped ? vec2(next, here) : vec2(here, next); }
+
+FORMULA Strand strand_at(ThreadGrid g, int system, NearThread n, bool swapped, NearThread cross, bool cross_swapped,
+                         vec2 here, vec2 next) {
+  vec2 sways = in_order(n.sways.x, n.sways.y, swapped);
+  vec3 section = section_near(g, system, n, sways.x, cross.thread);
+  vec3 next_section = section_near(g, system, n, sways.y, cross.next);
+  float start = cross.centre;
+  float end = cross.next_centre;
+#if !defined(STRAIGHT_THREADS)
+  vec2 aside = in_order(n.aside.x, n.aside.y, swapped);
+  section.z += aside.x;
+  next_section.z += aside.y;
+  // The places where this thread crosses those two.
+  start += in_order(cross.aside.x, cross.aside.y, cross_swapped).x;
+  end += in_order(cross.aside.z, cross.aside.w, cross_swapped).x;
+#endif
+  return strand_of(n.thread, section, next_section, n.body.half_height, n.centre, start, end - start, g.side, here, next);
+}
+
+// How far washing moves the threads at the crossing in whose room a position lies.
+FORMULA vec2 aside_near(ThreadGrid g, vec2 at) {
+#if !defined(STRAIGHT_THREADS)
+  if (g.aside > 0.0f) {
+    vec2 within = at - vec2(floor(at.x / g.period.x), floor(at.y / g.period.y)) * g.period;
+    return aside_at(thread_at(g, 0, within.x), thread_at(g, 1, within.y));
+  }
+#endif
+  return vec2(0.0f);
 }
 
 FORMULA Crossing crossing_near(ThreadGrid g, vec2 at) {
-  vec2 base = vec2(floor(at.x / g.period.x) * g.period.x, floor(at.y / g.period.y) * g.period.y);
-  NearThread even_end = even_thread(g, 0, at.x - base.x, base.x);
-  NearThread even_pick = even_thread(g, 1, at.y - base.y, base.y);
+  vec2 moved = aside_near(g, at);
+  vec2 even = at - moved;   // nearly where the position would lie if no thread were moved
+  vec2 base = vec2(floor(even.x / g.period.x) * g.period.x, floor(even.y / g.period.y) * g.period.y);
+  NearThread even_end = even_thread(g, 0, even.x - base.x, base.x);
+  NearThread even_pick = even_thread(g, 1, even.y - base.y, base.y);
+#if !defined(STRAIGHT_THREADS)
+  if (g.aside > 0.0f) {
+    vec2 first = aside_at(even_end.thread, even_pick.thread);
+    vec2 along_end = aside_at(even_end.thread, even_pick.next);
+    vec2 along_pick = aside_at(even_end.next, even_pick.thread);
+    vec2 opposite = aside_at(even_end.next, even_pick.next);
+    even_end.aside = vec4(first.x, along_end.x, along_pick.x, opposite.x);
+    even_pick.aside = vec4(first.y, along_pick.y, along_end.y, opposite.y);
+    even_end.edge += moved.x;
+    even_pick.edge += moved.y;
+  }
+#endif
   NearThread end = settled_thread(g, 0, even_end, at.x, even_pick.thread, even_pick.next,
-                                  (at.y - even_pick.centre) / (even_pick.next_centre - even_pick.centre));
+                                  (even.y - even_pick.centre) / (even_pick.next_centre - even_pick.centre));
   NearThread pick = settled_thread(g, 1, even_pick, at.y, even_end.thread, even_end.next,
-                                   (at.x - even_end.centre) / (even_end.next_centre - even_end.centre));
+                                   (even.x - even_end.centre) / (even_end.next_centre - even_end.centre));
+  bool other_end = end.thread != even_end.thread;
+  bool other_pick = pick.thread != even_pick.thread;
   vec4 here = crossing_at(end.thread, pick.thread);
   vec4 along_warp = crossing_at(end.thread, pick.next);
   vec4 along_weft = crossing_at(end.next, pick.thread);
   Crossing c;
-  c.warp = strand_at(g, 0, end, pick, pick.thread != even_pick.thread, vec2(here.x, here.y), vec2(along_warp.x, along_warp.y));
-  c.weft = strand_at(g, 1, pick, end, end.thread != even_end.thread, vec2(here.z, here.w), vec2(along_weft.z, along_weft.w));
-  c.low = vec2(min(end.centre, end.border), min(pick.centre, pick.border));
-  c.high = vec2(max(end.centre, end.border), max(pick.centre, pick.border));
+  c.warp = strand_at(g, 0, end, other_pick, pick, other_end, vec2(here.x, here.y), vec2(along_warp.x, along_warp.y));
+  c.weft = strand_at(g, 1, pick, other_end, end, other_pick, vec2(here.z, here.w), vec2(along_weft.z, along_weft.w));
+  c.low = vec2(min(end.edge, end.border), min(pick.edge, pick.border));
+  c.high = vec2(max(end.edge, end.border), max(pick.edge, pick.border));
   return c;
 }
 
@@ -492,6 +548,10 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float along = system == 0 ? p.y : p.x;
   vec3 q = section_coords(s, across, along, p.z);
   vec3 c = strand_curve(s, q.z);
+  float sideways = 0.0f;
+#if !defined(SMOOTH_YARNS) || !defined(STRAIGHT_THREADS)
+  sideways = s.aside;
+#endif
   float n = inversesqrt(1.0f + c.y * c.y);
   float x = q.x;
   float y = q.y;
@@ -503,9 +563,13 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float side = x * thin.x;
   float up = y * thin.y;
   ThreadPoint t;
-  t.normal = system == 0 ? normalize(vec3(side, -c.y * n * up, n * up)) : normalize(vec3(-c.y * n * up, side, n * up));
-  t.axis = system == 0 ? vec3(0.0f, n, c.y * n) : vec3(n, 0.0f, c.y * n);
+  // Across, along, up.
+  vec3 normal = vec3(side, -c.y * n * up - sideways * side, n * up);
+  vec3 axis = vec3(sideways, 1.0f, c.y) * inversesqrt(1.0f + sideways * sideways + c.y * c.y);
+  t.normal = normalize(system == 0 ? normal : vec3(normal.y, normal.x, normal.z));
+  t.axis = system == 0 ? axis : vec3(axis.y, axis.x, axis.z);
   vec3 aside = system == 0 ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
+  aside -= t.axis * dot(aside, t.axis);
   t.around = normalize(aside - t.normal * dot(aside, t.normal) + t.axis * 1.0e-6f);
   t.turn = 0.25f - atan(y, x) * 0.15915494f;
   t.along = q.z;

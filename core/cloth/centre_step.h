@@ -18,4 +18,13 @@ struct CentreStep {
 };
 CentreStep centre_step(const Cloth& cloth, System system, float s_mm);
 
+/// How far washing has moved a thread sideways at a crossing; both indices wrap.
+float aside_at(const Cloth& cloth, System system, int thread, int crossing);
+/// The step of a thread at s_mm, which lies in `even` among the threads that it crosses as the draft spaces them: these
+/// may be moved sideways.
+CentreStep moved_step(const Cloth& cloth, System system, int thread, float s_mm, const CentreStep& even);
+inline CentreStep centre_step(const Cloth& cloth, System system, int thread, float s_mm) {
+  return moved_step(cloth, system, thread, s_mm, centre_step(cloth, system, s_mm));
+}
+
 }  // namespace weftlight::cloth

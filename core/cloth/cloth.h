@@ -2,6 +2,7 @@
 // Cloth: one period of threads, laid out in millimetres with their centre lines. Maps, the ray-traced reference and
 // the numbers of the lobes are all computed from it.
 
+#include <array>
 #include <vector>
 
 #include "design/design.h"
@@ -66,8 +67,14 @@ struct Cloth {
   // Vertical offset of each thread's centre line at its crossings in its own layer, laid out as `up`; empty where all
   // are 0. Of several layers their levels, of one layer the relief of washing (relief.h).
   std::vector<float> warp_level_mm, weft_level_mm;
+  // How far washing has moved each thread sideways at its crossings, towards +across (washed_aside.h); as the levels.
+  std::vector<float> warp_aside_mm, weft_aside_mm;
   int first_end = 0, first_pick = 0;  // offset of a single extracted layer in the whole cloth
 };
+
+/// The values of a cloth at its crossings; each may be empty.
+inline constexpr std::array kCrossingValues{&Cloth::warp_level_mm, &Cloth::weft_level_mm, &Cloth::warp_aside_mm,
+                                            &Cloth::weft_aside_mm};
 
 /// Of the colours along a dyed thread, that where it crosses the thread of the other system at `place` in the draft.
 template <class Colour>

@@ -16,6 +16,7 @@
 #include "cloth/relief.h"
 #include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
+#include "cloth/washed_aside.h"
 #include "design/dye.h"
 #include "design/fibre.h"
 #include "design/repeat.h"
@@ -336,6 +337,8 @@ Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period pe
     cloth.warp_level_mm =
         washed_relief(cloth, 1 - woven.unwashed, 0.5f * (design.plan.warp_shrinkage + design.plan.weft_shrinkage));
     cloth.weft_level_mm = cloth.warp_level_mm;
+    WashedAside aside = washed_aside(cloth, 1 - woven.unwashed);
+    cloth.warp_aside_mm = std::move(aside.warp_mm), cloth.weft_aside_mm = std::move(aside.weft_mm);
   }
   if (face == Face::kBack) turn_over(cloth);
   return cloth;

@@ -42,14 +42,14 @@ void mark_readers(BitMatrix& moved, const BitMatrix& up, int pick, int end, int 
   }
 }
 
-/// Marks the crossings that washing raises or lowers differently.
-void mark_relief(BitMatrix& moved, const std::vector<float>& before, const std::vector<float>& after) {
+/// Marks the crossings that washing moves differently.
+void mark_changed(BitMatrix& moved, const std::vector<float>& before, const std::vector<float>& after) {
   if (before.empty() && after.empty()) return;
-  const auto level = [](const std::vector<float>& of, size_t at) { return of.empty() ? 0.0f : of[at]; };
+  const auto value = [](const std::vector<float>& of, size_t at) { return of.empty() ? 0.0f : of[at]; };
   size_t at = 0;
   for (int p = 0; p < moved.rows(); ++p)
     for (int e = 0; e < moved.cols(); ++e, ++at)
-      if (level(before, at) != level(after, at)) moved.set(p, e, true);
+      if (value(before, at) != value(after, at)) moved.set(p, e, true);
 }
 
 MovedCrossings moved_crossings(const BitMatrix& before, const BitMatrix& after) {
@@ -88,11 +88,11 @@ std::vector<std::pair<int, int>> texels_of_threads(const SampleAxis& axis, int f
 }
 
 /// Texels along an axis whose curves depend on the crossings [first, last): a curve reads one crossing before its step
-/// and two after.
-std::vector<std::pair<int, int>> texels_of_curves(const SampleAxis& axis, int first, int last) {
+/// and two after. aside: 1 if the crossings may be moved sideways.
+std::vector<std::pair<int, int>> texels_of_curves(const SampleAxis& axis, int first, int last, int aside) {
   const int n = static_cast<int>(axis.crossing_from.size()) - 1;
   std::vector<std::pair<int, int>> out;
-  for (const auto& [a, b] : pieces(first - 2, last + 1, n)) {
+  for (const auto& [a, b] : pieces(first - 2 - aside, last + 1 + aside, n)) {
     out.push_back(texels_of(axis.crossing_from[static_cast<size_t>(a)], axis.crossing_from[static_cast<size_t>(b)],
                             axis.per_texel));
     // Before the first crossing lies the step from the last crossing of the previous period.
@@ -128,12 +128,13 @@ BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleG
   BitMatrix texels(grid.height, grid.width);
   const SampleAxis columns = sample_axis(cloth, System::kWarp, grid), rows = sample_axis(cloth, System::kWeft, grid);
   const int aside_of_ends = uneven(cloth, System::kWarp) ? 1 : 0, aside_of_picks = uneven(cloth, System::kWeft) ? 1 : 0;
+  const int moved_aside = cloth.warp_aside_mm.empty() ? 0 : 1;
   for (int p = 0; p < moved.warp.rows(); ++p) {
     for_each_run(moved.warp.row(p), [&](int first, int last) {
-      mark(texels, texels_of_threads(columns, first, last, aside_of_ends), texels_of_curves(rows, p, p + 1));
+      mark(texels, texels_of_threads(columns, first, last, aside_of_ends), texels_of_curves(rows, p, p + 1, moved_aside));
     });
     for_each_run(moved.weft.row(p), [&](int first, int last) {
-      mark(texels, texels_of_curves(columns, first, last), texels_of_threads(rows, p, p + 1, aside_of_picks));
+      mark(texels, texels_of_curves(columns, first, last, moved_aside), texels_of_threads(rows, p, p + 1, aside_of_picks));
     });
   }
   return texels;
@@ -214,8 +215,13 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
   }
   const SampleGrid grid = sample_grid(after, w, h);
   MovedCrossings moved = moved_crossings(before.up, after.up);
-  mark_relief(moved.warp, before.warp_level_mm, after.warp_level_mm);
-  mark_relief(moved.weft, before.weft_level_mm, after.weft_level_mm);
+  mark_changed(moved.warp, before.warp_level_mm, after.warp_level_mm);
+  mark_changed(moved.weft, before.weft_level_mm, after.weft_level_mm);
+  // Where a thread is moved, those that cross it have their crossings elsewhere.
+  for (BitMatrix* of : {&moved.warp, &moved.weft}) {
+    mark_changed(*of, before.warp_aside_mm, after.warp_aside_mm);
+    mark_changed(*of, before.weft_aside_mm, after.weft_aside_mm);
+  }
   BitMatrix touched = seen_in(moved, after, grid);
   const std::vector<TexelRect> changed = cover(touched, kSamplerOverhead);
   rebake_surface(maps, after, grid, changed);

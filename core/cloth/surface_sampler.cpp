@@ -160,7 +160,7 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
     Across& a = out[static_cast<size_t>(i - first)];
     a = across_at(system, i, lowest, [&](int t) -> Section {
       const ThreadBody& body = threads[static_cast<size_t>(wrap(t, static_cast<int>(threads.size())))];
-      return {{0.5f * body.width_mm, 0.5f * body.height_mm}, 0, 0.5f * body.spacing_mm};
+      return {{0.5f * body.width_mm, 0.5f * body.height_mm}, 0, glm::vec2(0.5f * body.spacing_mm)};
     });
     lowest = a.lowest;
   }
@@ -179,7 +179,7 @@ int SurfaceSampler::thread_under(System system, float at_mm, int lowest, const S
   if (!uneven_[system == System::kWarp ? 0 : 1]) return t;
   const Section own = sections(t);
   const float beyond = at_mm - centre_of(system, t) - own.aside;
-  return beyond >= own.half_room ? t + 1 : beyond < -own.half_room ? t - 1 : t;
+  return beyond >= own.room.y ? t + 1 : beyond < -own.room.x ? t - 1 : t;
 }
 
 /// Cover and mean slope of the threads [first, last] within a sample.
@@ -222,7 +222,7 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int 
   const Section own = sections(a.thread);
   const float centre = centre_of(system, a.thread) + own.aside;
   const glm::vec2 size = own.half;
-  if (from >= centre - own.half_room && to <= centre + own.half_room) {
+  if (from >= centre - own.room.x && to <= centre + own.room.y) {
     add_cover(a, system, from, to, a.thread, a.thread, sections);
   } else {
     int highest = lowest;
@@ -258,8 +258,10 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
   };
   CrossingSizes out;
   out.first_thread = own.front().lowest - 1;
-  out.first = warp ? crossing(y0_, dy_mm_) : crossing(x0_, dx_mm_);
-  out.crossings = (warp ? crossing(y1_ - 1, dy_mm_) : crossing(x1_ - 1, dx_mm_)) + 2 - out.first;
+  const bool moved = !cloth_.warp_aside_mm.empty();
+  const int margin = moved ? 1 : 0;  // a step may begin one crossing earlier or later
+  out.first = (warp ? crossing(y0_, dy_mm_) : crossing(x0_, dx_mm_)) - margin;
+  out.crossings = (warp ? crossing(y1_ - 1, dy_mm_) : crossing(x1_ - 1, dx_mm_)) + 2 + margin - out.first;
   const int count = static_cast<int>(threads.size());
   int last = own.back().lowest;
   while (last + 1 < count &&
@@ -272,6 +274,9 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
     for (int c = 0; c < out.crossings; ++c) {
       const glm::vec3 s = section_at(cloth_, system, t, out.first + c);
       out.over_size.push_back({1 / s.x, 1 / s.y, s.z});
+      if (!moved) continue;
+      const auto aside = [&](int of) { return aside_at(cloth_, system, of, out.first + c); };
+      out.more_room.push_back(0.5f * glm::vec2(aside(t) - aside(t - 1), aside(t + 1) - aside(t)));
     }
   }
   return out;
@@ -289,6 +294,7 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   a.slope = centre.slope;
   a.lengthened = std::sqrt(1.0f + centre.slope * centre.slope);
   a.bend = centre.bend * centre.slope / a.lengthened;
+  if (uneven_[warp ? 0 : 1]) a.sideways = (warp ? warp_sizes_ : weft_sizes_).sideways(thread, step);
   a.ply_turn = static_cast<float>(texture.ply_advance) * period_fraction;
   a.stray_turn = static_cast<float>(texture.stray_advance) * period_fraction;
   const float node = std::floor(period_fraction * static_cast<float>(texture.nodes));
@@ -306,7 +312,8 @@ const std::vector<SurfaceSampler::Along>& SurfaceSampler::along_pick(int pick) {
   kept.along.resize(columns_.size());
   for (int x = x0_; x < x1_; ++x) {
     const size_t i = static_cast<size_t>(x - x0_);
-    kept.along[i] = along(System::kWeft, pick, column_steps_[i], (static_cast<float>(x) + 0.5f) * dx_mm_);
+    const float s_mm = (static_cast<float>(x) + 0.5f) * dx_mm_;
+    kept.along[i] = along(System::kWeft, pick, moved_step(cloth_, System::kWeft, pick, s_mm, column_steps_[i]), s_mm);
   }
   return kept.along;
 }
@@ -319,7 +326,7 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const Texel texel = texture_at(
       texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, a.turn / thread_formulas::kStraySpacing + l.stray_turn,
                 l.node, l.blend, a.cycles, a.ply_fade});
-  float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm);
+  float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm) - l.sideways * across;
   SurfaceSample s;
   s.cover = cover;
   s.height_mm = l.centre_mm + a.height_mm * l.lengthened;
@@ -338,8 +345,8 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   s.thread = static_cast<uint32_t>(thread + (warp ? cloth_.first_end : cloth_.first_pick));
   s.system = warp ? 0 : 1;
   s.slope = warp ? Slope{across, along} : Slope{along, across};
-  // Fibre direction: the axis turned by the helix angle in the tangent plane.
-  const float turn = texture.fibre_tan / std::sqrt(1.0f + across * across);
+  // Fibre direction: the axis turned by the helix angle in the tangent plane, and as the thread runs sideways.
+  const float turn = texture.fibre_tan / std::sqrt(1.0f + across * across) + l.sideways / std::sqrt(1.0f + along * along);
   const float axis = 1.0f / std::sqrt(1.0f + along * along);
   const float ta = turn, tl = axis, tz = -(across * turn + along * axis);
   const float scale = 1.0f / std::sqrt(ta * ta + tl * tl + tz * tz);
@@ -350,17 +357,20 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
 void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
   const Across& even_row = rows_[static_cast<size_t>(y - y0_)];
   const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
-  const CentreStep step = centre_step(cloth_, System::kWarp, s_mm);
+  const CentreStep even = centre_step(cloth_, System::kWarp, s_mm);
+  const auto end_step = [&](int end) { return moved_step(cloth_, System::kWarp, end, s_mm, even); };
   for (size_t e = 0; e < warp_along_.size(); ++e)
-    warp_along_[e] = along(System::kWarp, first_end_ + static_cast<int>(e), step, s_mm);
+    warp_along_[e] = along(System::kWarp, first_end_ + static_cast<int>(e), end_step(first_end_ + static_cast<int>(e)), s_mm);
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
     // Uneven threads have another width at each position along them.
     const Across column = uneven_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
-                                                 [&](int t) { return warp_sizes_.at(t, step); })
+                                                 [&](int t) { return warp_sizes_.at(t, end_step(t)); })
                                      : columns_[i];
+    const float x_mm = (static_cast<float>(x0_ + static_cast<int>(i)) + 0.5f) * dx_mm_;
+    const auto pick_step = [&](int pick) { return moved_step(cloth_, System::kWeft, pick, x_mm, column_steps_[i]); };
     const Across across_row = uneven_[1] ? across_at(System::kWeft, y, even_row.lowest,
-                                                     [&](int t) { return weft_sizes_.at(t, column_steps_[i]); })
+                                                     [&](int t) { return weft_sizes_.at(t, pick_step(t)); })
                                          : even_row;
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end_)];
     const Along& pick = along_pick(across_row.thread)[i];

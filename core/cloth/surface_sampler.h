@@ -76,28 +76,39 @@ class SurfaceSampler {
     float at_mm = 0, centre_mm = 0, slope = 0, turn = 0, ply_turn = 0, stray_turn = 0;
     float lengthened = 1;  // height of the vertical cut over that of the section, where the thread climbs
     float bend = 0;        // change of the slope for 1 mm above the centre line
+    float sideways = 0;    // d offset of the centre line / d s
     int node = 0;
     float blend = 0;
   };
 
   /// A thread at a sample, mm.
   struct Section {
-    glm::vec2 half;   // width, height
-    float aside;      // of its centre
-    float half_room;  // around that
+    glm::vec2 half;  // width, height
+    float aside;     // of its centre
+    glm::vec2 room;  // from that to the borders before and after the thread
   };
   /// Sections of the threads of a window at its crossings, computed once since every sample reads several.
   struct CrossingSizes {
     int first_thread = 0, first = 0, crossings = 0;
     std::vector<float> room_by_width;  // by thread
     std::vector<glm::vec3> over_size;  // 1 over half width and half height, and the offset, by thread, then by crossing
+    std::vector<glm::vec2> more_room;  // on both sides, where threads are moved sideways; likewise
     /// section_at() of a thread of the window.
     Section at(int thread, const CentreStep& step) const {
       const int t = thread - first_thread;
-      const glm::vec3* const here = &over_size[static_cast<size_t>(t * crossings + step.crossing - first)];
-      const glm::vec3 between = here[0] + (here[1] - here[0]) * step.t;
-      const glm::vec2 half = 1.0f / glm::vec2(between);
-      return {half, between.z, half.x * room_by_width[static_cast<size_t>(t)]};
+      const size_t i = static_cast<size_t>(t * crossings + step.crossing - first);
+      const auto between = [&](const auto& of) { return of[i] + (of[i + 1] - of[i]) * step.t; };
+      const glm::vec3 size = between(over_size);
+      const glm::vec2 half = 1.0f / glm::vec2(size);
+      Section section{half, size.z, glm::vec2(half.x * room_by_width[static_cast<size_t>(t)])};
+      if (!more_room.empty()) section.room += between(more_room);
+      return section;
+    }
+    /// Change of the offset for 1 mm along; 0 for threads beyond the window.
+    float sideways(int thread, const CentreStep& step) const {
+      const int i = (thread - first_thread) * crossings + step.crossing - first;
+      if (thread < first_thread || i + 1 >= static_cast<int>(over_size.size())) return 0;
+      return (over_size[static_cast<size_t>(i + 1)].z - over_size[static_cast<size_t>(i)].z) / step.h1;
     }
   };
 

@@ -90,19 +90,22 @@ glm::vec3 section_at(const Cloth& cloth, System system, int thread, int crossing
   const int n = static_cast<int>(threads.size()), own = wrap(thread, n);
   const float length = length_of(cloth, system);
   const ThreadSection body = thread_section(threads[static_cast<size_t>(own)], length);
-  if (!is_uneven(body)) return section_between(body, 0, 0);
+  const glm::vec3 moved(0, 0, aside_at(cloth, system, thread, crossing));
+  if (!is_uneven(body)) return section_between(body, 0, 0) + moved;
   const int count = static_cast<int>(threads_of(cloth, system == System::kWarp ? System::kWeft : System::kWarp).size());
   const int first = system == System::kWarp ? cloth.first_end : cloth.first_pick;
   const auto sway = [&](int of) {
     return border_sway(system == System::kWarp ? 0 : 1, first + of, wrap(crossing, count), count, slubs_in(length));
   };
-  return section_between(body, sway(own > 0 ? own - 1 : n - 1), sway(own));
+  return section_between(body, sway(own > 0 ? own - 1 : n - 1), sway(own)) + moved;
 }
 
 glm::vec3 section_at(const Cloth& cloth, System system, int thread, const CentreStep& step) {
   const glm::vec3 here = section_at(cloth, system, thread, step.crossing);
   const auto& threads = threads_of(cloth, system);
-  if (!uneven(threads[static_cast<size_t>(wrap(thread, static_cast<int>(threads.size())))])) return here;
+  if (cloth.warp_aside_mm.empty() &&
+      !uneven(threads[static_cast<size_t>(wrap(thread, static_cast<int>(threads.size())))]))
+    return here;
   return section_between_crossings(here, section_at(cloth, system, thread, step.crossing + 1), step.t);
 }
 
@@ -123,7 +126,8 @@ float furthest_side(const ThreadBody& t) {
 bool uneven(const ThreadBody& t) { return t.before != ThreadBorder{} || t.after != ThreadBorder{}; }
 
 bool uneven(const Cloth& cloth, System system) {
-  return std::ranges::any_of(threads_of(cloth, system), [](const ThreadBody& t) { return uneven(t); });
+  return !cloth.warp_aside_mm.empty() ||
+         std::ranges::any_of(threads_of(cloth, system), [](const ThreadBody& t) { return uneven(t); });
 }
 
 }  // namespace weftlight::cloth

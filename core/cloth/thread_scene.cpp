@@ -7,6 +7,7 @@
 #include "cloth/centre_line.h"
 #include "cloth/layers.h"
 #include "cloth/thickness.h"
+#include "cloth/washed_aside.h"
 
 namespace weftlight::cloth {
 
@@ -92,16 +93,27 @@ std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& w) {
   out.reserve(static_cast<size_t>(w.end1 - w.end0) * static_cast<size_t>(w.pick1 - w.pick0));
   for (int p = w.pick0; p < w.pick1; ++p) {
     const size_t j = static_cast<size_t>(p - w.pick0);
-    const float down = std::max(y[j + 2] - y[j], thread_formulas::kMinStep_mm);
     for (int e = w.end0; e < w.end1; ++e) {
       const size_t i = static_cast<size_t>(e - w.end0);
-      const float across = std::max(x[i + 2] - x[i], thread_formulas::kMinStep_mm);
+      const float more_down = aside_at(cloth, System::kWeft, p + 1, e) - aside_at(cloth, System::kWeft, p - 1, e),
+                  more_across = aside_at(cloth, System::kWarp, e + 1, p) - aside_at(cloth, System::kWarp, e - 1, p);
+      const float down = std::max(y[j + 2] - y[j] + more_down, thread_formulas::kMinStep_mm);
+      const float across = std::max(x[i + 2] - x[i] + more_across, thread_formulas::kMinStep_mm);
       out.push_back({lines.at(System::kWarp, e, p),
                      centre_slope(lines.at(System::kWarp, e, p - 1), lines.at(System::kWarp, e, p + 1), down),
                      lines.at(System::kWeft, e, p),
                      centre_slope(lines.at(System::kWeft, e - 1, p), lines.at(System::kWeft, e + 1, p), across)});
     }
   }
+  return out;
+}
+
+std::vector<glm::vec2> thread_asides(const Cloth& cloth, const CellRect& w) {
+  std::vector<glm::vec2> out;
+  if (cloth.warp_aside_mm.empty()) return out;
+  for (int p = w.pick0; p < w.pick1; ++p)
+    for (int e = w.end0; e < w.end1; ++e)
+      out.push_back({aside_at(cloth, System::kWarp, e, p), aside_at(cloth, System::kWeft, p, e)});
   return out;
 }
 
@@ -190,6 +202,7 @@ thread_formulas::ThreadHead head_of(const Cloth& one, int layers) {
   h.period = {one.width_mm, one.depth_mm};
   if (one.ends.empty() || one.picks.empty()) return h;
   h.even = {even_room(one.ends), even_room(one.picks)};
+  h.aside = furthest_aside(one);
   h.spacing = 0.5f * (h.period.x / static_cast<float>(h.count.x) + h.period.y / static_cast<float>(h.count.y));
   return h;
 }
@@ -240,6 +253,7 @@ float top_of(const Cloth& cloth, const std::vector<glm::vec4>& crossings) {
 thread_formulas::ThreadScene::ThreadScene(const Cloth& cloth, Face face)
     : crossings_(
           thread_crossings(cloth, {0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())})),
+      asides_(thread_asides(cloth, {0, static_cast<int>(cloth.ends.size()), 0, static_cast<int>(cloth.picks.size())})),
       tables_(thread_tables(cloth, top_of(cloth, crossings_))),
       side_(face == Face::kFront ? 1.0f : -1.0f) {}
 

@@ -27,6 +27,10 @@ ThreadTables thread_tables(const Cloth& cloth, float top_mm);
 /// front. For several layers only the whole period, with 0 where threads of two layers cross.
 std::vector<glm::vec4> thread_crossings(const Cloth& cloth, const CellRect& window);
 
+/// How far washing moves the end and the pick of each crossing of a window sideways (mm, towards +across); empty where
+/// it moves none.
+std::vector<glm::vec2> thread_asides(const Cloth& cloth, const CellRect& window);
+
 /// Bound of the heights of threads with these crossings, for a single-layer cloth.
 float highest_thread(const Cloth& cloth, const std::vector<glm::vec4>& crossings);
 /// A bound for any weave of these threads, without looking at a crossing.
@@ -48,6 +52,9 @@ class ThreadScene {
   vec4 crossing_at(int end, int pick) const {
     return crossings_[static_cast<size_t>(pick) * tables_.bodies[0].size() + static_cast<size_t>(end)];
   }
+  vec2 aside_at(int end, int pick) const {
+    return asides_[static_cast<size_t>(pick) * tables_.bodies[0].size() + static_cast<size_t>(end)];
+  }
 #define FORMULA
 #include "shaders/threads.glsl"
 #undef FORMULA
@@ -57,6 +64,7 @@ class ThreadScene {
 
  private:
   std::vector<glm::vec4> crossings_;
+  std::vector<glm::vec2> asides_;
   ThreadTables tables_;
   float side_;
 };

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/loops.h"
+#include "cloth/centre_step.h"
 #include "cloth/thread_scene.h"
 #include "light/thread_shadows.h"
 #include "light/yarn_lobes.h"
@@ -87,6 +88,8 @@ class ThreadSampler {
  private:
   float length(int system) const { return system == 0 ? cloth_.depth_mm : cloth_.width_mm; }
   float warp_around(int layer, int end, int pick) const;
+  /// What washing adds to the room of a thread.
+  float more_room(int system, int thread, float along) const;
   glm::vec3 ply_normal_of(int system, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, Texel& texel);
   void set_shading(ThreadSample& p, int thread, const thread_formulas::ThreadScene::ThreadPoint& point, float step);
   glm::vec3 bend_variance(const thread_formulas::ThreadScene::ThreadPoint& point, float fibre_tan, float step) const;
@@ -123,6 +126,17 @@ float ThreadSampler::warp_around(int layer, int end, int pick) const {
   return static_cast<float>(sum) / (kTop * kTop * kTop * kTop);
 }
 
+float ThreadSampler::more_room(int system, int thread, float along) const {
+  if (cloth_.warp_aside_mm.empty()) return 0;
+  const draft::System of = system == 0 ? draft::System::kWarp : draft::System::kWeft;
+  const cloth::CentreStep step = cloth::centre_step(cloth_, of, thread, along);
+  const auto at = [&](int crossing) {
+    return 0.5f *
+           (cloth::aside_at(cloth_, of, thread + 1, crossing) - cloth::aside_at(cloth_, of, thread - 1, crossing));
+  };
+  return at(step.crossing) + (at(step.crossing + 1) - at(step.crossing)) * step.t;
+}
+
 ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   const glm::vec2 at = glm::vec2(part(k, 0.8191725133961645), part(k, 0.6710436067037893)) * grid_.period;
   const float u = 2 * part(k, 0.5497004779019703) - 1;
@@ -140,7 +154,8 @@ ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   const float apart = stretch * (1 - half.y * y * c.z / (stretch * stretch * stretch));
   const ThreadBody& body = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)];
   // A thread fills the same part of its room everywhere.
-  const float room = body.width_mm > 0 ? room_mm(body) * half.x / (0.5f * body.width_mm) : body.spacing_mm;
+  const float room = (body.width_mm > 0 ? room_mm(body) * half.x / (0.5f * body.width_mm) : body.spacing_mm) +
+                     more_room(system, s.thread, along);
   ThreadSample p;
   p.system = system;
   if (apart <= 0 || room <= 0) return p;

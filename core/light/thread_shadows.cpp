@@ -289,7 +289,7 @@ struct ThreadShadows::Around {
     const auto body = scene.thread_body(of, index);
     threads[static_cast<size_t>(of)][static_cast<size_t>(kMiddle + step)] = {
         index, body.centre + base[of] + static_cast<float>(period) * g.period[of], body,
-        std::max(cloth::thread_formulas::furthest_side(body), body.half_width)};
+        std::max(cloth::thread_formulas::furthest_side(body), body.half_width) + g.aside};
   }
 };
 
@@ -302,18 +302,22 @@ ThreadShadows::ThreadShadows(ThreadScene& scene) : scene_(scene) {
 void ThreadShadows::cast_span(Rays& rays, const ThreadGrid& g, const Around& around, int system, int across,
                               int along) {
   const int other = 1 - system;
+  const bool warp = system == 0;
   const Near &it = around.near(system, across), &first = around.near(other, along),
              &second = around.near(other, along + 1);
   if ((system == around.system && it.thread == around.thread) != around.only_it) return;
-  const float aside = around.from[system] - it.centre, start = first.centre - around.from[other],
-              step = second.centre - first.centre, lean = it.body.half_height;
+  const auto place = [&](const Near& of) {
+    if (g.aside == 0) return of.centre;
+    return of.centre + (warp ? scene_.aside_at(it.thread, of.thread).y : scene_.aside_at(of.thread, it.thread).x);
+  };
+  const float aside = around.from[system] - it.centre, start = place(first) - around.from[other],
+              step = place(second) - place(first), lean = it.body.half_height;
   Box box{-aside - it.wide, it.wide - aside, start - kLean * lean, start + step + kLean * lean, 0, around.depth};
   const Groups& all = rays.groups[static_cast<size_t>(system)];
   if (!all.may_meet(box)) return;
   Groups near;
   platform::with_widest_vectors([&] { choose(near, all, box); });
   if (near.count == 0) return;
-  const bool warp = system == 0;
   const glm::vec4 here = scene_.crossing_at(warp ? it.thread : first.thread, warp ? first.thread : it.thread);
   const glm::vec4 next = scene_.crossing_at(warp ? it.thread : second.thread, warp ? second.thread : it.thread);
   const glm::vec2 from = warp ? glm::vec2(here.x, here.y) : glm::vec2(here.z, here.w),

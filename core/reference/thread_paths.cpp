@@ -31,21 +31,24 @@ ThreadRing ThreadPaths::ring_at(System s, int thread, float along) const {
   const size_t layer = static_cast<size_t>(layer_of(cloth_, s, thread));
   const Cloth& own = layers_[layer];
   const int in_layer = thread - (s == System::kWarp ? own.first_end : own.first_pick);
-  const CentreStep step = centre_step(own, s, wrapped);
+  const CentreStep step = centre_step(own, s, in_layer, wrapped);
   const CentrePoint p = centre_at(lines_[layer], s, in_layer, step);
   const glm::vec3 section = section_at(own, s, in_layer, step);
-  return {along, p.height_mm, p.slope, glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)), section.z};
+  const float next = section_at(own, s, in_layer, step.crossing + 1).z,
+              sideways = (next - section_at(own, s, in_layer, step.crossing).z) / step.h1;
+  return {along, p.height_mm, p.slope, glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)), section.z, sideways};
 }
 
 float ThreadPaths::widest(System s, int thread) const {
   const ThreadBody& body = threads(s)[static_cast<size_t>(thread)];
-  return std::max(cloth::uneven(body) ? furthest_side(body) : 0.5f * body.width_mm, 0.5f * kThinnest_mm);
+  const float side = cloth::uneven(body) ? furthest_side(body) : 0.5f * body.width_mm;
+  return std::max(side + furthest_aside_, 0.5f * kThinnest_mm);
 }
 
 float ThreadPaths::thickest(System s) const { return tallest_half(cloth_, s); }
 
-glm::vec3 axis_of(System s, float slope) {
-  return glm::normalize(s == System::kWarp ? glm::vec3(0, 1, slope) : glm::vec3(1, 0, slope));
+glm::vec3 axis_of(System s, float slope, float sideways) {
+  return glm::normalize(s == System::kWarp ? glm::vec3(sideways, 1, slope) : glm::vec3(1, sideways, slope));
 }
 glm::vec3 across_of(System s) { return s == System::kWarp ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0); }
 glm::vec3 up_of(System s, float slope) {

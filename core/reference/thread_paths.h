@@ -7,6 +7,7 @@
 
 #include "cloth/centre_line.h"
 #include "cloth/cloth.h"
+#include "cloth/washed_aside.h"
 
 namespace weftlight::reference {
 
@@ -18,13 +19,14 @@ struct ThreadRing {
   float along, z, slope;
   glm::vec2 radii;  // half width, half height
   float aside;      // of its centre, across
+  float sideways;   // d aside / d along
 };
 
 class ThreadPaths {
  public:
   ThreadPaths() = default;
   /// Sizes only: cheap for a cloth of any size.
-  explicit ThreadPaths(const Cloth& cloth) : cloth_(cloth) {}
+  explicit ThreadPaths(const Cloth& cloth) : cloth_(cloth), furthest_aside_(cloth::furthest_aside(cloth)) {}
   /// The centre lines, which ring_at() needs; 8 bytes a crossing of the period.
   void compute_lines();
 
@@ -40,12 +42,13 @@ class ThreadPaths {
 
  private:
   Cloth cloth_;
+  float furthest_aside_ = 0;
   std::vector<Cloth> layers_;
   std::vector<CentreLines> lines_;  // by layer
 };
 
 /// Directions and position of a section: along the thread, across it in the plane of the cloth, up.
-glm::vec3 axis_of(System s, float slope);
+glm::vec3 axis_of(System s, float slope, float sideways = 0);
 glm::vec3 across_of(System s);
 glm::vec3 up_of(System s, float slope);
 glm::vec3 centre_of(System s, float centre_mm, const ThreadRing& ring);

@@ -193,9 +193,10 @@ void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
   hit.around_rad = 2 * std::numbers::pi_v<float> * (facet + around_part) / static_cast<float>(around);
   hit.along_mm = along - std::floor(along / paths.period_along(s)) * paths.period_along(s);
   const ThreadRing at = paths.ring_at(s, tube->thread, along);
-  hit.axis = axis_of(s, at.slope);
-  hit.normal = glm::normalize(across_of(s) * (std::cos(hit.around_rad) / at.radii.x) +
-                              up_of(s, at.slope) * (std::sin(hit.around_rad) / at.radii.y));
+  hit.axis = axis_of(s, at.slope, at.sideways);
+  const glm::vec3 out = across_of(s) * (std::cos(hit.around_rad) / at.radii.x) +
+                        up_of(s, at.slope) * (std::sin(hit.around_rad) / at.radii.y);
+  hit.normal = glm::normalize(out - hit.axis * glm::dot(out, hit.axis));
 }
 
 base::Result<std::unique_ptr<TubeScene>> TubeScene::build(const Cloth& cloth, const TubeOptions& options) {

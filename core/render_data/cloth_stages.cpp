@@ -59,12 +59,17 @@ std::vector<float> cube_texels(const CubeMap& cube) {
 }
 
 /// Replaces a rectangle of the packed crossings.
-void copy_into(PackedCloth& packed, const CellRect& cells, const std::vector<HalfCrossing>& texels) {
+void copy_into(PackedCloth& packed, const CrossingPatch& patch) {
+  const CellRect& cells = patch.cells;
   const std::ptrdiff_t row = cells.end1 - cells.end0;
-  for (int p = cells.pick0; p < cells.pick1; ++p) {
-    std::copy_n(texels.begin() + (p - cells.pick0) * row, row,
-                packed.crossings.begin() + static_cast<std::ptrdiff_t>(p) * packed.ends + cells.end0);
-  }
+  const auto copy = [&](const std::vector<HalfCrossing>& from, std::vector<HalfCrossing>& to) {
+    if (from.empty()) return;
+    for (int p = cells.pick0; p < cells.pick1; ++p)
+      std::copy_n(from.begin() + (p - cells.pick0) * row, row,
+                  to.begin() + static_cast<std::ptrdiff_t>(p) * packed.ends + cells.end0);
+  };
+  copy(patch.texels, packed.crossings);
+  copy(patch.asides, packed.asides);
 }
 
 }  // namespace
@@ -188,13 +193,13 @@ base::Result<Outcome> update_crossings(StageWork& work, Change input) {
     const CellRect cells = data.period == Period::kRepeat ? all : touched_crossings(cloth, painted);
     const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
     data.top_mm = std::max(data.top_mm, highest_thread(cloth, crossings));
-    std::vector<HalfCrossing> texels = packed_crossings(crossings);
-    copy_into(packed, cells, texels);
-    work.result.patches.crossings.push_back({cells, std::move(texels)});
+    CrossingPatch patch{cells, packed_crossings(crossings), packed_asides(cloth, cells)};
+    copy_into(packed, patch);
+    work.result.patches.crossings.push_back(std::move(patch));
     return Outcome{Change::kPart};
   }
   packed.ends = all.end1, packed.picks = all.pick1;
-  packed.crossings = {}, packed.strips = {};
+  packed.crossings = {}, packed.asides = {}, packed.strips = {};
   if (int64_t{packed.ends} * packed.picks > kMaxCrossings) {
     data.top_mm = highest_thread(cloth);
     packed.strips = cell_strips(cloth.up);
@@ -203,6 +208,7 @@ base::Result<Outcome> update_crossings(StageWork& work, Change input) {
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, all);
   data.top_mm = cloth.layers.empty() ? highest_thread(cloth, crossings) : 0;
   packed.crossings = packed_crossings(crossings);
+  packed.asides = packed_asides(cloth, all);
   return {};
 }
 

@@ -76,7 +76,8 @@ Period choose_period(const Design& design, const BitMatrix& cells) {
 
 bool same_layout(const Cloth& a, const Cloth& b) {
   return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && same_bodies(a.ends, b.ends) &&
-         same_bodies(a.picks, b.picks) && a.dyes == b.dyes && a.layers.empty() && b.layers.empty();
+         same_bodies(a.picks, b.picks) && a.dyes == b.dyes && a.layers.empty() && b.layers.empty() &&
+         a.warp_aside_mm.empty() == b.warp_aside_mm.empty();
 }
 
 MapsSize maps_size(const Cloth& cloth, bool shadows) {

@@ -93,6 +93,8 @@ struct PackedCloth {
   // Crossings of the front, or, if there are too many of them, its cells (thread_block.h).
   int ends = 0, picks = 0;
   std::vector<HalfCrossing> crossings;
+  // How far washing moves the end and the pick of each sideways; empty where it moves none.
+  std::vector<HalfCrossing> asides;
   std::vector<uint32_t> strips;
   ClothLobes lobes;
 
@@ -112,6 +114,7 @@ struct PackedPatch {
 struct CrossingPatch {
   CellRect cells;
   std::vector<HalfCrossing> texels;
+  std::vector<HalfCrossing> asides;  // empty where washing moves no thread sideways
 };
 
 /// Strips of cells, from `first` on among all.

@@ -8,6 +8,7 @@
 #include "cloth/centre_line.h"
 #include "cloth/relief.h"
 #include "cloth/thread_scene.h"
+#include "cloth/washed_aside.h"
 #include "light/yarn_lobes.h"
 #include "shaders/interop.h"
 
@@ -17,7 +18,7 @@ namespace thread_formulas = cloth::thread_formulas;
 
 using base::for_each_job;
 using cloth::Linear, cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
-    cloth::kReliefReach, cloth::thread_tables, cloth::thread_texture;
+    cloth::kReliefReach, cloth::kAsideReach, cloth::thread_tables, cloth::thread_texture;
 using design::FibreFacts, design::Yarn;
 using draft::System;
 using light::yarn_data;
@@ -135,6 +136,7 @@ ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
     kind.one_layer = layers == 1;
     kind.even = (i == 0 || kind.even) && head.even.x > 0 && head.even.y > 0;
     if (i > 0) continue;
+    kind.straight = head.aside == 0;
     kind.smooth = all_threads(records, head, is_even);
     kind.dyed = !all_threads(records, head, has_one_color);
   }
@@ -146,6 +148,13 @@ std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossin
   out.reserve(crossings.size());
   for (const glm::vec4& c : crossings)
     out.push_back({glm::packHalf1x16(c.x), glm::packHalf1x16(c.y), glm::packHalf1x16(c.z), glm::packHalf1x16(c.w)});
+  return out;
+}
+
+std::vector<HalfCrossing> packed_asides(const Cloth& cloth, const CellRect& window) {
+  std::vector<HalfCrossing> out;
+  for (const glm::vec2& mm : cloth::thread_asides(cloth, window))
+    out.push_back({glm::packHalf1x16(mm.x), glm::packHalf1x16(mm.y), 0, 0});
   return out;
 }
 
@@ -242,7 +251,7 @@ std::array<StripPatch, 2> cell_strips(const BitMatrix& up, const CellRect& cells
 }
 
 CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty) {
-  constexpr int kMargin = std::max(kFloatReach, kReliefReach) + 1;  // of heights, and one more for their slopes
+  constexpr int kMargin = std::max({kFloatReach, kReliefReach, kAsideReach}) + 1;  // of heights, and one more for their slopes
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
   CellRect r{dirty.end0 - kMargin, dirty.end1 + kMargin, dirty.pick0 - kMargin, dirty.pick1 + kMargin};
   // A range that leaves the period wraps around: then the whole axis.

@@ -28,6 +28,7 @@ struct ThreadKind {
   bool even = false;  // all threads of a system have the same spacing
   bool one_layer = false;
   bool smooth = false;    // no thread is uneven along its length
+  bool straight = false;  // washing moves no thread sideways
   bool dyed = false;      // the colour of some thread changes along it
   bool computed = false;  // its crossings are computed from the drawdown
   auto operator<=>(const ThreadKind&) const = default;
@@ -37,6 +38,8 @@ ThreadKind thread_kind(const std::vector<glm::uvec4>& records);
 
 /// Row-major, a row a pick.
 std::vector<HalfCrossing> packed_crossings(const std::vector<glm::vec4>& crossings);
+/// The offsets of the threads at the crossings of a window as they are uploaded; empty where none is moved.
+std::vector<HalfCrossing> packed_asides(const Cloth& cloth, const CellRect& window);
 
 /// The drawdown for shaders/crossings.glsl: for each pick and then for each end a row of strips of STRIP_CELLS cells
 /// along it, each with the STRIP_MARGIN cells on either side, which wrap; the first in the lowest bit, 1 where the warp

@@ -93,13 +93,15 @@ void bake_crossings(const StageData& data, const Cloth& cloth, const VisiblePart
   const auto [p0, p1] =
       among(cloth.picks, in_period(static_cast<double>(visible.v0), static_cast<double>(visible.v1), depth));
   const CellRect cells{e0, e1, p0, p1};
+  // Other shaders draw threads that are moved sideways.
+  if (cloth.warp_aside_mm.empty() != data.packed.asides.empty()) return;
   if (cells.empty() || int64_t{e1 - e0} * (p1 - p0) > kMaxVisible) return;
   if (!data.packed.strips.empty()) {  // their bound of the heights holds for any weave
     std::ranges::move(cell_strips(cloth.up, cells), std::back_inserter(result.patches.strips));
     return;
   }
   const std::vector<glm::vec4> crossings = thread_crossings(cloth, cells);
-  result.patches.crossings.push_back({cells, packed_crossings(crossings)});
+  result.patches.crossings.push_back({cells, packed_crossings(crossings), packed_asides(cloth, cells)});
   const float top_mm = highest_thread(cloth, crossings);
   if (top_mm <= data.top_mm) return;
   result.lobes = data.packed.lobes;

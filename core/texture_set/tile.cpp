@@ -82,14 +82,14 @@ Cloth tiled(const Cloth& cloth, int across, int up) {
   out.width_mm *= static_cast<float>(across), out.depth_mm *= static_cast<float>(up);
   out.ends = ends.threads, out.picks = picks.threads;
   out.up = BitMatrix(cloth.up.rows() * up, cloth.up.cols() * across);
-  out.warp_level_mm.clear(), out.weft_level_mm.clear();
+  for (const auto of : cloth::kCrossingValues) (out.*of).clear();
   for (int pick = 0; pick < out.up.rows(); ++pick) {
     for (int end = 0; end < out.up.cols(); ++end) {
       const int p = picks.from[static_cast<size_t>(pick)], e = ends.from[static_cast<size_t>(end)];
       out.up.set(pick, end, cloth.up.get(p, e));
-      if (cloth.warp_level_mm.empty()) continue;
       const size_t at = static_cast<size_t>(p) * static_cast<size_t>(cloth.up.cols()) + static_cast<size_t>(e);
-      out.warp_level_mm.push_back(cloth.warp_level_mm[at]), out.weft_level_mm.push_back(cloth.weft_level_mm[at]);
+      for (const auto of : cloth::kCrossingValues)
+        if (!(cloth.*of).empty()) (out.*of).push_back((cloth.*of)[at]);
     }
   }
   return out;

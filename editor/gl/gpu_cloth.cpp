@@ -129,13 +129,15 @@ void GpuCloth::upload_rest(const PackedCloth& cloth) {
 
 void GpuCloth::upload_crossings(const PackedCloth& cloth) {
   crossing_blocks_ = (cloth.ends + CROSSING_BLOCK - 1) / CROSSING_BLOCK;
-  const int layers = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
+  crossing_layers_ = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
   glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, std::min(cloth.ends, CROSSING_BLOCK),
-               std::min(cloth.picks, CROSSING_BLOCK), layers, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+               std::min(cloth.picks, CROSSING_BLOCK), crossing_layers_ * (cloth.asides.empty() ? 1 : 2), 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
   as_table(GL_TEXTURE_2D_ARRAY);
-  upload_crossings({0, cloth.ends, 0, cloth.picks}, cloth.crossings);
-  bytes_ += cloth.crossings.size() * sizeof(HalfCrossing);
+  const CellRect all{0, cloth.ends, 0, cloth.picks};
+  upload_crossings(all, cloth.crossings, 0);
+  if (!cloth.asides.empty()) upload_crossings(all, cloth.asides, crossing_layers_);
+  bytes_ += (cloth.crossings.size() + cloth.asides.size()) * sizeof(HalfCrossing);
 }
 
 void GpuCloth::upload_strips(const PackedCloth& cloth) {
@@ -184,7 +186,7 @@ void GpuCloth::upload(const PackedCloth& cloth) { upload_all(cloth); }
 void GpuCloth::upload(PackedCloth&& cloth) { upload_all(cloth); }
 
 /// Uploads a rectangle of crossings, block by block.
-void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels) {
+void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels, int first_layer) {
   glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
   const int row = cells.end1 - cells.end0;
   glPixelStorei(GL_UNPACK_ROW_LENGTH, row);
@@ -195,7 +197,7 @@ void GpuCloth::upload_crossings(const CellRect& cells, const std::vector<HalfCro
       const size_t first =
           static_cast<size_t>(p - cells.pick0) * static_cast<size_t>(row) + static_cast<size_t>(e - cells.end0);
       glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, e % CROSSING_BLOCK, p % CROSSING_BLOCK,
-                      p / CROSSING_BLOCK * crossing_blocks_ + e / CROSSING_BLOCK, ends, picks, 1, GL_RGBA,
+                      first_layer + p / CROSSING_BLOCK * crossing_blocks_ + e / CROSSING_BLOCK, ends, picks, 1, GL_RGBA,
                       GL_HALF_FLOAT, texels.data() + first);
     }
   }
@@ -214,7 +216,10 @@ void GpuCloth::upload_threads(const std::vector<glm::uvec4>& records) {
 
 void GpuCloth::upload(const ClothPatches& patches) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (const CrossingPatch& p : patches.crossings) upload_crossings(p.cells, p.texels);
+  for (const CrossingPatch& p : patches.crossings) {
+    upload_crossings(p.cells, p.texels, 0);
+    if (!p.asides.empty()) upload_crossings(p.cells, p.asides, crossing_layers_);
+  }
   for (const StripPatch& p : patches.strips) upload_strips(p.first, p.strips);
   for (const PackedPatch& p : patches.maps) {
     const size_t k = static_cast<size_t>(p.kind);

@@ -48,7 +48,7 @@ class GpuCloth {
   void upload_rest(const PackedCloth& cloth);
   void upload_response(const ResponseTables& tables);
   void upload_crossings(const PackedCloth& cloth);
-  void upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels);
+  void upload_crossings(const CellRect& cells, const std::vector<HalfCrossing>& texels, int first_layer);
   void upload_strips(const PackedCloth& cloth);
   void upload_strips(size_t first, const std::vector<uint32_t>& strips);
   void upload_threads(const std::vector<glm::uvec4>& records);
@@ -59,6 +59,7 @@ class GpuCloth {
   GlTexture response_, slopes_, views_;     // of the cloth and its lobes
   GlTexture threads_, crossings_;
   int crossing_blocks_ = 1;  // blocks in a row
+  int crossing_layers_ = 1;  // of all crossings; as many more hold how far threads are moved sideways
   bool has_threads_ = false;
   ThreadKind thread_kind_;
   GlBuffer block_;

@@ -86,6 +86,25 @@ TEST(Rebake, UnevenThreadsEqualBakeBitForBit) {
   }
 }
 
+TEST(Rebake, ThreadsThatWashingMovesEqualBakeBitForBit) {
+  Design d = design_of(48, 36, 0.5f, 0.25f);
+  d.yarns[0].unevenness = 20;
+  const MapsSize size{384, 288, 8, 2};
+  BitMatrix cells = cells_of(48, 36, [](int e, int p) {
+    const bool group = (e / 3 + p / 3) % 2 == 0;
+    return p % 3 == 1 ? group : group == (e % 3 != 1);
+  });
+  Cloth cloth = whole(d, cells);
+  ASSERT_FALSE(cloth.warp_aside_mm.empty());
+  Maps maps = bake(cloth, size);
+  for (const auto& [end, pick] : {std::pair{0, 0}, {47, 35}, {20, 13}, {24, 18}}) {
+    cells.set(pick, end, !cells.get(pick, end));
+    const Cloth after = whole(d, cells);
+    expect_rebaked(maps, cloth, after, size);
+    cloth = after;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Rebake,
                          testing::Values(RebakeCase{32, 24, 320, 240, 16}, RebakeCase{120, 200, 190, 300, 12},
                                          RebakeCase{1, 1, 32, 32, 8}, RebakeCase{3, 2, 200, 100, 16},

@@ -40,6 +40,10 @@ class PackedThreads {
     const render_data::HalfCrossing& h = cloth_.crossings[static_cast<size_t>(pick * cloth_.ends + end)];
     return {glm::unpackHalf1x16(h[0]), glm::unpackHalf1x16(h[1]), glm::unpackHalf1x16(h[2]), glm::unpackHalf1x16(h[3])};
   }
+  vec2 aside_at(int end, int pick) const {
+    const render_data::HalfCrossing& h = cloth_.asides[static_cast<size_t>(pick * cloth_.ends + end)];
+    return {glm::unpackHalf1x16(h[0]), glm::unpackHalf1x16(h[1])};
+  }
 #define FORMULA
 #include "shaders/threads.glsl"
 // These read the one before.
@@ -99,12 +103,27 @@ inline Cloth pockets() {
   return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
 }
 
+/// Mock leno, whose threads washing gathers in groups.
+inline Cloth gathered() {
+  Design d = twill(12, 4, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
+  for (auto* threads : {&d.draft.warp, &d.draft.weft}) threads->spacing_mm.assign(threads->color.size(), 1.0f);
+  BitMatrix cells(d.draft.picks(), d.draft.ends());
+  for (int p = 0; p < cells.rows(); ++p) {
+    for (int e = 0; e < cells.cols(); ++e) {
+      const bool group = (e / 3 + p / 3) % 2 == 0;
+      cells.set(p, e, p % 3 == 1 ? group : group == (e % 3 != 1));
+    }
+  }
+  return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
+}
+
 inline PackedCloth packed(const Cloth& cloth) {
   PackedCloth p;
   p.width_mm = cloth.width_mm, p.depth_mm = cloth.depth_mm, p.mean_spacing_mm = render_data::mean_spacing_mm(cloth);
   p.ends = static_cast<int>(cloth.ends.size()), p.picks = static_cast<int>(cloth.picks.size());
   const std::vector<vec4> crossings = thread_crossings(cloth, {0, p.ends, 0, p.picks});
   p.crossings = render_data::packed_crossings(crossings);
+  p.asides = render_data::packed_asides(cloth, {0, p.ends, 0, p.picks});
   p.lobes.threads = render_data::thread_records(cloth, cloth.layers.empty() ? highest_thread(cloth, crossings) : 0);
   return p;
 }
@@ -135,7 +154,9 @@ inline Cloth unordered(int ends, int picks) {
   BitMatrix cells(picks, ends);
   for (int p = 0; p < picks; ++p)
     for (int e = 0; e < ends; ++e) cells.set(p, e, rng() % 2 == 0);
-  return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
+  Cloth cloth = lay_out(d, cells, Face::kFront, Period::kWholeDraft);
+  cloth.warp_aside_mm.clear(), cloth.weft_aside_mm.clear();  // nor does washing move their threads
+  return cloth;
 }
 
 }  // namespace weftlight::gl

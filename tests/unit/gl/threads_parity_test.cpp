@@ -152,7 +152,8 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
   const Design even = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   const Cloth even_cloth = lay_out(even, drawdown(even.draft), Face::kFront, Period::kWholeDraft);
   const std::array cloths{packed(uneven_twill()), packed(pockets()), packed(even_cloth), in_strips(even_cloth),
-                          in_strips(unordered(300, 200))};
+                          in_strips(unordered(300, 200)), packed(gathered())};
+  EXPECT_FALSE(cloths.back().asides.empty());
   for (const PackedCloth& p : cloths) {
     // The defines leave out code only here: the C++ has the whole text.
     const ThreadKind kind = thread_kind(p.lobes.threads);
@@ -161,6 +162,7 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
     if (kind.even) defines.push_back("EVEN_THREADS");
     if (kind.one_layer) defines.push_back("ONE_LAYER");
     if (kind.smooth) defines.push_back("SMOOTH_YARNS");
+    if (kind.straight) defines.push_back("STRAIGHT_THREADS");
     SCOPED_TRACE("cloth " + std::to_string(&p - cloths.data()));
     GpuCloth gpu_cloth;
     upload_in_pieces(gpu_cloth, p);

@@ -181,6 +181,16 @@ if wants washed; then
   done
   convert "$work/loom.png" "$work/waffle.png" +append -strip -quality 84 "$out/washed.jpg"
 fi
+if wants deflected; then
+  draft=$root/presets/drafts/deflected_double_weave.wif
+  sed 's/^PRIVATE WEFTLIGHT PLAN=true/&\nPRIVATE WEFTLIGHT FINISH=true/' "$draft" >"$work/loom.wif"
+  printf '\n[PRIVATE WEFTLIGHT FINISH]\nWashed=0\n' >>"$work/loom.wif"
+  for draft in "$work/loom.wif" "$draft"; do
+    "$weftlight" render "$draft" -o "$work/$(basename "$draft" .wif).png" --size 420x360 --samples "${SAMPLES:-24}" --mesh plane \
+      --view 15,20 --yarns-per-pixel "$([[ $draft == */loom.wif ]] && echo 0.085 || echo 0.1)" --quiet
+  done
+  convert "$work/loom.png" "$work/deflected_double_weave.png" +append -strip -quality 84 "$out/deflected.jpg"
+fi
 if wants near; then
   "$weftlight" render "$root/presets/cloths/tweed.wif" -o "$work/near.png" --size 840x420 --samples "${SAMPLES:-16}" --mesh plane \
     --view 15,25 --yarns-per-pixel 0.04 --quiet

@@ -44,6 +44,7 @@ constexpr Golden kGoldens[] = {
     {"satin_engine", "satin_8", "--method engine --yarns-per-pixel 0.3"},
     {"twill_irawan", "twill_2_2", "--method irawan --yarns-per-pixel 0.1", "plane", 0.07},
     {"ikat_threads", "ikat", "--method yarn --yarns-per-pixel 0.15 --view 0,60", "plane", 0.05},
+    {"deflected_threads", "deflected_double_weave", "--method yarn --yarns-per-pixel 0.15 --view 0,0", "plane", 0.05},
     {"starter_draped", "starter", "--method auto", "tablecloth", 0.05},
 };
 

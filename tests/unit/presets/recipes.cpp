@@ -117,6 +117,33 @@ Design huck() {
                 {"Lace spots over a plain ground, set a little open."});
 }
 
+// Set open, so that washing can draw the threads sideways.
+Design deflected() {
+  const WeaveKind& kind = *find_weave("deflected");
+  Design d = kind.make(complete_values(kind, {}), {96, 96}).design;
+  d.draft.palette = palette({0xd6a354, 0x1f4a5c});
+  d.plan.warp_shrinkage = d.plan.weft_shrinkage = 0.15f;
+  d.scene.mesh = "scarf";
+  return titled(in_yarns(std::move(d), heavy(yarn("Wool"), 1.2f), heavy(yarn("Wool"), 1.2f), 1.4f), "Deflected double weave",
+                {"Stripes of two cloths float over each other; washing bends the floats round the squares."});
+}
+
+Design honeycomb() {
+  const WeaveKind& kind = *find_weave("honeycomb");
+  Design d = kind.make(complete_values(kind, {{"unit_size", "3"}}), {72, 72}).design;
+  d.draft.palette = palette({0xeee5d3, 0x8f2f3a});
+  Yarn outline = with_thickness(yarn("Wool"), 1.0f);
+  outline.name = "Outline wool";
+  d = with_yarns(std::move(d), yarn("Cotton"), outline);
+  for (draft::Threads* threads : {&d.draft.warp, &d.draft.weft})
+    std::ranges::fill(threads->thickness_mm, draft::kFromYarn);
+  for (int p = 0; p < d.draft.picks(); ++p)
+    if (d.draft.weft.color[static_cast<size_t>(p)] == 0) d = with_thread_yarn(std::move(d), System::kWeft, p, 0);
+  d.scene.mesh = "cushion";
+  return titled(with_sett(std::move(d), 1.3f), "Honeycomb",
+                {"Cells of plain weave and of floats, outlined by two picks of thick wool."});
+}
+
 Design overshot_coverlet() {
   Design d = overshot({0, 1, 2, 3, 0, 1, 2, 3, 0, 3, 2, 1, 0, 3, 2, 1}, 4, {128, 128});
   d = with_colors(std::move(d), palette({0xefe6d2, 0x24365e}), {{0, 1}}, {{1, 1}, {0, 1}});
@@ -270,6 +297,8 @@ std::vector<PresetRecipe> preset_recipes() {
       {"drafts/glen_check.wif", glen()},
       {"drafts/waffle.wif", waffle_towel()},
       {"drafts/huck_lace.wif", huck()},
+      {"drafts/deflected_double_weave.wif", deflected()},
+      {"drafts/honeycomb.wif", honeycomb()},
       {"drafts/overshot.wif", overshot_coverlet()},
       {"drafts/log_cabin.wif", cabin()},
       {"drafts/shadow_weave.wif", shadow()},

@@ -14,6 +14,7 @@ namespace weftlight::cloth {
 inline bool is_empty(const Cloth& cloth) { return cloth.ends.empty() || cloth.picks.empty(); }
 
 inline int wrap(int i, int n) {
+  if (i >= 0 && i < n) return i;  // nearly always, and a division takes long
   const int r = i % n;
   return r < 0 ? r + n : r;
 }

@@ -131,10 +131,12 @@ BitMatrix seen_in(const MovedCrossings& moved, const Cloth& cloth, const SampleG
   const int moved_aside = cloth.warp_aside_mm.empty() ? 0 : 1;
   for (int p = 0; p < moved.warp.rows(); ++p) {
     for_each_run(moved.warp.row(p), [&](int first, int last) {
-      mark(texels, texels_of_threads(columns, first, last, aside_of_ends), texels_of_curves(rows, p, p + 1, moved_aside));
+      mark(texels, texels_of_threads(columns, first, last, aside_of_ends),
+           texels_of_curves(rows, p, p + 1, moved_aside));
     });
     for_each_run(moved.weft.row(p), [&](int first, int last) {
-      mark(texels, texels_of_curves(columns, first, last, moved_aside), texels_of_threads(rows, p, p + 1, aside_of_picks));
+      mark(texels, texels_of_curves(columns, first, last, moved_aside),
+           texels_of_threads(rows, p, p + 1, aside_of_picks));
     });
   }
   return texels;

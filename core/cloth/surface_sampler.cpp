@@ -346,7 +346,8 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   s.system = warp ? 0 : 1;
   s.slope = warp ? Slope{across, along} : Slope{along, across};
   // Fibre direction: the axis turned by the helix angle in the tangent plane, and as the thread runs sideways.
-  const float turn = texture.fibre_tan / std::sqrt(1.0f + across * across) + l.sideways / std::sqrt(1.0f + along * along);
+  const float turn =
+      texture.fibre_tan / std::sqrt(1.0f + across * across) + l.sideways / std::sqrt(1.0f + along * along);
   const float axis = 1.0f / std::sqrt(1.0f + along * along);
   const float ta = turn, tl = axis, tz = -(across * turn + along * axis);
   const float scale = 1.0f / std::sqrt(ta * ta + tl * tl + tz * tz);
@@ -360,7 +361,8 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
   const CentreStep even = centre_step(cloth_, System::kWarp, s_mm);
   const auto end_step = [&](int end) { return moved_step(cloth_, System::kWarp, end, s_mm, even); };
   for (size_t e = 0; e < warp_along_.size(); ++e)
-    warp_along_[e] = along(System::kWarp, first_end_ + static_cast<int>(e), end_step(first_end_ + static_cast<int>(e)), s_mm);
+    warp_along_[e] =
+        along(System::kWarp, first_end_ + static_cast<int>(e), end_step(first_end_ + static_cast<int>(e)), s_mm);
   beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
     // Uneven threads have another width at each position along them.

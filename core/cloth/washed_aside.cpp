@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "base/loops.h"
@@ -32,9 +33,9 @@ constexpr int kAround = 5, kAroundSum = 4 * kAround;
 constexpr int kGiven = 4;
 constexpr float kMostGiven = 0.9f;
 static_assert(2 * kGiven + kAround + 1 == kAsideReach);
-constexpr float kTouching = 1.06f;     // spacing over width of threads that touch (lay_out.cpp)
-constexpr float kMostOfRoom = 0.95f;   // of half a thread's room: shaders look no further for a thread
-constexpr float kLeastMove = 0.06f;  // of the mean spacing: less is hardly seen, and straight threads are drawn faster
+constexpr float kTouching = 1.06f;    // spacing over width of threads that touch (lay_out.cpp)
+constexpr float kMostOfRoom = 0.95f;  // of half a thread's room: shaders look no further for a thread
+constexpr float kLeastMove = 0.06f;   // of the mean spacing: less is hardly seen, and straight threads are drawn faster
 
 // A thread bends over so many crossings on each side.
 constexpr int kSmooth = 2;
@@ -46,10 +47,31 @@ class Row {
  public:
   explicit Row(size_t n) : values_(n) {}
   T& operator[](int i) { return values_[static_cast<size_t>(wrap(i, static_cast<int>(values_.size())))]; }
-  int size() const { return static_cast<int>(values_.size()); }
+
+  std::vector<T>& values() { return values_; }
 
  private:
   std::vector<T> values_;
+};
+
+/// For each crossing whether the thread of the other system passes between its thread and the next.
+class HeldApart {
+ public:
+  explicit HeldApart(const BitMatrix& up)
+      : rows_(up.rows()), cols_(up.cols()), held_(static_cast<size_t>(rows_) * static_cast<size_t>(cols_)) {
+    for_each_job(rows_, [&](int r) {
+      uint8_t* const out = &held_[static_cast<size_t>(r) * static_cast<size_t>(cols_)];
+      for (int k = 0; k < cols_; ++k) out[k] = up.get(r, k) != up.get(r, k + 1 < cols_ ? k + 1 : 0) ? 1 : 0;
+    });
+  }
+  /// Wraps.
+  const uint8_t* row(int crossing) const {
+    return &held_[static_cast<size_t>(wrap(crossing, rows_)) * static_cast<size_t>(cols_)];
+  }
+
+ private:
+  int rows_, cols_;
+  std::vector<uint8_t> held_;
 };
 
 /// Sum over `reach` on each side of i, those at the ends counted half; twice that.
@@ -63,8 +85,7 @@ int twice_sum(int i, int reach, const At& at) {
 /// Threads of one system, as the columns of `up`.
 class Movement {
  public:
-  Movement(const BitMatrix& up, std::span<const ThreadBody> threads, float washed)
-      : up_(up), limit_(furthest(threads)) {
+  Movement(std::span<const ThreadBody> threads, float washed) : limit_(furthest(threads)) {
     const size_t n = threads.size();
     for (size_t i = 0; i < n; ++i) {
       const ThreadBody &a = threads[i], &b = threads[i + 1 < n ? i + 1 : 0];
@@ -77,10 +98,10 @@ class Movement {
     return limit_ > 0 && std::ranges::any_of(free_, [](float mm) { return mm > 0; });
   }
   /// Offsets of the threads in a row of crossings.
-  std::vector<float> row(int crossing) const {
-    const int n = up_.cols();
+  std::vector<float> row(const HeldApart& apart, int crossing) const {
+    const int n = static_cast<int>(free_.size());
     Row<float> gives(static_cast<size_t>(n)), takes(static_cast<size_t>(n));
-    for (const Count& count : kCounts) compare(count, crossing, gives, takes);
+    for (const Count& count : kCounts) compare(count, apart, crossing, gives, takes);
     std::vector<float> moved(static_cast<size_t>(n));
     for (int k = 0; k < n; ++k) give(k, gives[k] * free_[static_cast<size_t>(k)], takes, moved);
     for (float& mm : moved) mm = std::clamp(mm, -limit_, limit_);
@@ -97,14 +118,13 @@ class Movement {
     return std::max(least, 0.0f);
   }
   /// How much of its room each gap in a row of crossings gives, and how much it wants; 0 to 1.
-  void compare(const Count& count, int crossing, Row<float>& gives, Row<float>& takes) const {
-    const int n = up_.cols();
-    Row<int> held(static_cast<size_t>(n));
-    for (int k = 0; k < n; ++k) {
-      held[k] = twice_sum(crossing, count.reach, [&](int c) {
-        const int at = wrap(c, up_.rows());
-        return up_.get(at, k) != up_.get(at, wrap(k + 1, n)) ? 1 : 0;
-      });
+  void compare(const Count& count, const HeldApart& apart, int crossing, Row<float>& gives, Row<float>& takes) const {
+    const int n = static_cast<int>(free_.size());
+    Row<int> held(free_.size());
+    for (int c = -count.reach; c <= count.reach; ++c) {
+      const int weight = std::abs(c) == count.reach ? 1 : 2;
+      const uint8_t* const row = apart.row(crossing + c);
+      for (int k = 0; k < n; ++k) held.values()[static_cast<size_t>(k)] += weight * row[k];
     }
     for (int k = 0; k < n; ++k) {
       const bool more = kAroundSum * held[k] > twice_sum(k, kAround, [&](int at) { return held[at]; });
@@ -122,7 +142,7 @@ class Movement {
     float all = 0;
     for (int away = 1; away <= kGiven; ++away) all += wants(away) + wants(-away);
     if (all <= 0) return;
-    const int n = up_.cols();
+    const int n = static_cast<int>(free_.size());
     for (int away = 1; away <= kGiven; ++away) {
       const float after = mm * wants(away) / all, before = mm * wants(-away) / all;
       for (int i = 0; i < away; ++i) {
@@ -132,19 +152,19 @@ class Movement {
     }
   }
 
-  const BitMatrix& up_;
   std::vector<float> free_;  // by gap, what it can give
   float limit_;
 };
 
 /// crossings x threads; empty where none moves.
 std::vector<float> moves(const BitMatrix& up, std::span<const ThreadBody> threads, float spacing, float washed) {
-  const Movement movement(up, threads, washed);
+  const Movement movement(threads, washed);
   if (!movement.possible()) return {};
+  const HeldApart apart(up);
   const size_t n = threads.size();
   std::vector<float> moved(static_cast<size_t>(up.rows()) * n), out(moved.size());
   for_each_job(up.rows(), [&](int c) {
-    std::ranges::copy(movement.row(c), moved.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(c) * n));
+    std::ranges::copy(movement.row(apart, c), moved.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(c) * n));
   });
   for_each_job(up.rows(), [&](int c) {
     for (int k = -kSmooth; k <= kSmooth; ++k) {

@@ -269,17 +269,38 @@ Design with_swapped_systems(Design design) {
   return design;
 }
 
-Design with_swapped_lightness(Design design) {
+namespace {
+
+/// Colours that are seen in the cloth: of the palette those that threads have, and the dyes of their yarns.
+std::vector<Rgb*> seen_colors(Design& design) {
   auto& palette = design.draft.palette;
-  std::vector<bool> is_used(palette.size());
+  std::vector<bool> colors(palette.size()), yarns(design.yarns.size());
+  const auto mark_used = [](const std::vector<int>& numbers, std::vector<bool>& used) {
+    for (const int i : numbers)
+      if (within(i, used.size())) used[static_cast<size_t>(i)] = true;
+  };
   for (const Threads* threads : {&design.draft.warp, &design.draft.weft})
-    for (const int i : threads->color)
-      if (within(i, palette.size())) is_used[static_cast<size_t>(i)] = true;
-  std::vector<size_t> used;
+    mark_used(threads->color, colors), mark_used(threads->yarn, yarns);
+  std::vector<Rgb*> seen;
   for (size_t i = 0; i < palette.size(); ++i)
-    if (is_used[i]) used.push_back(i);
-  std::ranges::stable_sort(used, {}, [&](size_t i) { return oklab_of(palette[i]).lightness; });
-  for (size_t i = 0; i < used.size() / 2; ++i) std::swap(palette[used[i]], palette[used[used.size() - 1 - i]]);
+    if (colors[i]) seen.push_back(&palette[i]);
+  for (size_t i = 0; i < yarns.size(); ++i) {
+    if (!yarns[i]) continue;
+    for (DyedStretch& stretch : design.yarns[i].dye.stretches)
+      if (stretch.color) seen.push_back(&*stretch.color);
+  }
+  return seen;
+}
+
+}  // namespace
+
+Design with_swapped_lightness(Design design) {
+  const std::vector<Rgb*> seen = seen_colors(design);
+  std::vector<Rgb> order;
+  for (const Rgb* color : seen)
+    if (std::ranges::find(order, *color) == order.end()) order.push_back(*color);
+  std::ranges::stable_sort(order, {}, [](Rgb color) { return oklab_of(color).lightness; });
+  for (Rgb* color : seen) *color = *(order.rbegin() + (std::ranges::find(order, *color) - order.begin()));
   return design;
 }
 

@@ -36,8 +36,8 @@ Design with_sorted_yarns(Design design);
 
 /// Warp and weft exchange their colours, whose stripes go on as far as they are needed.
 Design with_swapped_systems(Design design);
-/// The lightest colour that threads of the draft have takes the place of the darkest one, the second lightest of the
-/// second darkest, and so on.
+/// The lightest colour that threads of the draft have, their dyes included, takes the place of the darkest one, the
+/// second lightest of the second darkest, and so on.
 Design with_swapped_lightness(Design design);
 
 /// `steps` colours from one to the other, both included, at equal distances to the eye; 2 at least.

@@ -36,7 +36,8 @@ ThreadRing ThreadPaths::ring_at(System s, int thread, float along) const {
   const glm::vec3 section = section_at(own, s, in_layer, step);
   const float next = section_at(own, s, in_layer, step.crossing + 1).z,
               sideways = (next - section_at(own, s, in_layer, step.crossing).z) / step.h1;
-  return {along, p.height_mm, p.slope, glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)), section.z, sideways};
+  return {along,     p.height_mm, p.slope, glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)),
+          section.z, sideways};
 }
 
 float ThreadPaths::widest(System s, int thread) const {

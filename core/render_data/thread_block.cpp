@@ -251,7 +251,8 @@ std::array<StripPatch, 2> cell_strips(const BitMatrix& up, const CellRect& cells
 }
 
 CellRect touched_crossings(const Cloth& cloth, const CellRect& dirty) {
-  constexpr int kMargin = std::max({kFloatReach, kReliefReach, kAsideReach}) + 1;  // of heights, and one more for their slopes
+  constexpr int kMargin =
+      std::max({kFloatReach, kReliefReach, kAsideReach}) + 1;  // of heights, and one more for their slopes
   const int ends = static_cast<int>(cloth.ends.size()), picks = static_cast<int>(cloth.picks.size());
   CellRect r{dirty.end0 - kMargin, dirty.end1 + kMargin, dirty.pick0 - kMargin, dirty.pick1 + kMargin};
   // A range that leaves the period wraps around: then the whole axis.

@@ -132,7 +132,8 @@ void GpuCloth::upload_crossings(const PackedCloth& cloth) {
   crossing_layers_ = crossing_blocks_ * ((cloth.picks + CROSSING_BLOCK - 1) / CROSSING_BLOCK);
   glBindTexture(GL_TEXTURE_2D_ARRAY, crossings_.get());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA16F, std::min(cloth.ends, CROSSING_BLOCK),
-               std::min(cloth.picks, CROSSING_BLOCK), crossing_layers_ * (cloth.asides.empty() ? 1 : 2), 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
+               std::min(cloth.picks, CROSSING_BLOCK), crossing_layers_ * (cloth.asides.empty() ? 1 : 2), 0, GL_RGBA,
+               GL_HALF_FLOAT, nullptr);
   as_table(GL_TEXTURE_2D_ARRAY);
   const CellRect all{0, cloth.ends, 0, cloth.picks};
   upload_crossings(all, cloth.crossings, 0);

@@ -138,6 +138,16 @@ TEST(PaletteEdits, LightAndDarkExchangeTheirPlaces) {
   EXPECT_EQ(with_swapped_lightness(swapped), d);
 }
 
+TEST(PaletteEdits, LightAndDarkAreExchangedInDyesToo) {
+  Design d = colored({kWhite, kRed}, {0, 0, 1, 1}, {0, 0});
+  d.yarns[0].dye.stretches = {{4, kBlack, false}, {2, {}, true}, {3, kWhite, false}};
+  const Design swapped = with_swapped_lightness(d);
+  EXPECT_EQ(swapped.draft.palette, (std::vector<Rgb>{kBlack, kRed}));
+  EXPECT_EQ(swapped.yarns[0].dye.stretches,
+            (std::vector<DyedStretch>{{4, kWhite, false}, {2, {}, true}, {3, kBlack, false}}));
+  EXPECT_EQ(with_swapped_lightness(swapped), d);
+}
+
 TEST(PaletteEdits, AGradientIsEvenToTheEye) {
   const std::vector<Rgb> colors = gradient(kBlack, kWhite, 5);
   ASSERT_EQ(colors.size(), 5u);

@@ -151,7 +151,7 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
   constexpr float kTolerance = 2e-3f;
   const Design even = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   const Cloth even_cloth = lay_out(even, drawdown(even.draft), Face::kFront, Period::kWholeDraft);
-  const std::array cloths{packed(uneven_twill()), packed(pockets()), packed(even_cloth), in_strips(even_cloth),
+  const std::array cloths{packed(uneven_twill()),         packed(pockets()), packed(even_cloth), in_strips(even_cloth),
                           in_strips(unordered(300, 200)), packed(gathered())};
   EXPECT_FALSE(cloths.back().asides.empty());
   for (const PackedCloth& p : cloths) {

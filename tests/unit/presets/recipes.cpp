@@ -124,7 +124,8 @@ Design deflected() {
   d.draft.palette = palette({0xd6a354, 0x1f4a5c});
   d.plan.warp_shrinkage = d.plan.weft_shrinkage = 0.15f;
   d.scene.mesh = "scarf";
-  return titled(in_yarns(std::move(d), heavy(yarn("Wool"), 1.2f), heavy(yarn("Wool"), 1.2f), 1.4f), "Deflected double weave",
+  return titled(in_yarns(std::move(d), heavy(yarn("Wool"), 1.2f), heavy(yarn("Wool"), 1.2f), 1.4f),
+                "Deflected double weave",
                 {"Stripes of two cloths float over each other; washing bends the floats round the squares."});
 }
 

@@ -45,7 +45,7 @@ static_assert(kCounts[0].reach + kSmooth <= kAsideReach);
 template <class T>
 class Row {
  public:
-  explicit Row(size_t n) : values_(n) {}
+  explicit Row(size_t n) : values_(std::max<size_t>(n, 1)) {}
   T& operator[](int i) { return values_[static_cast<size_t>(wrap(i, static_cast<int>(values_.size())))]; }
 
   std::vector<T>& values() { return values_; }

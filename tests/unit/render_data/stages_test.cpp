@@ -35,7 +35,8 @@ bool same_textures(const PackedCloth& a, const PackedCloth& b) {
     if (a.front.textures[k].levels != b.front.textures[k].levels) return false;
     if (a.back.textures[k].levels != b.back.textures[k].levels) return false;
   }
-  return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && a.lobes == b.lobes;
+  return a.width_mm == b.width_mm && a.depth_mm == b.depth_mm && a.lobes == b.lobes && a.crossings == b.crossings &&
+         a.asides == b.asides;
 }
 
 TEST(Stages, ARepeatIsPatchedWhileItLastsAndMadeAnewWhenItGrows) {
@@ -55,6 +56,29 @@ TEST(Stages, ARepeatIsPatchedWhileItLastsAndMadeAnewWhenItGrows) {
   Stages anew(kCoarse);
   anew.update(std::make_shared<const Design>(d));
   EXPECT_TRUE(same_textures(stages.packed(), anew.packed()));
+}
+
+TEST(Stages, ThreadsThatWashingMovesArePatchedOnceThereAreSome) {
+  Stages stages(kCoarse);
+  Design d = satin();
+  for (auto* threads : {&d.draft.warp, &d.draft.weft}) threads->spacing_mm.assign(threads->color.size(), 1.2f);
+  stages.update(std::make_shared<const Design>(d));
+  EXPECT_TRUE(stages.packed().asides.empty());
+  // Squares of plain weave among the floats.
+  for (int t = 0; t < 4; ++t)
+    for (int s = 0; s < 4; ++s) d = with_tieup(d, t, s, (t + s) % 2 == 0);
+  EXPECT_TRUE(stages.update(std::make_shared<const Design>(d)).all_maps);
+  EXPECT_FALSE(stages.packed().asides.empty());
+  for (const auto& [treadle, shaft] : {std::pair{5, 1}, {2, 7}}) {
+    d = with_tieup(d, treadle, shaft, !d.draft.tieup.get(treadle, shaft));
+    const StageResult patched = stages.update(std::make_shared<const Design>(d));
+    EXPECT_FALSE(patched.all_maps);
+    ASSERT_FALSE(patched.patches.crossings.empty());
+    EXPECT_FALSE(patched.patches.crossings.front().asides.empty());
+    Stages fresh(kCoarse);
+    fresh.update(std::make_shared<const Design>(d));
+    EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+  }
 }
 
 TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {

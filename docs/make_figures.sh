@@ -70,8 +70,8 @@ done
 
 # Future work in the paper: fibres at the silhouette
 rim() {  # name yarn
-  { cat "$root/presets/yarns/$2.wif"; printf '\n[PRIVATE WEFTLIGHT SCENE]\nView Distance=0.05\nPan X=-1\nPan Y=-3.8\n'; } >"$work/$1.wif"
-  picture "$1" "$work/$1.wif" --mesh sphere --size 480x360
+  { cat "$root/presets/yarns/$2.wif"; printf '\n[PRIVATE WEFTLIGHT SCENE]\nMesh=sphere\nView Distance=0.05\nPan X=-1\nPan Y=-3.8\n'; } >"$work/$1.wif"
+  picture "$1" "$work/$1.wif" --size 480x360
 }
 rim rim_wool wool
 rim rim_cotton cotton

@@ -8,6 +8,7 @@
 
 #include "base/loops.h"
 #include "cloth/layers.h"
+#include "cloth/thickness.h"
 #include "print/sheets.h"
 
 namespace weftlight::print {
@@ -16,7 +17,7 @@ using base::for_each_job;
 using cloth::Cloth, cloth::Linear, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::layer_count,
     cloth::srgb_from_linear;
 using design::Design;
-using draft::BitMatrix, draft::Face, draft::Rgb;
+using draft::BitMatrix, draft::Face, draft::Rgb, draft::System;
 
 namespace {
 
@@ -60,7 +61,8 @@ uint32_t shaded(const Rgb& c, double off) {
 /// A cloth and what of each of its layers lies at the pixels.
 class Swatch {
  public:
-  Swatch(const Cloth& cloth, const std::vector<double>& across_mm, const std::vector<double>& down_mm) : cloth_(cloth) {
+  Swatch(const Cloth& cloth, const std::vector<double>& across_mm, const std::vector<double>& down_mm)
+      : cloth_(cloth), across_mm_(across_mm), down_mm_(down_mm) {
     for (const ThreadBody& t : cloth.ends) end_color_.push_back(srgb_from_linear(t.colour));
     for (const ThreadBody& t : cloth.picks) pick_color_.push_back(srgb_from_linear(t.colour));
     for (const std::vector<Linear>& dye : cloth.dyes)
@@ -79,7 +81,11 @@ class Swatch {
     float highest = std::numeric_limits<float>::lowest();
     uint32_t color = kPaper;
     for (const Places& layer : layers_) {
-      const Place &end = layer.across[x], &pick = layer.down[y];
+      Place end = layer.across[x], pick = layer.down[y];
+      if (!cloth_.warp_aside_mm.empty()) {
+        end = moved(System::kWarp, layer.across[x], across_mm_[x], down_mm_[y]);
+        pick = moved(System::kWeft, layer.down[y], down_mm_[y], across_mm_[x]);
+      }
       const auto e = static_cast<size_t>(end.thread), p = static_cast<size_t>(pick.thread);
       const size_t crossing = p * static_cast<size_t>(cloth_.up.cols()) + e;
       const auto level = [&](const std::vector<float>& mm) { return mm.empty() ? 0.0f : mm[crossing]; };
@@ -99,12 +105,31 @@ class Swatch {
   struct Places {
     std::vector<Place> across, down;
   };
+  /// The nearest thread to a point where washing has moved some of them sideways; one of those beside the even place.
+  Place moved(System system, const Place& even, double across_mm, double along_mm) const {
+    const std::vector<ThreadBody>& threads = system == System::kWarp ? cloth_.ends : cloth_.picks;
+    const float period = system == System::kWarp ? cloth_.width_mm : cloth_.depth_mm;
+    const int count = static_cast<int>(threads.size());
+    Place nearest{even.thread, std::numeric_limits<double>::max()};
+    for (int t = even.thread - 1; t <= even.thread + 1; ++t) {
+      const int turn = t < 0 ? -1 : t >= count ? 1 : 0, thread = t - turn * count;
+      const ThreadBody& body = threads[static_cast<size_t>(thread)];
+      const auto step = cloth::centre_step(cloth_, system, thread, static_cast<float>(along_mm));
+      const float centre =
+          body.centre_mm + static_cast<float>(turn) * period + cloth::section_at(cloth_, system, thread, step).z;
+      const double off =
+          (across_mm - static_cast<double>(centre)) / std::max(0.5 * static_cast<double>(body.width_mm), 1e-9);
+      if (std::abs(off) < std::abs(nearest.off)) nearest = {thread, off};
+    }
+    return nearest;
+  }
   /// own: where the thread has one colour.
   const Rgb& color_at(const ThreadBody& thread, const Rgb& own, int place) const {
     return thread.dye < 0 ? own : at_place(dye_color_[static_cast<size_t>(thread.dye)], thread, place);
   }
 
   const Cloth& cloth_;
+  const std::vector<double>&across_mm_, &down_mm_;
   std::vector<Rgb> end_color_, pick_color_;
   std::vector<std::vector<Rgb>> dye_color_;
   std::vector<Places> layers_;
@@ -117,8 +142,11 @@ std::vector<uint32_t> swatch_pixels(const Design& design, const BitMatrix& cells
   std::vector<uint32_t> out(static_cast<size_t>(width) * static_cast<size_t>(height), kPaper);
   const Cloth cloth = lay_out(design, cells, Face::kFront, Period::kWholeDraft);
   if (!(cloth.width_mm > 0) || !(cloth.depth_mm > 0)) return out;
-  const Swatch swatch(cloth, distances(width, pixels_per_mm, options.end1_right, static_cast<double>(cloth.width_mm)),
-                      distances(height, pixels_per_mm, options.pick1_bottom, static_cast<double>(cloth.depth_mm)));
+  const std::vector<double> across_mm =
+      distances(width, pixels_per_mm, options.end1_right, static_cast<double>(cloth.width_mm));
+  const std::vector<double> down_mm =
+      distances(height, pixels_per_mm, options.pick1_bottom, static_cast<double>(cloth.depth_mm));
+  const Swatch swatch(cloth, across_mm, down_mm);
   for_each_job(height, [&](int y) {
     for (size_t x = 0; x < static_cast<size_t>(width); ++x)
       out[static_cast<size_t>(y) * static_cast<size_t>(width) + x] = swatch.pixel(x, static_cast<size_t>(y));

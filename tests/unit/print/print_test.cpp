@@ -240,6 +240,26 @@ TEST(Print, TheSwatchOfAnOpenClothShowsThePaper) {
   EXPECT_LT(red + blue, 0.75) << "half the room of a thread and more is a gap";
 }
 
+TEST(Print, TheSwatchShowsThreadsThatWashingMoved) {
+  // Ends that weave as pairs lie together, with gaps between the pairs.
+  Design d = with_size(Design{}, 24, 24, 2, 2);
+  for (Threads* threads : {&d.draft.warp, &d.draft.weft})
+    threads->spacing_mm.assign(24, 1.0f), threads->thickness_mm.assign(24, threads == &d.draft.warp ? 0.4f : 0.2f);
+  draft::BitMatrix cells(24, 24);
+  for (int p = 0; p < 24; ++p)
+    for (int e = 0; e < 24; ++e) cells.set(p, e, (e / 2 + p) % 2 == 0);
+  PrintOptions o;
+  o.end1_right = false;
+  const int width = 480;  // 20 pixels an end; a row between two picks
+  const std::vector<uint32_t> pixels = swatch_pixels(d, cells, o, width, 1, 20);
+  const auto paper_between = [&](int end) {  // this one and the next
+    const auto first = pixels.begin() + end * 20 + 10;
+    return std::count(first, first + 20, 0xffffffu);
+  };
+  EXPECT_LT(paper_between(8), 8);
+  EXPECT_GT(paper_between(9), 12);
+}
+
 TEST(Print, OneRepeatAndARangeOfSheets) {
   PrintOptions o;
   o.cell_mm = 4;

@@ -77,6 +77,23 @@ Cloth slubs() {
   return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
 }
 
+/// Squares of plain weave and of floats in an open sett, which washing bends into ovals.
+Cloth ovals() {
+  Design design;
+  design.draft = blank_draft(32, 32, 4, 4);
+  BitMatrix cells(32, 32);
+  for (int p = 0; p < 32; ++p) {
+    for (int e = 0; e < 32; ++e) {
+      const bool plain = (e / 4 + p / 4) % 2 == 0, warp = (e / 8 + p / 8) % 2 == 0;
+      cells.set(p, e, plain ? (e + p) % 2 == 0 : warp);
+    }
+  }
+  design.yarns[0].diameter_mm = 0.3f;
+  for (Threads* t : {&design.draft.warp, &design.draft.weft})
+    t->thickness_mm.assign(32, kFromYarn), t->spacing_mm.assign(32, 0.5f);
+  return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
+}
+
 /// Ribs: a fine flat warp, close over thick round picks.
 Cloth cords() {
   Design design;
@@ -102,6 +119,7 @@ class Threads : public testing::TestWithParam<int> {
            : which == kPockets ? pockets()
            : which == kSlubs   ? slubs()
            : which == kCords   ? cords()
+           : which == kOvals   ? ovals()
                                : twill(which, 3 - which / 2);
   }
   void SetUp() override {
@@ -113,7 +131,7 @@ class Threads : public testing::TestWithParam<int> {
     woven.tubes = std::move(*tubes);
   }
   static void TearDownTestSuite() { all.clear(); }
-  static constexpr int kThick = 4, kPockets = 5, kSlubs = 6, kCords = 7;
+  static constexpr int kThick = 4, kPockets = 5, kSlubs = 6, kCords = 7, kOvals = 8;
   static inline std::map<int, Woven> all;
   const Cloth& cloth() const { return all[GetParam()].cloth; }
   const TubeScene& tubes() const { return *all[GetParam()].tubes; }
@@ -185,6 +203,7 @@ TEST_P(Threads, TheTileHasNoSeam) {
     at[i % 2] = (unit(random) - 0.5f) * 0.2f * grid.spacing;
     TubeHit hit;
     if (!tubes().intersect(glm::vec3(at, 2 * grid.top), {0, 0, -1}, 0, hit)) continue;
+    if (hit.normal.z < 0.15f) continue;  // at a rim one may meet the thread that the other just misses
     EXPECT_NEAR(threads.first_thread(grid, at, {0, 0, 1}, 48).at.z, hit.position.z,
                 (GetParam() == kPockets ? 0.2f : 0.1f) * grid.top)
         << at.x << ' ' << at.y;
@@ -209,7 +228,7 @@ TEST_P(Threads, TheBackIsTheFrontTurnedOver) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4, 5, 6, 7));
+INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4, 5, 6, 7, 8));
 
 }  // namespace
 }  // namespace weftlight::reference

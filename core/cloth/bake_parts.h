@@ -34,6 +34,11 @@ inline std::vector<TexelRect> pieces(const TexelRect& r, int width, int height) 
   return out;
 }
 
+/// All 0.
+Maps blank_maps(const MapsSize& size);
+/// Copies maps of a window to their place in the whole.
+void copy_window(Maps& maps, const Maps& window, const TexelRect& at);
+
 /// Bakes everything but horizons and occlusion at the texels of a rectangle inside whole-period maps.
 void bake_surface(Maps& maps, const Cloth& cloth, const SampleGrid& grid, const TexelRect& r);
 /// Sweep k of `azimuths`, over a period of width x height texels.

@@ -20,6 +20,8 @@ namespace {
 
 // Overhead of a rectangle in texels: to set up a sampler, and to upload a patch.
 constexpr int kSamplerOverhead = 40, kPatchOverhead = 256;
+// The same of a window of maps, with the run-ups of its horizons.
+constexpr int kWindowOverhead = 1 << 14;
 constexpr int kLargestPart = 128;        // texels a side of a part; parts run in parallel
 constexpr int64_t kWorthAThread = 4096;  // texels that are worth a second thread
 
@@ -185,37 +187,33 @@ BitMatrix lines_through(const Sweep& s, const std::vector<TexelRect>& changed) {
   return lines;
 }
 
-/// Sweeps again the lines that the changed heights affect; returns their texels, not wrapped.
-std::vector<TexelRect> resweep(Maps& maps, const Sweep& s, int k, const std::vector<TexelRect>& changed) {
+/// Calls visit(block, first line, last line) for each run of lines that the changed heights affect.
+template <class Visit>
+void for_each_swept(const Sweep& s, const std::vector<TexelRect>& changed, const Visit& visit) {
+  const BitMatrix lines = lines_through(s, changed);
+  for (int b = 0; b < s.blocks(); ++b)
+    for_each_run(lines.row(b), [&](int line0, int line1) { visit(b, line0, line1); });
+}
+
+/// The texels of lines of a block, not wrapped.
+TexelRect swept_texels(const Sweep& s, int block, int line0, int line1) {
+  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
+  const int from = block * s.block, to = std::min(s.length, from + s.block);
+  const int side0 = line0 + std::min(shift(from), shift(to - 1)), side1 = line1 + std::max(shift(from), shift(to - 1));
+  return s.along_x ? TexelRect{from, side0, to, side1} : TexelRect{side0, from, side1, to};
+}
+
+/// Sweeps again the lines that the changed heights affect.
+void resweep(Maps& maps, const Sweep& s, int k, const std::vector<TexelRect>& changed) {
   const int w = maps.height_mm.width;
   const auto height = view_along<const float>(s, maps.height_mm.row(0), w);
   const auto out = view_along(s, maps.horizon[static_cast<size_t>(k)].row(0), w);
-  const auto shift = [&](int i) { return static_cast<int>(std::floor(i * s.shear)); };
-  std::vector<TexelRect> swept;
-  const BitMatrix lines = lines_through(s, changed);
-  for (int b = 0; b < s.blocks(); ++b) {
-    const int from = b * s.block, to = std::min(s.length, from + s.block);
-    for_each_run(lines.row(b), [&](int line0, int line1) {
-      sweep_block(s, height, line0, line1, b, out);
-      const int side0 = line0 + std::min(shift(from), shift(to - 1)),
-                side1 = line1 + std::max(shift(from), shift(to - 1));
-      swept.push_back(s.along_x ? TexelRect{from, side0, to, side1} : TexelRect{side0, from, side1, to});
-    });
-  }
-  return swept;
+  for_each_swept(s, changed,
+                 [&](int block, int line0, int line1) { sweep_block(s, height, line0, line1, block, out); });
 }
 
-}  // namespace
-
-std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& after) {
-  if (is_empty(after) || (before.up == after.up && before.layers == after.layers)) return {};
-  const int w = maps.height_mm.width, h = maps.height_mm.height;
-  if (!before.layers.empty() || !after.layers.empty()) {
-    // A cell may connect separate layers, or separate them.
-    maps = bake(after, {w, h, maps.azimuths});
-    return {{0, 0, w, h}};
-  }
-  const SampleGrid grid = sample_grid(after, w, h);
+/// Texels whose surface a change of cells affects.
+BitMatrix changed_surface(const Cloth& before, const Cloth& after, const SampleGrid& grid) {
   MovedCrossings moved = moved_crossings(before.up, after.up);
   mark_changed(moved.warp, before.warp_level_mm, after.warp_level_mm);
   mark_changed(moved.weft, before.weft_level_mm, after.weft_level_mm);
@@ -224,21 +222,75 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
     mark_changed(*of, before.warp_aside_mm, after.warp_aside_mm);
     mark_changed(*of, before.weft_aside_mm, after.weft_aside_mm);
   }
-  BitMatrix touched = seen_in(moved, after, grid);
-  const std::vector<TexelRect> changed = cover(touched, kSamplerOverhead);
-  rebake_surface(maps, after, grid, changed);
-  if (maps.azimuths == 0) return cover(touched, kPatchOverhead);
+  return seen_in(moved, after, grid);
+}
 
-  std::vector<std::vector<TexelRect>> swept(static_cast<size_t>(maps.azimuths));
-  for_each_job(maps.azimuths, [&](int k) {
-    swept[static_cast<size_t>(k)] = resweep(maps, sweep_of(after, w, h, maps.azimuths, k), k, changed);
+/// Adds the texels whose horizons the changed heights affect.
+void add_swept(BitMatrix& touched, const Cloth& cloth, int azimuths, const std::vector<TexelRect>& changed) {
+  const int w = touched.cols(), h = touched.rows();
+  std::vector<std::vector<TexelRect>> swept(static_cast<size_t>(azimuths));
+  for_each_job(azimuths, [&](int k) {
+    const Sweep s = sweep_of(cloth, w, h, azimuths, k);
+    for_each_swept(s, changed, [&](int block, int line0, int line1) {
+      swept[static_cast<size_t>(k)].push_back(swept_texels(s, block, line0, line1));
+    });
   });
   for (const auto& rects : swept)
     for (const TexelRect& rect : rects)
       for (const TexelRect& r : pieces(rect, w, h)) mark(touched, Runs{{r.x0, r.x1}}, Runs{{r.y0, r.y1}});
+}
+
+bool differ(const Cloth& before, const Cloth& after) {
+  return !is_empty(after) && (before.up != after.up || before.layers != after.layers);
+}
+
+/// Whether a cell may connect separate layers, or separate them: then everything may change.
+bool layered(const Cloth& before, const Cloth& after) { return !before.layers.empty() || !after.layers.empty(); }
+
+}  // namespace
+
+std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& after) {
+  if (!differ(before, after)) return {};
+  const int w = maps.height_mm.width, h = maps.height_mm.height;
+  if (layered(before, after)) {
+    maps = bake(after, {w, h, maps.azimuths});
+    return {{0, 0, w, h}};
+  }
+  const SampleGrid grid = sample_grid(after, w, h);
+  BitMatrix touched = changed_surface(before, after, grid);
+  const std::vector<TexelRect> changed = cover(touched, kSamplerOverhead);
+  rebake_surface(maps, after, grid, changed);
+  if (maps.azimuths == 0) return cover(touched, kPatchOverhead);
+  for_each_job(maps.azimuths, [&](int k) { resweep(maps, sweep_of(after, w, h, maps.azimuths, k), k, changed); });
+  add_swept(touched, after, maps.azimuths, changed);
   std::vector<TexelRect> all = cover(touched, kPatchOverhead);
   for (const TexelRect& r : all) bake_occlusion(maps, r);
   return all;
+}
+
+std::vector<TexelRect> bake_changed(Maps& maps, const Cloth& before, const Cloth& after, const MapsSize& size) {
+  if (!differ(before, after)) return {};
+  const int w = size.width, h = size.height;
+  const TexelRect whole{0, 0, w, h};
+  std::vector<TexelRect> rects{whole};
+  if (!layered(before, after)) {
+    BitMatrix touched = changed_surface(before, after, sample_grid(after, w, h));
+    if (size.azimuths > 0) add_swept(touched, after, size.azimuths, cover(touched, kSamplerOverhead));
+    // Whole pairs of texels, since horizons are packed in pairs.
+    for (int y = 0; y < h; ++y)
+      for_each_run(touched.row(y), [&](int first, int last) {
+        for (const int row : {y & ~1, std::min(y | 1, h - 1)})
+          set_run(touched.row(row), first & ~1, std::min((last + 1) & ~1, w));
+      });
+    rects = cover(touched, kWindowOverhead);
+    int64_t texels = 0;
+    for (const TexelRect& r : rects) texels += int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
+    if (2 * texels > int64_t{w} * h) rects = {whole};
+  }
+  if (maps.height_mm.width != w || maps.height_mm.height != h) maps = blank_maps(size);
+  maps.width_mm = after.width_mm, maps.depth_mm = after.depth_mm;
+  for (const TexelRect& r : rects) copy_window(maps, bake(after, size, r), r);
+  return rects;
 }
 
 }  // namespace weftlight::cloth

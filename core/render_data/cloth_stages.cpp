@@ -119,11 +119,33 @@ base::Result<Outcome> update_threads(StageWork& work, Change input, Face face) {
   return Outcome{same ? Change::kPart : Change::kAll};
 }
 
+namespace {
+
+constexpr int kMeansTexels = 512;  // a side of what is left of maps that are not kept
+
+int thinning(const MapsSize& size) { return std::max(1, std::max(size.width, size.height) / kMeansTexels); }
+
+/// Maps of a large draft take more memory than all else of it.
+bool keeps_maps(const StageWork& work, const FaceData& f) {
+  return work.data.coarse || int64_t{f.cloth.up.cols()} * f.cloth.up.rows() <= work.input.fineness.kept_crossings;
+}
+
+/// Frees them, once they are packed.
+void drop_maps(FaceData& f, const std::vector<TexelRect>& baked) {
+  const int step = thinning(f.size);
+  if (baked.empty()) f.means = thinned(f.maps, step);
+  for (const TexelRect& r : baked) thin_into(f.means, f.maps, step, r);
+  f.maps = {};
+}
+
+}  // namespace
+
 base::Result<Outcome> update_maps(StageWork& work, Change input, Face face) {
   FaceData& f = work.face(face);
   if (input == Change::kPart) {
     if (!f.mapped) return Outcome{Change::kNone};
-    append(f.rebaked, rebake(f.maps, *f.mapped, f.cloth));
+    const bool kept = f.means.coverage.width == 0;
+    append(f.rebaked, kept ? rebake(f.maps, *f.mapped, f.cloth) : bake_changed(f.maps, *f.mapped, f.cloth, f.size));
     f.mapped.reset();
     return Outcome{f.rebaked.empty() ? Change::kNone : Change::kPart};
   }
@@ -133,6 +155,7 @@ base::Result<Outcome> update_maps(StageWork& work, Change input, Face face) {
   if (face == Face::kFront) coarse = work.quick();
   MapsSize size = (coarse ? quick_maps_size : maps_size)(f.cloth, work.input.shadows);
   for (int* side : {&size.width, &size.height}) *side = std::max(1, *side / work.input.fineness.map_divisor);
+  f.size = size, f.means = {};
   f.maps = coarse ? bake_quick(f.cloth, size, {0, 0, size.width, size.height}) : bake(f.cloth, size);
   return Outcome{Change::kAll, coarse};
 }
@@ -143,10 +166,12 @@ base::Result<Outcome> update_mips(StageWork& work, Change input, Face face) {
   const std::vector<TexelRect> rebaked = std::exchange(f.rebaked, {});
   if (input == Change::kPart) {
     append(work.result.patches.maps, repack(packed, face, f.maps, rebaked));
+    if (!keeps_maps(work, f) && !rebaked.empty()) drop_maps(f, rebaked);
     return Outcome{Change::kPart};
   }
   packed.textures = pack(f.maps, work.input.shadows).textures;
   work.result.all_maps = true;
+  if (!keeps_maps(work, f)) drop_maps(f, {});
   if (work.effort == Effort::kOnce) {  // not asked for again
     f.maps.horizon.clear();
     f.maps.height_mm = {}, f.maps.thread = {};

@@ -24,7 +24,7 @@ constexpr int kQuickSamples = 256;
 
 FaceInput face_input(const StageWork& work, Face face) {
   const FaceData& f = work.face(face);
-  return {f.cloth, f.maps};
+  return {f.cloth, f.means.coverage.width > 0 ? f.means : f.maps};
 }
 
 }  // namespace

@@ -15,11 +15,12 @@
 #include "render_data/ambient.h"
 #include "render_data/packed_maps.h"
 #include "render_data/stage_list.h"
+#include "render_data/thread_block.h"
 #include "scene/light_rig.h"
 
 namespace weftlight::render_data {
 
-using cloth::Cloth, cloth::Maps, cloth::Period, cloth::TexelRect;
+using cloth::Cloth, cloth::Maps, cloth::MapsSize, cloth::Period, cloth::TexelRect;
 using design::Design;
 using draft::BitMatrix, draft::CellRect, draft::Face;
 using scene::LightRig;
@@ -40,6 +41,7 @@ struct StageResult {
 struct Fineness {
   int map_divisor = 1;  // of the sides of all maps
   int response_samples = light::kResponseSamples;
+  int64_t kept_crossings = kMaxCrossings;  // of larger drafts no maps are kept: an edit bakes the windows that it needs
 };
 
 /// What stages read.
@@ -57,6 +59,8 @@ struct FaceData {
   std::optional<Cloth> mapped;  // what `maps` show, if some cells of `cloth` have changed since
   Maps maps;
   std::vector<TexelRect> rebaked;  // parts of `maps` that are not yet in the mips
+  MapsSize size;                   // of the maps, which are empty once they are packed if they are not kept
+  Maps means;                      // instead, some of their texels (thinned())
 };
 
 /// What stages make.

@@ -105,6 +105,42 @@ TEST(Rebake, ThreadsThatWashingMovesEqualBakeBitForBit) {
   }
 }
 
+TEST(Rebake, WithoutTheOldMapsTheTouchedTexelsAreTheSame) {
+  for (const float thickness : {0.45f, 0.25f}) {  // straight, and moved by washing
+    const Design d = design_of(60, 40, 0.5f, thickness);
+    const MapsSize size{300, 200, 8, 2};
+    BitMatrix cells = scattered(60, 40, 5);
+    Cloth cloth = whole(d, cells);
+    Maps all = bake(cloth, size);
+    for (const auto& [end, pick] : {std::pair{0, 0}, {59, 39}, {20, 13}}) {
+      cells.set(pick, end, !cells.get(pick, end));
+      const Cloth after = whole(d, cells);
+      Maps windows;
+      const std::vector<TexelRect> touched = bake_changed(windows, cloth, after, size);
+      Plane<uint8_t> inside(size.width, size.height);
+      for (const TexelRect& r : touched) {
+        EXPECT_TRUE(r.x0 % 2 == 0 && r.y0 % 2 == 0 && r.x1 % 2 == 0 && r.y1 % 2 == 0);
+        for (int y = r.y0; y < r.y1; ++y)
+          for (int x = r.x0; x < r.x1; ++x) inside.at(x, y) = 1;
+      }
+      for (const TexelRect& r : rebake(all, cloth, after))
+        for (int y = r.y0; y < r.y1; ++y)
+          for (int x = r.x0; x < r.x1; ++x) ASSERT_EQ(inside.at(x, y), 1);
+      for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+          if (inside.at(x, y) == 0) continue;
+          ASSERT_EQ(windows.height_mm.at(x, y), all.height_mm.at(x, y));
+          ASSERT_EQ(windows.occlusion.at(x, y), all.occlusion.at(x, y));
+          ASSERT_EQ(windows.thread.at(x, y), all.thread.at(x, y));
+          for (size_t k = 0; k < all.horizon.size(); ++k)
+            ASSERT_EQ(windows.horizon[k].at(x, y), all.horizon[k].at(x, y));
+        }
+      }
+      cloth = after;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Rebake,
                          testing::Values(RebakeCase{32, 24, 320, 240, 16}, RebakeCase{120, 200, 190, 300, 12},
                                          RebakeCase{1, 1, 32, 32, 8}, RebakeCase{3, 2, 200, 100, 16},

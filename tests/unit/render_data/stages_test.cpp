@@ -58,6 +58,47 @@ TEST(Stages, ARepeatIsPatchedWhileItLastsAndMadeAnewWhenItGrows) {
   EXPECT_TRUE(same_textures(stages.packed(), anew.packed()));
 }
 
+/// 199 x 199 threads with random picks: without a repeat, and with a tie-up cell that changes about 2,500 crossings.
+Design unordered() {
+  Design d;
+  d.draft = blank_draft(199, 199, 4, 4);
+  d.scene.mesh.clear();
+  uint32_t random = 1;
+  for (int i = 0; i < 199; ++i) {
+    random = random * 1664525u + 1013904223u;
+    d.draft.threading.set(i, i % 4, true), d.draft.treadling.set(i, static_cast<int>(random >> 30), true);
+  }
+  for (int t = 0; t < 4; ++t)
+    for (int s = 0; s < 4; ++s) d.draft.tieup.set(t, s, (s + t) % 4 < 2);
+  return d;
+}
+
+TEST(Stages, OfALargeDraftNoMapsAreKeptAndEditsBakeWindows) {
+  constexpr Fineness kNoneKept{4, 128, 1000};
+  Stages stages(kNoneKept), with_maps(kCoarse);
+  Design d = unordered();
+  const auto same = [&] {
+    for (size_t k = 0; k < kPackedKinds; ++k) {
+      EXPECT_EQ(stages.packed().front.textures[k].levels, with_maps.packed().front.textures[k].levels);
+      EXPECT_EQ(stages.packed().back.textures[k].levels, with_maps.packed().back.textures[k].levels);
+    }
+  };
+  const auto update = [&](Stages& of) { return of.update(std::make_shared<const Design>(d)); };
+  update(stages), update(with_maps);
+  same();
+  for (const int pick : {3, 190}) {
+    for (int s = 0; s < 4; ++s) d = design::with_treadling(d, pick, s, !d.draft.treadling.get(pick, s));
+    const StageResult edited = update(stages);
+    EXPECT_FALSE(edited.all_maps);
+    EXPECT_FALSE(edited.patches.maps.empty());
+    update(with_maps);
+    same();
+    Stages fresh(kNoneKept);
+    update(fresh);
+    EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
+  }
+}
+
 TEST(Stages, ThreadsThatWashingMovesArePatchedOnceThereAreSome) {
   Stages stages(kCoarse);
   Design d = satin();
@@ -107,21 +148,6 @@ TEST(Stages, QuickAnswersEndInTheSamePictureAsFullOnes) {
   d = with_tieup(d, 4, 6, !d.draft.tieup.get(4, 6));
   stages.update(keep(d), Effort::kQuick);
   expect_caught_up();
-}
-
-/// 199 x 199 threads with random picks: without a repeat, and with a tie-up cell that changes about 2,500 crossings.
-Design unordered() {
-  Design d;
-  d.draft = blank_draft(199, 199, 4, 4);
-  d.scene.mesh.clear();
-  uint32_t random = 1;
-  for (int i = 0; i < 199; ++i) {
-    random = random * 1664525u + 1013904223u;
-    d.draft.threading.set(i, i % 4, true), d.draft.treadling.set(i, static_cast<int>(random >> 30), true);
-  }
-  for (int t = 0; t < 4; ++t)
-    for (int s = 0; s < 4; ++s) d.draft.tieup.set(t, s, (s + t) % 4 < 2);
-  return d;
 }
 
 TEST(Stages, OfManyCellsWhatIsSeenComesFirst) {

@@ -171,26 +171,18 @@ if wants cloths; then
   convert "$work"/{silk_satin,organza}.png +append "$work/bottom.png"
   convert "$work/top.png" "$work/bottom.png" -append -strip -quality 84 "$out/cloths.jpg"
 fi
-if wants washed; then
-  sed 's/^PRIVATE WEFTLIGHT PLAN=true/&\nPRIVATE WEFTLIGHT FINISH=true/' "$root/presets/drafts/waffle.wif" >"$work/loom.wif"
-  printf '\n[PRIVATE WEFTLIGHT FINISH]\nWashed=0\n' >>"$work/loom.wif"
-  for draft in "$work/loom.wif" "$root/presets/drafts/waffle.wif"; do
-    # Off the loom a yarn takes a quarter more room: so many fewer of them in a pixel give both the same scale.
-    "$weftlight" render "$draft" -o "$work/$(basename "$draft" .wif).png" --size 420x360 --samples "${SAMPLES:-24}" --mesh plane \
-      --view 25,25 --yarns-per-pixel "$([[ $draft == */loom.wif ]] && echo 0.104 || echo 0.13)" --quiet
-  done
-  convert "$work/loom.png" "$work/waffle.png" +append -strip -quality 84 "$out/washed.jpg"
-fi
-if wants deflected; then
-  draft=$root/presets/drafts/deflected_double_weave.wif
+# washed PICTURE DRAFT VIEW LOOM WASHED (yarns a pixel): off the loom, where a yarn takes more room, and washed, at the same scale.
+washed() {
+  local draft=$root/presets/drafts/$2.wif
   sed 's/^PRIVATE WEFTLIGHT PLAN=true/&\nPRIVATE WEFTLIGHT FINISH=true/' "$draft" >"$work/loom.wif"
   printf '\n[PRIVATE WEFTLIGHT FINISH]\nWashed=0\n' >>"$work/loom.wif"
-  for draft in "$work/loom.wif" "$draft"; do
-    "$weftlight" render "$draft" -o "$work/$(basename "$draft" .wif).png" --size 420x360 --samples "${SAMPLES:-24}" --mesh plane \
-      --view 15,20 --yarns-per-pixel "$([[ $draft == */loom.wif ]] && echo 0.085 || echo 0.1)" --quiet
-  done
-  convert "$work/loom.png" "$work/deflected_double_weave.png" +append -strip -quality 84 "$out/deflected.jpg"
-fi
+  near() { "$weftlight" render "$1" -o "$2" --size 420x360 --samples "${SAMPLES:-24}" --mesh plane --view "$3" --yarns-per-pixel "$4" --quiet; }
+  near "$work/loom.wif" "$work/loom.png" "$3" "$4"
+  near "$draft" "$work/washed.png" "$3" "$5"
+  convert "$work/loom.png" "$work/washed.png" +append -strip -quality 84 "$out/$1.jpg"
+}
+if wants washed; then washed washed waffle 25,25 0.104 0.13; fi
+if wants deflected; then washed deflected deflected_double_weave 15,20 0.085 0.1; fi
 if wants near; then
   "$weftlight" render "$root/presets/cloths/tweed.wif" -o "$work/near.png" --size 840x420 --samples "${SAMPLES:-16}" --mesh plane \
     --view 15,25 --yarns-per-pixel 0.04 --quiet

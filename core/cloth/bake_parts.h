@@ -8,16 +8,11 @@
 #include "cloth/horizon.h"
 #include "cloth/maps.h"
 #include "cloth/surface_sampler.h"
+#include "cloth/wrap.h"
 
 namespace weftlight::cloth {
 
 inline bool is_empty(const Cloth& cloth) { return cloth.ends.empty() || cloth.picks.empty(); }
-
-inline int wrap(int i, int n) {
-  if (i >= 0 && i < n) return i;  // nearly always, and a division takes long
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 /// The range [from, to) of a periodic axis of n, as pieces inside 0..n.
 inline std::vector<std::pair<int, int>> pieces(int from, int to, int n) {

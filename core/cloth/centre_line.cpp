@@ -10,6 +10,7 @@
 
 #include "cloth/thickness.h"
 #include "cloth/thread_texture.h"
+#include "cloth/wrap.h"
 
 namespace weftlight::cloth {
 
@@ -18,11 +19,6 @@ using thread_formulas::bending_stiffness, thread_formulas::crimp_fraction, threa
     thread_formulas::rise_of;
 
 namespace {
-
-int wrap(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 using RiseTable = std::array<float, (kFloatReach + 1) * (kFloatReach + 1)>;
 

@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/wrap.h"
+
 namespace weftlight::cloth {
-
-namespace {
-
-int wrap(int i, int n) {
-  if (i >= 0 && i < n) return i;  // nearly always, and a division takes long
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
-
-}  // namespace
 
 float position_in_period(float s_mm, float period_mm) {
   return std::clamp(s_mm - std::floor(s_mm / period_mm) * period_mm, 0.0f, period_mm);

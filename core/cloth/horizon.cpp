@@ -9,15 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/wrap.h"
+
 namespace weftlight::cloth {
 namespace {
 
 constexpr int kSmallestBlock = 32, kSmallestAhead = 8;
-
-int wrap(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 /// Position of each step of the lines of a block: texel along the line, whole texels of shear, and the remainder.
 struct Steps {

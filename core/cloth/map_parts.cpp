@@ -1,4 +1,4 @@
-// Parts of maps: blank ones, windows copied into the whole, and thinned copies.
+// Parts of maps: blank ones, windows copied into the whole, and subsampled copies.
 
 #include "cloth/bake_parts.h"
 
@@ -14,7 +14,7 @@ void for_planes(A& a, B& b, const Visit& visit) {
   visit(a.system, b.system), visit(a.thread, b.thread), visit(a.occlusion, b.occlusion);
 }
 
-/// The texel that stands for one of a thinned copy.
+/// The texel that stands for one of a subsampled copy.
 glm::ivec2 source_of(int x, int y, int step, int width, int height) {
   const uint32_t random = (static_cast<uint32_t>(x) * 0x9E3779B1u + static_cast<uint32_t>(y)) * 0x85EBCA77u;
   const int part = static_cast<int>(random >> 8);
@@ -39,21 +39,21 @@ void copy_window(Maps& maps, const Maps& window, const TexelRect& at) {
   for (size_t k = 0; k < maps.horizon.size(); ++k) copy(maps.horizon[k], window.horizon[k]);
 }
 
-Maps thinned(const Maps& maps, int step) {
+Maps subsampled(const Maps& maps, int step) {
   const int w = maps.height_mm.width, h = maps.height_mm.height;
-  Maps thin = blank_maps({(w + step - 1) / step, (h + step - 1) / step, 0});
-  thin.width_mm = maps.width_mm, thin.depth_mm = maps.depth_mm, thin.azimuths = maps.azimuths;
-  thin_into(thin, maps, step, {0, 0, w, h});
-  return thin;
+  Maps sampled = blank_maps({(w + step - 1) / step, (h + step - 1) / step, 0});
+  sampled.width_mm = maps.width_mm, sampled.depth_mm = maps.depth_mm, sampled.azimuths = maps.azimuths;
+  subsample_into(sampled, maps, step, {0, 0, w, h});
+  return sampled;
 }
 
-void thin_into(Maps& thin, const Maps& maps, int step, const TexelRect& rect) {
+void subsample_into(Maps& sampled, const Maps& maps, int step, const TexelRect& rect) {
   const int w = maps.height_mm.width, h = maps.height_mm.height;
-  for (int y = rect.y0 / step; y < std::min((rect.y1 + step - 1) / step, thin.height_mm.height); ++y) {
-    for (int x = rect.x0 / step; x < std::min((rect.x1 + step - 1) / step, thin.height_mm.width); ++x) {
+  for (int y = rect.y0 / step; y < std::min((rect.y1 + step - 1) / step, sampled.height_mm.height); ++y) {
+    for (int x = rect.x0 / step; x < std::min((rect.x1 + step - 1) / step, sampled.height_mm.width); ++x) {
       const glm::ivec2 from = source_of(x, y, step, w, h);
       if (from.x < rect.x0 || from.x >= rect.x1 || from.y < rect.y0 || from.y >= rect.y1) continue;
-      for_planes(thin, maps, [&](auto& to, const auto& of) { to.at(x, y) = of.at(from.x, from.y); });
+      for_planes(sampled, maps, [&](auto& to, const auto& of) { to.at(x, y) = of.at(from.x, from.y); });
     }
   }
 }

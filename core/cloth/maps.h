@@ -82,9 +82,9 @@ std::vector<TexelRect> bake_changed(Maps& maps, const Cloth& before, const Cloth
 
 /// Every `step`th texel of the maps along both sides, without horizons: enough for means. Which one of a step differs
 /// from place to place, since threads are as regular as a grid.
-Maps thinned(const Maps& maps, int step);
+Maps subsampled(const Maps& maps, int step);
 /// Brings the texels of a rectangle of the maps up to date in it.
-void thin_into(Maps& thin, const Maps& maps, int step, const TexelRect& rect);
+void subsample_into(Maps& sampled, const Maps& maps, int step, const TexelRect& rect);
 
 /// Boolean shadow of one light direction (VRST 2003, section 3.4): 1 lit, 0 in shadow.
 Plane<uint8_t> shadow_map(const Maps& maps, float light_azimuth_rad, float light_elevation_rad);

@@ -240,6 +240,18 @@ void add_swept(BitMatrix& touched, const Cloth& cloth, int azimuths, const std::
       for (const TexelRect& r : pieces(rect, w, h)) mark(touched, Runs{{r.x0, r.x1}}, Runs{{r.y0, r.y1}});
 }
 
+/// Whole pairs of texels along both sides, as horizons are packed.
+BitMatrix in_pairs(const BitMatrix& texels) {
+  const int w = texels.cols(), h = texels.rows();
+  BitMatrix out(h, w);
+  for (int y = 0; y < h; ++y)
+    for_each_run(texels.row(y), [&](int first, int last) {
+      for (const int row : {y & ~1, std::min(y | 1, h - 1)})
+        set_run(out.row(row), first & ~1, std::min((last + 1) & ~1, w));
+    });
+  return out;
+}
+
 bool differ(const Cloth& before, const Cloth& after) {
   return !is_empty(after) && (before.up != after.up || before.layers != after.layers);
 }
@@ -276,13 +288,7 @@ std::vector<TexelRect> bake_changed(Maps& maps, const Cloth& before, const Cloth
   if (!layered(before, after)) {
     BitMatrix touched = changed_surface(before, after, sample_grid(after, w, h));
     if (size.azimuths > 0) add_swept(touched, after, size.azimuths, cover(touched, kSamplerOverhead));
-    // Whole pairs of texels, since horizons are packed in pairs.
-    for (int y = 0; y < h; ++y)
-      for_each_run(touched.row(y), [&](int first, int last) {
-        for (const int row : {y & ~1, std::min(y | 1, h - 1)})
-          set_run(touched.row(row), first & ~1, std::min((last + 1) & ~1, w));
-      });
-    rects = cover(touched, kWindowOverhead);
+    rects = cover(in_pairs(touched), kWindowOverhead);
     int64_t texels = 0;
     for (const TexelRect& r : rects) texels += int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
     if (2 * texels > int64_t{w} * h) rects = {whole};

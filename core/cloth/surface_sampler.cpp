@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "cloth/thickness.h"
+#include "cloth/wrap.h"
 
 namespace weftlight::cloth {
 
@@ -43,8 +44,6 @@ float section(float centre_mm, glm::vec2 half, float across_mm) {
   const float u = (across_mm - centre_mm) / half.x;
   return half.x > 0.0f ? half.y * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
 }
-
-int wrap(int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; }
 
 float unit_or_less(float x) { return std::min(x, 1.0f); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/wrap.h"
+
 namespace weftlight::cloth {
 
 using thread_formulas::border_sway, thread_formulas::kBorderSteps, thread_formulas::kMaxAside,
@@ -17,11 +19,6 @@ const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
 }
 float length_of(const Cloth& cloth, System s) { return s == System::kWarp ? cloth.depth_mm : cloth.width_mm; }
-
-int wrap(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 /// Of the sway in a thread of this length: smaller where it is too short for a thick and a thin place.
 float swaying(float length_mm) {

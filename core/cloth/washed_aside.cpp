@@ -31,11 +31,11 @@ constexpr std::array kCounts{Count{4, 0.12f, 0.5f}, Count{2, 0.5f, 0.9f}};
 constexpr int kAround = 5, kAroundSum = 4 * kAround;
 // A gap gives its room to those up to so many threads away, and keeps a little.
 constexpr int kGiven = 4;
-constexpr float kMostGiven = 0.9f;
+constexpr float kMaxGiven = 0.9f;
 static_assert(2 * kGiven + kAround + 1 == kAsideReach);
-constexpr float kTouching = 1.06f;    // spacing over width of threads that touch (lay_out.cpp)
-constexpr float kMostOfRoom = 0.95f;  // of half a thread's room: shaders look no further for a thread
-constexpr float kLeastMove = 0.06f;   // of the mean spacing: less is hardly seen, and straight threads are drawn faster
+constexpr float kTouching = 1.06f;   // spacing over width of threads that touch (lay_out.cpp)
+constexpr float kMaxOfRoom = 0.95f;  // of half a thread's room: shaders look no further for a thread
+constexpr float kMinMove = 0.06f;    // of the mean spacing: less is hardly seen, and straight threads are drawn faster
 
 // A thread bends over so many crossings on each side.
 constexpr int kSmooth = 2;
@@ -90,7 +90,7 @@ class Movement {
     for (size_t i = 0; i < n; ++i) {
       const ThreadBody &a = threads[i], &b = threads[i + 1 < n ? i + 1 : 0];
       const float open = 0.5f * (a.spacing_mm - kTouching * a.width_mm + b.spacing_mm - kTouching * b.width_mm);
-      free_.push_back(kMostGiven * washed * std::max(open, 0.0f));
+      free_.push_back(kMaxGiven * washed * std::max(open, 0.0f));
     }
   }
   /// Whether there is any room to move in.
@@ -113,7 +113,7 @@ class Movement {
     float least = threads.empty() ? 0 : threads.front().spacing_mm;
     for (const ThreadBody& t : threads) {
       const float half_room = 0.5f * t.spacing_mm, uneven = furthest_side(t) - half_room;
-      least = std::min(least, kMostOfRoom * half_room - std::max(uneven, 0.0f));
+      least = std::min(least, kMaxOfRoom * half_room - std::max(uneven, 0.0f));
     }
     return std::max(least, 0.0f);
   }
@@ -173,7 +173,7 @@ std::vector<float> moves(const BitMatrix& up, std::span<const ThreadBody> thread
       for (size_t i = 0; i < n; ++i) out[to + i] += part * moved[from + i];
     }
   });
-  if (std::ranges::none_of(out, [&](float mm) { return std::abs(mm) > kLeastMove * spacing; })) return {};
+  if (std::ranges::none_of(out, [&](float mm) { return std::abs(mm) > kMinMove * spacing; })) return {};
   return out;
 }
 

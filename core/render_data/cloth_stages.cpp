@@ -123,7 +123,7 @@ namespace {
 
 constexpr int kMeansTexels = 512;  // a side of what is left of maps that are not kept
 
-int thinning(const MapsSize& size) { return std::max(1, std::max(size.width, size.height) / kMeansTexels); }
+int sample_step(const MapsSize& size) { return std::max(1, std::max(size.width, size.height) / kMeansTexels); }
 
 /// Maps of a large draft take more memory than all else of it.
 bool keeps_maps(const StageWork& work, const FaceData& f) {
@@ -132,9 +132,9 @@ bool keeps_maps(const StageWork& work, const FaceData& f) {
 
 /// Frees them, once they are packed.
 void drop_maps(FaceData& f, const std::vector<TexelRect>& baked) {
-  const int step = thinning(f.size);
-  if (baked.empty()) f.means = thinned(f.maps, step);
-  for (const TexelRect& r : baked) thin_into(f.means, f.maps, step, r);
+  const int step = sample_step(f.size);
+  if (baked.empty()) f.means = subsampled(f.maps, step);
+  for (const TexelRect& r : baked) subsample_into(f.means, f.maps, step, r);
   f.maps = {};
 }
 

@@ -60,7 +60,7 @@ struct FaceData {
   Maps maps;
   std::vector<TexelRect> rebaked;  // parts of `maps` that are not yet in the mips
   MapsSize size;                   // of the maps, which are empty once they are packed if they are not kept
-  Maps means;                      // instead, some of their texels (thinned())
+  Maps means;                      // instead, some of their texels (subsampled())
 };
 
 /// What stages make.

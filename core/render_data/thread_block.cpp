@@ -9,6 +9,7 @@
 #include "cloth/relief.h"
 #include "cloth/thread_scene.h"
 #include "cloth/washed_aside.h"
+#include "cloth/wrap.h"
 #include "light/yarn_lobes.h"
 #include "shaders/interop.h"
 
@@ -18,7 +19,7 @@ namespace thread_formulas = cloth::thread_formulas;
 
 using base::for_each_job;
 using cloth::Linear, cloth::ThreadBody, cloth::ThreadHead, cloth::ThreadRecord, cloth::ThreadTables, cloth::kFloatReach,
-    cloth::kReliefReach, cloth::kAsideReach, cloth::thread_tables, cloth::thread_texture;
+    cloth::kReliefReach, cloth::kAsideReach, cloth::thread_tables, cloth::thread_texture, cloth::wrap;
 using design::FibreFacts, design::Yarn;
 using draft::System;
 using light::yarn_data;
@@ -164,11 +165,6 @@ constexpr int kStripBits = STRIP_CELLS + 2 * STRIP_MARGIN;
 static_assert(kStripBits == 32 && STRIP_MARGIN > kFloatReach);
 
 int strips_of(int cells) { return (cells + STRIP_CELLS - 1) / STRIP_CELLS; }
-
-int wrap(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 /// Strips along a pick.
 void fill_pick(const BitMatrix& up, int pick, uint32_t* to) {

@@ -283,15 +283,19 @@ std::vector<TexelRect> rebake(Maps& maps, const Cloth& before, const Cloth& afte
 std::vector<TexelRect> bake_changed(Maps& maps, const Cloth& before, const Cloth& after, const MapsSize& size) {
   if (!differ(before, after)) return {};
   const int w = size.width, h = size.height;
-  const TexelRect whole{0, 0, w, h};
-  std::vector<TexelRect> rects{whole};
+  std::vector<TexelRect> rects;
+  int64_t texels = int64_t{w} * h;
   if (!layered(before, after)) {
     BitMatrix touched = changed_surface(before, after, sample_grid(after, w, h));
     if (size.azimuths > 0) add_swept(touched, after, size.azimuths, cover(touched, kSamplerOverhead));
     rects = cover(in_pairs(touched), kWindowOverhead);
-    int64_t texels = 0;
+    texels = 0;
     for (const TexelRect& r : rects) texels += int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
-    if (2 * texels > int64_t{w} * h) rects = {whole};
+  }
+  if (2 * texels > int64_t{w} * h) {
+    maps = {};  // freed before the new ones take their memory
+    maps = bake(after, size);
+    return {{0, 0, w, h}};
   }
   if (maps.height_mm.width != w || maps.height_mm.height != h) maps = blank_maps(size);
   maps.width_mm = after.width_mm, maps.depth_mm = after.depth_mm;

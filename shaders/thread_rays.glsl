@@ -61,7 +61,7 @@ FORMULA float distance_to(ThreadHit h, vec3 p) {
 // False position between a height outside the thread and one inside.
 FORMULA vec3 surface_between(ThreadHit h, vec2 at, vec2 lean, float high, float low, float above, float under) {
   vec3 p = vec3(at + lean * low, low);
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 5; ++k) {
     float z = low + (high - low) * clamp(-under / max(above - under, 1.0e-6f), 0.02f, 0.98f);
     p = vec3(at + lean * z, z);
     float now = distance_to(h, p);

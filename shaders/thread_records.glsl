@@ -7,6 +7,7 @@
 #include "interop.h"
 #include "thread_texture.glsl"
 #include "fibre_detail.glsl"
+#include "thread_section.glsl"
 #include "thread_thickness.glsl"
 
 #ifndef FORMULA
@@ -90,12 +91,13 @@ FORMULA ThreadGrid grid_of(ThreadHead h, float side) {
   return g;
 }
 
-const float kFillSteps = 65535.0f;         // of the root of width over room
-const float kRoundnessSteps = 16384.0f;    // of height over width, below 4
+const float kFillSteps = 16383.0f;         // of the root of width over room
+const float kRoundnessSteps = 4096.0f;     // of height over width, below 4
+const float kSquareSteps = 16.0f;          // of the squareness, below 1
 const float kBorderSteps = 127.0f;         // of half the room
 
-// From THREAD_BODY: centre and half spacing as floats; width over room and height over width; a byte for each offset of
-// a border and for each sway.
+// From THREAD_BODY: centre and half spacing as floats; width over room, squareness and height over width; a byte for
+// each offset of a border and for each sway.
 FORMULA ThreadSection record_body(uvec4 a) {
   ThreadSection s;
   s.centre = uintBitsToFloat(a.x);
@@ -104,9 +106,10 @@ FORMULA ThreadSection record_body(uvec4 a) {
   vec2 sway = vec2(float((a.w >> 16u) & 255u), float(a.w >> 24u)) * 0.5f;
   s.aside = aside * (s.half_room / kBorderSteps);
   s.sway = sway * (s.half_room / kBorderSteps);
-  float fill = float(a.z >> 16u) / kFillSteps;
+  float fill = float(a.z >> 18u) / kFillSteps;
   s.half_width = fill * fill * (s.half_room + 0.5f * (s.aside.y - s.aside.x));
-  s.half_height = s.half_width * (float(a.z & 65535u) / kRoundnessSteps);
+  s.half_height = s.half_width * (float(a.z & 16383u) / kRoundnessSteps);
+  s.squareness = float((a.z >> 14u) & 15u) / kSquareSteps;
   return s;
 }
 
@@ -118,7 +121,8 @@ FORMULA uvec4 pack_section(ThreadSection s) {
   float fill = sqrt(clamp(s.half_width / max(room, 1.0e-9f), 0.0f, 1.0f));
   float roundness = s.half_width > 0.0f ? clamp(s.half_height / s.half_width, 0.0f, 3.99f) : 0.0f;
   return uvec4(floatBitsToUint(s.centre), floatBitsToUint(s.half_room),
-               (uint(fill * kFillSteps + 0.5f) << 16u) | uint(roundness * kRoundnessSteps + 0.5f),
+               (uint(fill * kFillSteps + 0.5f) << 18u) | (uint(s.squareness * kSquareSteps + 0.5f) << 14u) |
+                 uint(roundness * kRoundnessSteps + 0.5f),
                aside.x | (aside.y << 8u) | (sway.x << 16u) | (sway.y << 24u));
 }
 

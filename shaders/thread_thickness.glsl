@@ -29,6 +29,7 @@ struct ThreadSection {
   float half_height;
   vec2 aside;        // mean offsets of its two borders from the middle between the threads, towards +across
   vec2 sway;         // standard deviations of these along the thread
+  float squareness;  // of the section (thread_section.glsl)
 };
 
 FORMULA bool is_uneven(ThreadSection s) { return s.sway.x > 0.0f || s.sway.y > 0.0f; }

@@ -1,4 +1,4 @@
-// Threads as bodies: elliptic sections swept at right angles along centre lines that pass over each other, and rays
+// Threads as bodies: sections (thread_section.glsl) swept at right angles along centre lines that pass over each other, and rays
 // among them. GLSL 3.30 and C++20 (core/cloth/thread_scene.h). Cloth space: x along the weft, y along the warp, z out
 // of the visible face; millimetres. Systems: 0 warp, 1 weft.
 //
@@ -50,6 +50,7 @@ struct Strand {
   vec2 thin;          // 1 over half width and half height, at the crossing
   vec2 thinner;       // their change along, 1/mm, up to the next one
   float half_height;  // mean: unit of distances inside a section
+  float squareness;   // of the section
   float start;        // along, at the crossing
   float low;          // bounds of this crossing and the next on this side, along
   float high;
@@ -84,7 +85,7 @@ FORMULA float strand_centre(Strand s, float along) {
 #endif
 }
 
-// Coordinates of a point in the section of a thread that contains it: x, y on the section, of length 1 on the ellipse;
+// Coordinates of a point in the section of a thread that contains it: x, y in half widths and heights;
 // z the section's position along. Sections are perpendicular to the centre line, so over a slope the one that contains
 // a point lies further along: the foot of the perpendicular, by Newton steps.
 FORMULA vec3 section_coords(Strand s, float across, float along, float z) {
@@ -104,7 +105,7 @@ FORMULA vec3 section_coords(Strand s, float across, float along, float z) {
 // Signed distance in mm, negative inside the thread.
 FORMULA float strand_distance(Strand s, float across, float along, float z) {
   vec3 p = section_coords(s, across, along, z);
-  return (sqrt(p.x * p.x + p.y * p.y) - 1.0f) * s.half_height;
+  return (section_norm(p.x * p.x, p.y * p.y, s.squareness) - 1.0f) * s.half_height;
 }
 
 // Highest point of the thread over a position, refined in `steps` from that of a straight one; far below if it is not
@@ -115,7 +116,7 @@ FORMULA float strand_top(Strand s, float across, float along, int steps) {
   if (abs(x) > 1.0f) return -1.0e6f;
   vec3 c = strand_curve(s, along);
   float lean = sqrt(1.0f + c.y * c.y) / thin.y;
-  float wanted = sqrt(1.0f - x * x);
+  float wanted = section_top(x, s.squareness);
   float z = c.x + wanted * lean;
   for (int k = 0; k < steps; ++k) z += (wanted - section_coords(s, across, along, z).y) * lean;
   return z;
@@ -129,7 +130,7 @@ FORMULA float strand_near(Strand s, float across, float along, float z) {
   vec2 thin = strand_thin(s, along);
   float x = (across - strand_centre(s, along)) * thin.x;
   float y = ((z - c.x) - (along - foot) * c.y) * thin.y;
-  return (sqrt(x * x + y * y / (1.0f + c.y * c.y)) - 1.0f) * s.half_height;
+  return (section_norm(x * x, y * y / (1.0f + c.y * c.y), s.squareness) - 1.0f) * s.half_height;
 }
 
 // The first thread that reaches past a position of 0..period.
@@ -182,7 +183,7 @@ FORMULA vec3 section_at(ThreadGrid g, int system, int thread, ThreadSection body
 }
 
 // section, next: half width, half height, offset aside at the crossing and at the next one; centre: without the offset.
-FORMULA Strand strand_of(int thread, vec3 section, vec3 next_section, float mean_half_height, float centre, float start,
+FORMULA Strand strand_of(int thread, ThreadSection body, vec3 section, vec3 next_section, float centre, float start,
                          float step, float side, vec2 here, vec2 next) {
   Strand s;
   s.thread = thread;
@@ -190,7 +191,8 @@ FORMULA Strand strand_of(int thread, vec3 section, vec3 next_section, float mean
   s.aside = (next_section.z - section.z) / step;
   s.thin = 1.0f / vec2(section.x, section.y);
   s.thinner = (1.0f / vec2(next_section.x, next_section.y) - s.thin) / step;
-  s.half_height = max(mean_half_height, 1.0e-6f);
+  s.half_height = max(body.half_height, 1.0e-6f);
+  s.squareness = body.squareness;
   s.start = start;
   s.low = min(start, start + step);
   s.high = max(start, start + step);
@@ -308,7 +310,7 @@ FORMULA Strand strand_at(ThreadGrid g, int system, NearThread n, bool swapped, N
   start += in_order(cross.aside.x, cross.aside.y, cross_swapped).x;
   end += in_order(cross.aside.z, cross.aside.w, cross_swapped).x;
 #endif
-  return strand_of(n.thread, section, next_section, n.body.half_height, n.centre, start, end - start, g.side, here, next);
+  return strand_of(n.thread, n.body, section, next_section, n.centre, start, end - start, g.side, here, next);
 }
 
 // How far washing moves the threads at the crossing in whose room a position lies.
@@ -385,13 +387,14 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   float n = inversesqrt(1.0f + c.y * c.y);
   float x = q.x;
   float y = q.y;
-  // Projected onto the ellipse.
-  float r = inversesqrt(max(x * x + y * y, 1.0e-8f));
+  // Projected onto the section.
+  float r = 1.0f / max(section_norm(x * x, y * y, s.squareness), 1.0e-4f);
   x *= r;
   y *= r;
   vec2 thin = strand_thin(s, q.z);
-  float side = x * thin.x;
-  float up = y * thin.y;
+  vec2 out_of_section = section_gradient(x, y, s.squareness) * thin;
+  float side = out_of_section.x;
+  float up = out_of_section.y;
   ThreadPoint t;
   // Across, along, up.
   vec3 normal = vec3(side, -c.y * n * up - sideways * side, n * up);
@@ -404,8 +407,7 @@ FORMULA ThreadPoint thread_point(int system, Strand s, vec3 p) {
   t.turn = 0.25f - atan(y, x) * 0.15915494f;
   t.along = q.z;
   float size = inversesqrt(side * side + up * up);
-  float tight = thin.x * thin.y;
-  t.bend = vec2(c.z * n * n * n * up * size, size * size * size * tight * tight);
+  t.bend = vec2(c.z * n * n * n * up * size, section_curvature(x, y, s.squareness, thin));
   return t;
 }
 

@@ -38,6 +38,7 @@ struct ThreadBody {
   int yarn = 0;           // index into Cloth::yarns
   float unevenness = 0;   // standard deviation of its thickness along it, over the mean (thickness.h)
   float diameter_mm = 0;  // of the round thread before it is flattened or jammed: its count goes with this
+  float squareness = 0;   // of the section: 0 an ellipse, 1 a rectangle (shaders/thread_section.glsl)
   int place = 0;          // index in the draft, whose threads another order or fewer may stand for
   int dye = -1;           // index into Cloth::dyes; -1: `colour` all along
   int dye_phase = 0;      // where in it the thread starts
@@ -96,7 +97,7 @@ enum class Period { kWholeDraft, kRepeat };
 
 /// Lays a design out; `cells` is its drawdown. A negative thickness (kFromYarn) means the yarn's diameter. A spacing
 /// of zero or less means 1.06 of the thread's flattened width: touching, with slight gaps. A thread is never wider
-/// than its room; a jammed one becomes narrower and taller, and an uneven one pushes its neighbours aside.
+/// than its room; a jammed one becomes narrower, squarer and taller, and an uneven one pushes its neighbours aside.
 Cloth lay_out(const Design& design, const BitMatrix& cells, Face face, Period period);
 
 /// Thickness and spacing of a thread in the cloth, from the draft or else from the yarn.

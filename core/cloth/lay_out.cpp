@@ -2,7 +2,7 @@
 //
 // Based on: F. T. Peirce, The Geometry of Cloth Structure, 1937, and A. Kemp, An Extension of Peirce's Cloth Geometry
 // to the Treatment of Non-circular Threads, 1958.
-// Differs: Kemp's race-track section is an ellipse of the same area here.
+// Differs: Kemp's race-track section is an ellipse of the same area here, fuller where a thread has too little room.
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +34,16 @@ namespace {
 // Spacing over width where the draft gives no spacing: a balanced cloth of touching threads is a few percent open (1 -
 // 1/1.06 a system).
 constexpr float kTouching = 1.06f;
-// Where the room is narrower than a thread, fibres that no twist holds are first pushed together, at the height that
-// the thread has, up to this fraction of its section; then it gets taller, up to this height over width. Round fibres,
-// packed as closely as they go, fill 0.91 of it, the yarns of presets 0.4 to 0.65 before they are woven; by eye.
+// Where the room is narrower than a thread, its section first fills the corners of its room. Then fibres that no twist
+// holds are pushed together, at the height that the thread has, up to this fraction of its section; then it gets
+// taller, up to this height over width. Round fibres, packed as closely as they go, fill 0.91 of it, the yarns of
+// presets 0.4 to 0.65 before they are woven; by eye.
 constexpr float kDensest = 0.75f;
 constexpr float kFirmTwist = 0.4f;  // tangent of the twist from which a yarn keeps its section; by eye
+// Area of a section over that of an ellipse as wide and high, by its squareness in the steps of the threads' records;
+// the last is as far as sections go, by eye: squarer ones show edges where they bend.
+constexpr std::array kFullness{1.0f,   1.008f, 1.016f, 1.025f, 1.035f, 1.045f, 1.055f,
+                               1.066f, 1.079f, 1.092f, 1.106f, 1.123f, 1.141f};
 const float kTallest = thread_formulas::kTallestSection;
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
@@ -68,8 +73,11 @@ ThreadBody body_of(float diameter, float spacing, const Yarn& yarn, float least 
   const float wanted = diameter / std::sqrt(section);
   body.width_mm = std::min(wanted, body.spacing_mm);
   if (body.width_mm <= 0.0f) return body;
-  const float left = std::max(body.width_mm / wanted, least);
-  body.height_mm = std::min(left * diameter * diameter / body.width_mm, kTallest * body.width_mm);
+  const float jammed = wanted / body.width_mm;
+  const auto full = std::ranges::min_element(kFullness, {}, [&](float f) { return std::abs(f - jammed); });
+  body.squareness = static_cast<float>(full - kFullness.begin()) / thread_formulas::kSquareSteps;
+  const float left = std::clamp(*full / jammed, least, 1.0f);
+  body.height_mm = std::min(left * diameter * diameter / (*full * body.width_mm), kTallest * body.width_mm);
   return body;
 }
 

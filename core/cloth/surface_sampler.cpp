@@ -1,4 +1,4 @@
-// The upper surface of the threads, each an ellipse swept at right angles along its centre line. At a sample at most
+// The upper surface of the threads, their sections swept at right angles along its centre line. At a sample at most
 // one end and one pick can be on top, since a thread is never wider than its room. A section leans with its thread:
 // at slope m the vertical cut through it is sqrt(1 + m^2) as high, and a point on top of the cut belongs to a section
 // further along (to first order in the section's height).
@@ -15,7 +15,8 @@
 
 namespace weftlight::cloth {
 
-using cloth::thread_formulas::fibre_colour;
+using cloth::thread_formulas::fibre_colour, cloth::thread_formulas::section_gradient,
+    cloth::thread_formulas::section_top;
 
 namespace {
 
@@ -40,9 +41,14 @@ int thread_at(const std::vector<ThreadBody>& threads, float s_mm) {
 }
 
 /// Height of a thread's section above its axis.
-float section(float centre_mm, glm::vec2 half, float across_mm) {
-  const float u = (across_mm - centre_mm) / half.x;
-  return half.x > 0.0f ? half.y * std::sqrt(std::max(0.0f, 1.0f - u * u)) : 0.0f;
+float section(float centre_mm, glm::vec2 half, float squareness, float across_mm) {
+  return half.x > 0.0f ? half.y * section_top((across_mm - centre_mm) / half.x, squareness) : 0.0f;
+}
+
+/// Turn around a thread for a step across it, both in half widths: of the angle to a point (x, y) of the section.
+float turn_across(float x, float y, float squareness) {
+  const glm::vec2 out = section_gradient(x, y, squareness);
+  return (x * out.x + y * out.y) / std::max((x * x + y * y) * out.y, 1e-2f);
 }
 
 float unit_or_less(float x) { return std::min(x, 1.0f); }
@@ -159,7 +165,7 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int fi
     Across& a = out[static_cast<size_t>(i - first)];
     a = across_at(system, i, lowest, [&](int t) -> Section {
       const ThreadBody& body = threads[static_cast<size_t>(wrap(t, static_cast<int>(threads.size())))];
-      return {{0.5f * body.width_mm, 0.5f * body.height_mm}, 0, glm::vec2(0.5f * body.spacing_mm)};
+      return {{0.5f * body.width_mm, 0.5f * body.height_mm}, 0, glm::vec2(0.5f * body.spacing_mm), body.squareness};
     });
     lowest = a.lowest;
   }
@@ -192,7 +198,7 @@ void SurfaceSampler::add_cover(Across& a, System system, float from, float to, i
     const float lo = std::max(from, centre - s.half.x), hi = std::min(to, centre + s.half.x);
     if (hi <= lo) continue;
     covered += hi - lo;
-    rise += section(centre, s.half, hi) - section(centre, s.half, lo);
+    rise += section(centre, s.half, s.squareness, hi) - section(centre, s.half, s.squareness, lo);
   }
   const float step = to - from;
   if (covered > 1e-6f * step) a.slope = -rise / covered;
@@ -234,11 +240,12 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int 
   const float u0 = std::clamp((from - centre) / half, -1.0f, 1.0f);
   const float u1 = std::clamp((to - centre) / half, -1.0f, 1.0f);
   const float u = 0.5f * (u0 + u1);
-  a.height_mm = section(centre, size, centre + u * half);
-  const float around = std::asin(std::clamp(u, -1.0f, 1.0f)) / kTwoPi;
+  const float top = section_top(u, own.squareness);
+  a.height_mm = size.y * top;
+  const float around = std::atan2(u, top) / kTwoPi;
   a.turn = texture.fibres * around;
   a.ply_turn = static_cast<float>(texture.plies) * around;
-  const float turn_per_sample = step / (kTwoPi * half * std::sqrt(std::max(1e-4f, 1.0f - u * u)));
+  const float turn_per_sample = step / (kTwoPi * half) * turn_across(u, top, own.squareness);
   const auto cycles = [&](float patterns, int advance) {
     return std::max(patterns * turn_per_sample, std::abs(static_cast<float>(advance)) * step_along / length);
   };
@@ -269,6 +276,7 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
     ++last;
   for (int t = out.first_thread; t <= last + 1; ++t) {
     const ThreadBody& body = threads[static_cast<size_t>(wrap(t, count))];
+    out.squareness.push_back(body.squareness);
     out.room_by_width.push_back(room_mm(body) / std::max(body.width_mm, 1e-6f));
     for (int c = 0; c < out.crossings; ++c) {
       const glm::vec3 s = section_at(cloth_, system, t, out.first + c);

@@ -86,11 +86,12 @@ class SurfaceSampler {
     glm::vec2 half;  // width, height
     float aside;     // of its centre
     glm::vec2 room;  // from that to the borders before and after the thread
+    float squareness;
   };
   /// Sections of the threads of a window at its crossings, computed once since every sample reads several.
   struct CrossingSizes {
     int first_thread = 0, first = 0, crossings = 0;
-    std::vector<float> room_by_width;  // by thread
+    std::vector<float> room_by_width, squareness;  // by thread
     std::vector<glm::vec3> over_size;  // 1 over half width and half height, and the offset, by thread, then by crossing
     std::vector<glm::vec2> more_room;  // on both sides, where threads are moved sideways; likewise
     /// section_at() of a thread of the window.
@@ -100,7 +101,8 @@ class SurfaceSampler {
       const auto between = [&](const auto& of) { return of[i] + (of[i + 1] - of[i]) * step.t; };
       const glm::vec3 size = between(over_size);
       const glm::vec2 half = 1.0f / glm::vec2(size);
-      Section section{half, size.z, glm::vec2(half.x * room_by_width[static_cast<size_t>(t)])};
+      Section section{half, size.z, glm::vec2(half.x * room_by_width[static_cast<size_t>(t)]),
+                      squareness[static_cast<size_t>(t)]};
       if (!more_room.empty()) section.room += between(more_room);
       return section;
     }

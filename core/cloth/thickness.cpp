@@ -79,7 +79,8 @@ ThreadSection thread_section(const ThreadBody& body, float length_mm) {
           0.5f * body.width_mm,
           0.5f * body.height_mm,
           {body.before.aside_mm, body.after.aside_mm},
-          {part * body.before.sway_mm, part * body.after.sway_mm}};
+          {part * body.before.sway_mm, part * body.after.sway_mm},
+          body.squareness};
 }
 
 glm::vec3 section_at(const Cloth& cloth, System system, int thread, int crossing) {

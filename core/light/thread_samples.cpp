@@ -147,9 +147,10 @@ ThreadSample ThreadSampler::sample(int system, int k, int count, bool lit) {
   const auto& s = system == 0 ? crossing.warp : crossing.weft;
   const float along = system == 0 ? at.y : at.x;
   const glm::vec3 c = scene_.strand_curve(s, along);
-  const float stretch = std::sqrt(1 + c.y * c.y), x = std::sin(turn), y = std::cos(turn);
+  const glm::vec4 point = cloth::thread_formulas::section_point(turn, s.squareness);
+  const float stretch = std::sqrt(1 + c.y * c.y), x = point.x, y = point.y;
   const glm::vec2 half = 1.0f / scene_.strand_thin(s, along);
-  const float around = std::sqrt(half.x * half.x * y * y + half.y * half.y * x * x);
+  const float around = glm::length(half * glm::vec2(point.z, point.w));
   // Sections are perpendicular to the bent centre line, so they are further apart on the outside of the bend.
   const float apart = stretch * (1 - half.y * y * c.z / (stretch * stretch * stretch));
   const ThreadBody& body = (system == 0 ? cloth_.ends : cloth_.picks)[static_cast<size_t>(s.thread)];

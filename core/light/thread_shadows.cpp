@@ -1,6 +1,7 @@
-// A thread between two crossings is a few straight pieces of elliptic tube between vertical planes. Rings of threads
-// around the point are tested, the nearest first, until no remaining direction can reach the next ring. Most pieces are
-// out of the way of most directions, so these are tested in groups first, by the boxes that they have to cross.
+// A thread between two crossings is a few straight pieces of tube between planes at right angles to it. Rings of
+// threads around the point are tested, the nearest first, until no remaining direction can reach the next ring. Most
+// pieces are out of the way of most directions, so these are tested in groups first, by the boxes that they have to
+// cross.
 
 #include "light/thread_shadows.h"
 
@@ -39,16 +40,20 @@ struct Pieces {
   Lanes slope;
   Lanes before, behind, near, far;  // bounds along, and of the height away from the point
   Lanes behind_point;               // 1: in no direction
+  float squareness;                 // of the sections
 };
 
-/// The directions of a group that meet a piece, by bits.
+/// The directions of a group that meet a piece, by bits. kFull: its section is fuller than an ellipse. There a ray is
+/// deepest between where it is nearest to the axis and where it crosses that corner's diagonal; it is tested at both
+/// and in the middle.
+template <bool kFull>
 inline unsigned met_by(const Pieces& pieces, size_t piece, const float* __restrict across,
                        const float* __restrict along, const float* __restrict up) {
   constexpr float kFar = 1e9f, kUpright = 1e-6f;
   const float low = pieces.low[piece], low_slope = pieces.low_slope[piece], high = pieces.high[piece],
               high_slope = pieces.high_slope[piece], a = pieces.a[piece], b = pieces.b[piece],
               over_width = pieces.over_width[piece], over_height = pieces.over_height[piece],
-              slope = pieces.slope[piece];
+              slope = pieces.slope[piece], q = pieces.squareness;
   unsigned met = 0;
   for (size_t k = 0; k < kLanes; ++k) {
     const float a1 = across[k] * over_width, b1 = (up[k] - along[k] * slope) * over_height;
@@ -59,9 +64,18 @@ inline unsigned met_by(const Pieces& pieces, size_t piece, const float* __restri
     const float first = std::max(std::max(run > 0 ? enters : 0.0f, leave > 0 ? 0.0f : exits), 0.0f);
     const float last = std::min(run > 0 ? kFar : enters, leave > 0 ? exits : kFar);
     const float nearest = -(a * a1 + b * b1) / (a1 * a1 + b1 * b1);
-    const float t = std::min(std::max(nearest, first), last);
-    const float x = a + t * a1, y = b + t * b1;
-    const unsigned inside = x * x + y * y >= 1.0f ? 0u : kBits[k];
+    const auto square_at = [&](float at) {
+      const float t = std::min(std::max(at, first), last);
+      const float x = a + t * a1, y = b + t * b1, xx = x * x, yy = y * y, r = xx + yy;
+      return kFull ? 0.5f * (r + std::sqrt(std::max(r * r - 4 * q * xx * yy, 0.0f))) : r;
+    };
+    float deepest = square_at(nearest);
+    if (kFull) {
+      const float side = (a + nearest * a1) * (b + nearest * b1) < 0 ? -1.0f : 1.0f, turn = a1 - side * b1;
+      const float corner = std::abs(turn) > kUpright ? (side * b - a) / turn : nearest;
+      deepest = std::min(deepest, std::min(square_at(corner), square_at(0.5f * (nearest + corner))));
+    }
+    const unsigned inside = deepest >= 1.0f ? 0u : kBits[k];
     met |= last > first ? inside : 0u;
   }
   return met;
@@ -244,13 +258,15 @@ struct ThreadShadows::Rays {
   }
   void meet(const Groups& groups_near, const Pieces& pieces, int count, const Box& box, bool warp) {
     const float *across = (warp ? all.x : all.y).data(), *along = (warp ? all.y : all.x).data(), *up = all.z.data();
+    const bool full = pieces.squareness > 0;
     for (size_t i = 0; i < groups_near.count; ++i) {
       const size_t g = groups_near.group[i], first = g * kLanes;
       unsigned open_of = left[g] & ~unsigned{met[g]};
       if (open_of == 0) continue;
       const unsigned of_span = (1u << count) - 1;
       for (unsigned may = of_span & may_meet(groups_near, i, pieces, box); may != 0 && open_of != 0; may &= may - 1)
-        open_of &= ~met_by(pieces, first_bit(may), across + first, along + first, up + first);
+        open_of &= ~(full ? met_by<true>(pieces, first_bit(may), across + first, along + first, up + first)
+                          : met_by<false>(pieces, first_bit(may), across + first, along + first, up + first));
       met[g] |= static_cast<uint8_t>(left[g] & ~open_of);
     }
   }
@@ -336,6 +352,7 @@ void ThreadShadows::cast_span(Rays& rays, const ThreadGrid& g, const Around& aro
     choose(nearer, near, box);
     if (nearer.count == 0) return;
     Pieces of;
+    of.squareness = it.body.squareness;
     cut_into(of, span, pieces, height, up);
     rays.meet(nearer, of, pieces, box, warp);
   });

@@ -36,15 +36,20 @@ ThreadFibres thread_fibres(const FibrePlan& plan, const PlannedThread& thread);
 struct SectionFrame {
   glm::vec3 centre, across, up, axis;
   glm::vec2 radii;
+  float squareness;
   SectionFrame(System s, float centre_mm, const ThreadRing& ring)
       : centre(centre_of(s, centre_mm, ring)),
         across(across_of(s)),
         up(up_of(s, ring.slope)),
         axis(axis_of(s, ring.slope)),
-        radii(ring.radii) {}
+        radii(ring.radii),
+        squareness(ring.squareness) {}
   /// Of a point of the unit disc; what has this radius stays inside the section.
   glm::vec3 at(glm::vec2 p, float radius) const {
-    const glm::vec2 inside = glm::max(radii - radius, glm::vec2(0));
+    // Circles around the centre become sections.
+    const float norm = cloth::thread_formulas::section_norm(p.x * p.x, p.y * p.y, squareness),
+                fuller = norm > 0 ? glm::length(p) / norm : 1.0f;
+    const glm::vec2 inside = fuller * glm::max(radii - radius, glm::vec2(0));
     return centre + across * (inside.x * p.x) + up * (inside.y * p.y);
   }
   /// Of the circle with the area of the section.

@@ -9,7 +9,8 @@
 namespace weftlight::reference {
 
 using cloth::CentrePoint, cloth::CentreStep, cloth::centre_at, cloth::centre_lines, cloth::centre_step,
-    cloth::furthest_side, cloth::layer_count, cloth::layer_of, cloth::one_layer, cloth::section_at, cloth::tallest_half;
+    cloth::furthest_side, cloth::layer_count, cloth::layer_of, cloth::one_layer, cloth::section_at, cloth::tallest_half,
+    cloth::thread_formulas::section_norm;
 
 namespace {
 
@@ -36,8 +37,13 @@ ThreadRing ThreadPaths::ring_at(System s, int thread, float along) const {
   const glm::vec3 section = section_at(own, s, in_layer, step);
   const float next = section_at(own, s, in_layer, step.crossing + 1).z,
               sideways = (next - section_at(own, s, in_layer, step.crossing).z) / step.h1;
-  return {along,     p.height_mm, p.slope, glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)),
-          section.z, sideways};
+  return {along,
+          p.height_mm,
+          p.slope,
+          glm::max(glm::vec2(section), glm::vec2(0.5f * kThinnest_mm)),
+          section.z,
+          sideways,
+          threads(s)[static_cast<size_t>(thread)].squareness};
 }
 
 float ThreadPaths::widest(System s, int thread) const {
@@ -48,6 +54,10 @@ float ThreadPaths::widest(System s, int thread) const {
 
 float ThreadPaths::thickest(System s) const { return tallest_half(cloth_, s); }
 
+glm::vec2 section_edge(const ThreadRing& ring, float around_rad) {
+  const glm::vec2 way(std::cos(around_rad), std::sin(around_rad));
+  return way / section_norm(way.x * way.x, way.y * way.y, ring.squareness);
+}
 glm::vec3 axis_of(System s, float slope, float sideways) {
   return glm::normalize(s == System::kWarp ? glm::vec3(sideways, 1, slope) : glm::vec3(1, sideways, slope));
 }

@@ -17,9 +17,10 @@ using draft::System;
 /// A section of a thread on its centre line.
 struct ThreadRing {
   float along, z, slope;
-  glm::vec2 radii;  // half width, half height
-  float aside;      // of its centre, across
-  float sideways;   // d aside / d along
+  glm::vec2 radii;   // half width, half height
+  float aside;       // of its centre, across
+  float sideways;    // d aside / d along
+  float squareness;  // shaders/thread_section.glsl
 };
 
 class ThreadPaths {
@@ -47,6 +48,8 @@ class ThreadPaths {
   std::vector<CentreLines> lines_;  // by layer
 };
 
+/// A point of a section in its half sizes, across and up, in the direction of an angle from +across.
+glm::vec2 section_edge(const ThreadRing& ring, float around_rad);
 /// Directions and position of a section: along the thread, across it in the plane of the cloth, up.
 glm::vec3 axis_of(System s, float slope, float sideways = 0);
 glm::vec3 across_of(System s);

@@ -1,4 +1,4 @@
-// Tubes as triangles in Embree, with the smooth normal of the swept ellipse at the hit. Rays walk from tile to tile of
+// Tubes as triangles in Embree, with the smooth normal of the swept section at the hit. Rays walk from tile to tile of
 // the period, so that the cloth has no edge.
 
 #include "reference/tubes.h"
@@ -17,6 +17,7 @@
 namespace weftlight::reference {
 
 using base::ErrorKind, base::arg, base::failure, base::fill, base::tr;
+using cloth::thread_formulas::section_gradient;
 
 namespace {
 
@@ -132,7 +133,8 @@ void TubeScene::Parts::fill(glm::vec3* vertices, uint32_t* indices) {
       const glm::vec3 centre = centre_of(s, tube.centre_mm, ring), across = across_of(s), up = up_of(s, ring.slope);
       for (int k = 0; k < around; ++k) {
         const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
-        const glm::vec3 p = centre + across * (ring.radii.x * std::cos(a)) + up * (ring.radii.y * std::sin(a));
+        const glm::vec2 edge = ring.radii * section_edge(ring, a);
+        const glm::vec3 p = centre + across * edge.x + up * edge.y;
         z_min = std::min(z_min, p.z);
         z_max = std::max(z_max, p.z);
         *vertices++ = p;
@@ -194,8 +196,9 @@ void TubeScene::Parts::read_hit(const RTCRayHit& ray, TubeHit& hit) const {
   hit.along_mm = along - std::floor(along / paths.period_along(s)) * paths.period_along(s);
   const ThreadRing at = paths.ring_at(s, tube->thread, along);
   hit.axis = axis_of(s, at.slope, at.sideways);
-  const glm::vec3 out = across_of(s) * (std::cos(hit.around_rad) / at.radii.x) +
-                        up_of(s, at.slope) * (std::sin(hit.around_rad) / at.radii.y);
+  const glm::vec2 edge = section_edge(at, hit.around_rad),
+                  gradient = section_gradient(edge.x, edge.y, at.squareness) / at.radii;
+  const glm::vec3 out = across_of(s) * gradient.x + up_of(s, at.slope) * gradient.y;
   hit.normal = glm::normalize(out - hit.axis * glm::dot(out, hit.axis));
 }
 

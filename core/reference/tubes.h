@@ -1,5 +1,5 @@
 #pragma once
-// The threads of one period as solid tubes: elliptic sections swept along the centre lines of core/cloth, infinite in
+// The threads of one period as solid tubes: sections swept along the centre lines of core/cloth, infinite in
 // both directions. Rays are in cloth space: x along the weft (u), y along the warp (v), z out of the face,
 // millimetres.
 

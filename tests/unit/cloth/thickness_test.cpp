@@ -119,8 +119,20 @@ TEST(Unevenness, ThePeriodHasNoSeam) {
   }
 }
 
-TEST(Unevenness, BodiesAndMapsAndHeightsAgree) {
-  const Cloth cloth = uneven_cloth(40, 0.3f, 48, 0.1f);
+/// Ends that are wider than their room, over seven picks and under one.
+Cloth jammed_satin(int threads) {
+  Design d = design_of(threads, threads, 0.5f, 0.6f);
+  d.draft.weft.thickness_mm.assign(static_cast<size_t>(threads), 0.3f);
+  BitMatrix cells(threads, threads);
+  for (int p = 0; p < threads; ++p)
+    for (int e = 0; e < threads; ++e) cells.set(p, e, (e * 3 + p) % 8 != 0);
+  return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
+}
+
+class BodiesAndMaps : public testing::TestWithParam<bool> {};
+
+TEST_P(BodiesAndMaps, AgreeWithUnevenAndWithJammedThreads) {
+  const Cloth cloth = GetParam() ? uneven_cloth(40, 0.3f, 48, 0.1f) : jammed_satin(48);
   ThreadScene threads(cloth);
   const auto grid = threads.grid();
   const MapsSize size{1024, 1024, 0};
@@ -150,6 +162,8 @@ TEST(Unevenness, BodiesAndMapsAndHeightsAgree) {
   EXPECT_LT(threads_apart, compared / 50);
   EXPECT_LT(apart / plain_apart, 0.04);
 }
+
+INSTANTIATE_TEST_SUITE_P(Unevenness, BodiesAndMaps, testing::Bool());
 
 }  // namespace
 }  // namespace weftlight::cloth

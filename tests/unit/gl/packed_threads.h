@@ -117,6 +117,14 @@ inline Cloth gathered() {
   return lay_out(d, cells, Face::kFront, Period::kWholeDraft);
 }
 
+/// A warp satin of ends that are wider than their room.
+inline Cloth jammed() {
+  Design d = twill(8, 7, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
+  d.draft.warp.spacing_mm.assign(d.draft.warp.color.size(), 0.7f * d.yarns[0].diameter_mm);
+  d.draft.weft.spacing_mm.assign(d.draft.weft.color.size(), 1.5f * d.yarns[0].diameter_mm);
+  return lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft);
+}
+
 inline PackedCloth packed(const Cloth& cloth) {
   PackedCloth p;
   p.width_mm = cloth.width_mm, p.depth_mm = cloth.depth_mm, p.mean_spacing_mm = render_data::mean_spacing_mm(cloth);

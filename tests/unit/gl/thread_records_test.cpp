@@ -82,7 +82,8 @@ TEST(ThreadRecords, ComeBackAsTheyWentIn) {
       // Offsets of borders are bytes.
       const float step = section.half_room / 127;
       EXPECT_NEAR(section.half_width, in_section.half_width, step);
-      EXPECT_NEAR(section.half_height / section.half_width, body.height_mm / body.width_mm, 1e-4f);
+      EXPECT_NEAR(section.half_height / section.half_width, body.height_mm / body.width_mm, 2e-4f);
+      EXPECT_EQ(section.squareness, body.squareness);
       for (int k = 0; k < 2; ++k) {
         EXPECT_NEAR(section.aside[k], in_section.aside[k], 0.51f * step);
         EXPECT_NEAR(section.sway[k], in_section.sway[k], 0.26f * step);

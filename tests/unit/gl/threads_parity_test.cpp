@@ -152,8 +152,9 @@ TEST_F(ThreadsParity, RaysMeetTheSameThreadsInTheSameLight) {
   const Design even = twill(4, 2, {0.7f, 0.2f, 0.1f}, {0.1f, 0.2f, 0.6f});
   const Cloth even_cloth = lay_out(even, drawdown(even.draft), Face::kFront, Period::kWholeDraft);
   const std::array cloths{packed(uneven_twill()),         packed(pockets()), packed(even_cloth), in_strips(even_cloth),
-                          in_strips(unordered(300, 200)), packed(gathered())};
+                          in_strips(unordered(300, 200)), packed(jammed()),  packed(gathered())};
   EXPECT_FALSE(cloths.back().asides.empty());
+  EXPECT_GT(jammed().ends[0].squareness, 0.7f);
   for (const PackedCloth& p : cloths) {
     // The defines leave out code only here: the C++ has the whole text.
     const ThreadKind kind = thread_kind(p.lobes.threads);

@@ -118,11 +118,11 @@ Design polyester_charmeuse() {
   crowfoot.shafts = 4, crowfoot.threading = {0, 1, 2, 3}, crowfoot.treadling = {0, 1, 3, 2};
   crowfoot.tieup = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
   const Rgb rose = dye(0.247f, 0.0646f, 0.0646f);
-  Yarn warp = fitted("Polyester filament", "Polyester", "75 den", 0.13f, 0.3f, 29);
+  Yarn warp = fitted("Polyester filament", "Polyester", "75 den", 0.12f, 0.6f, 29);
   warp.groove_depth = 0.092f;
   warp.lobes.specular = 0.656f, warp.lobes.along_width = 0.144f, warp.lobes.across_width = 0.7f,
   warp.lobes.layers = 13.9f, warp.lobes.inner = 0.097f, warp.lobes.body = 0.331f, warp.lobes.fuzz = 0.001f;
-  Yarn weft = fitted("Polyester filament", "Polyester", "100 den", 0.118f, 0.711f, 10);
+  Yarn weft = fitted("Polyester filament", "Polyester", "100 den", 0.13f, 0.711f, 10);
   weft.groove_depth = 0.049f;
   weft.lobes.specular = 1, weft.lobes.along_width = 0.103f, weft.lobes.across_width = 0.0585f, weft.lobes.layers = 16,
   weft.lobes.inner = 0.0148f, weft.lobes.body = 1;
@@ -144,7 +144,7 @@ Design cotton_denim() {
 
 Design silk_charmeuse() {
   const Rgb plum = dye(0.012f, 0.012f, 0.012f);
-  const Yarn warp = boiled_off(fitted("Silk", "Silk", "66 den", 0.11f, 0.83f, 60)),
+  const Yarn warp = boiled_off(fitted("Silk", "Silk", "66 den", 0.1f, 0.95f, 60)),
              weft = boiled_off(fitted("Silk", "Silk", "40 den", 0.081f, 0.83f, 33));
   return titled(
       worn(measured(satin(8, 3, Face::kFront, {16, 16}), plum, plum, warp, weft, 0.0993f, 0.165f), "skirt", 15, 12),

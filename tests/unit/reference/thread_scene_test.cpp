@@ -107,6 +107,18 @@ Cloth cords() {
   return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
 }
 
+/// A warp satin of ends that are wider than their room.
+Cloth jammed() {
+  Design design;
+  design.draft = blank_draft(16, 16, 8, 8);
+  BitMatrix cells(16, 16);
+  for (int p = 0; p < 16; ++p)
+    for (int e = 0; e < 16; ++e) cells.set(p, e, (e * 3 + p) % 8 != 0);
+  design.draft.warp.thickness_mm.assign(16, 0.4f), design.draft.warp.spacing_mm.assign(16, 0.36f);
+  design.draft.weft.thickness_mm.assign(16, 0.4f), design.draft.weft.spacing_mm.assign(16, 0.6f);
+  return lay_out(design, cells, Face::kFront, Period::kWholeDraft);
+}
+
 class Threads : public testing::TestWithParam<int> {
  protected:
   /// Built once for all tests of a weave: it is most of their time.
@@ -120,6 +132,7 @@ class Threads : public testing::TestWithParam<int> {
            : which == kSlubs   ? slubs()
            : which == kCords   ? cords()
            : which == kOvals   ? ovals()
+           : which == kJammed  ? jammed()
                                : twill(which, 3 - which / 2);
   }
   void SetUp() override {
@@ -131,7 +144,7 @@ class Threads : public testing::TestWithParam<int> {
     woven.tubes = std::move(*tubes);
   }
   static void TearDownTestSuite() { all.clear(); }
-  static constexpr int kThick = 4, kPockets = 5, kSlubs = 6, kCords = 7, kOvals = 8;
+  static constexpr int kThick = 4, kPockets = 5, kSlubs = 6, kCords = 7, kOvals = 8, kJammed = 9;
   static inline std::map<int, Woven> all;
   const Cloth& cloth() const { return all[GetParam()].cloth; }
   const TubeScene& tubes() const { return *all[GetParam()].tubes; }
@@ -173,7 +186,7 @@ TEST_P(Threads, RaysMeetTheSameThreadsAsTheTubes) {
     const bool sharp = GetParam() == kThick || GetParam() == kCords;  // fine threads bend sharply about thick ones
     EXPECT_LT(other, (GetParam() == kPockets ? tilt > 60 ? 0.25 : 0.04 : sharp ? 0.04 : 0.03) * kRays) << tilt;
     EXPECT_LT(apart / kRays, (GetParam() == kPockets ? 0.012 : 0.006) * static_cast<double>(grid.top)) << tilt;
-    EXPECT_LT(turned / kRays, sharp || GetParam() == kPockets ? 0.045 : 0.01) << tilt;
+    EXPECT_LT(turned / kRays, sharp || GetParam() == kPockets ? 0.05 : GetParam() == kJammed ? 0.02 : 0.01) << tilt;
     EXPECT_LT(other_shadow, 0.03 * lit) << tilt;
   }
 }
@@ -228,7 +241,7 @@ TEST_P(Threads, TheBackIsTheFrontTurnedOver) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4, 5, 6, 7, 8));
+INSTANTIATE_TEST_SUITE_P(Weaves, Threads, testing::Values(1, 2, 3, 4, 5, 6, 7, 8, 9));
 
 }  // namespace
 }  // namespace weftlight::reference

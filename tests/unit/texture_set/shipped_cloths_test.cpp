@@ -47,7 +47,7 @@ struct PlaneMisses {
   float near = 0, slanted = 0;
 };
 const std::map<std::string, PlaneMisses> kPlaneMisses = {{"chambray", {0.09f, 0.28f}},
-                                                         {"chintz", {0.12f, 0.21f}},
+                                                         {"chintz", {0.12f, 0.23f}},
                                                          {"cotton_denim", {0.07f, 0.05f}},
                                                          {"cotton_twill", {0.07f, 0.16f}},
                                                          {"damask", {0.10f, 0.19f}},
@@ -59,7 +59,7 @@ const std::map<std::string, PlaneMisses> kPlaneMisses = {{"chambray", {0.09f, 0.
                                                          {"organza", {0.03f, 0.04f}},
                                                          {"ottoman", {0.25f, 0.37f}},
                                                          {"oxford", {0.14f, 0.35f}},
-                                                         {"polyester_satin_charmeuse", {0.30f, 0.25f}},
+                                                         {"polyester_satin_charmeuse", {0.36f, 0.33f}},
                                                          {"shot_taffeta", {0.12f, 0.14f}},
                                                          {"silk_charmeuse", {0.23f, 0.55f}},
                                                          {"silk_crepe_de_chine", {0.19f, 0.14f}},

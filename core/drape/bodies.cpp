@@ -121,6 +121,12 @@ float form_with(const Arm& a, Vec3 p) {
 
 float skirt_form(Vec3 p) { return smooth_max(smooth_max(trunk(p), p[1] - (kWaistHeight + 70), 14), 752 - p[1], 20); }
 
+float taped_skirt_form(Vec3 p) {
+  constexpr float kTape = 2.6f, kHalfWidth = 10, kFades = 18;  // mm
+  const float beyond = std::clamp((std::fabs(p[1] - kWaistHeight) - kHalfWidth) / kFades, 0.0f, 1.0f);
+  return skirt_form(p) - kTape * (1 - beyond * beyond * (3 - 2 * beyond));
+}
+
 float ring_x(int ring) { return (static_cast<float>(ring) / (kRings - 1) - 0.5f) * 660; }
 
 }  // namespace weftlight::drape

@@ -26,6 +26,8 @@ float form_with(const Arm& arm, Vec3 p);
 float dress_form(Vec3 p);
 /// Its lower half, cut a little above the waist, without arms.
 float skirt_form(Vec3 p);
+/// That as it is drawn: a tape around the waist fills the slit under the skirt, which stands off the form.
+float taped_skirt_form(Vec3 p);
 /// A board on a foot, tilted towards the viewer.
 float board(Vec3 p);
 struct RoundedBox {

@@ -211,7 +211,7 @@ Mesh mesh_of_body(const std::string& name) {
   if (name == "tablecloth") append_table(mesh);
   if (name == "curtain") append_rod(mesh);
   if (name == "skirt") {
-    append_zero_set(mesh, skirt_form, sample(skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
+    append_zero_set(mesh, taped_skirt_form, sample(taped_skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
     append_stand(mesh, kSkirtLowered);
   }
   if (name == "cushion") {

@@ -98,12 +98,29 @@ int inside(const Mesh& mesh, Body body, float lowered) {
   }));
 }
 
+// A slit between them would be black.
+TEST(Drapes, TheFormFillsTheSkirtAtItsWaist) {
+  const Mesh skirt = shipped("skirt");
+  float top = 0;
+  for (const Vec3 p : skirt.position_mm) top = std::max(top, p[1] + kSkirtLowered);
+  EXPECT_NEAR(top, kWaistHeight, 1);
+  int on_the_waist = 0;
+  for (const Vec3 p : skirt.position_mm) {
+    const Vec3 in_room{p[0], p[1] + kSkirtLowered, p[2]};
+    if (in_room[1] < top - 0.5f) continue;
+    ++on_the_waist;
+    EXPECT_LT(taped_skirt_form(in_room), 1);
+  }
+  EXPECT_GT(on_the_waist, 40);
+}
+
 constexpr std::array<const char*, 6> kTops{"tunic", "tunic_limp", "tunic_stiff", "shirt", "shirt_limp", "shirt_stiff"};
 
 TEST(Drapes, NoVertexIsInsideItsBodyOrTheGround) {
   EXPECT_EQ(inside(shipped("sphere"), ball, 0), 0);
   EXPECT_EQ(inside(shipped("tablecloth"), table, 0), 0);
-  EXPECT_EQ(inside(shipped("skirt"), skirt_form, kSkirtLowered), 0);
+  for (const char* name : {"skirt", "skirt_limp", "skirt_stiff"})
+    EXPECT_EQ(inside(shipped(name), taped_skirt_form, kSkirtLowered), 0) << name;
   const auto arms_down = [arm = lowered_arm(1)](Vec3 p) { return form_with(arm, p); };
   for (const char* name : kTops) EXPECT_EQ(inside(shipped(name), arms_down, kTunicLowered), 0) << name;
   EXPECT_EQ(inside(shipped("scarf"), dress_form, kTunicLowered), 0);

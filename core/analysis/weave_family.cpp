@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "analysis/floats.h"
+#include "analysis/paired_threads.h"
 #include "analysis/weave_layers.h"
 #include "design/repeat.h"
 
@@ -188,6 +189,7 @@ WeaveFamily of_circle(const Weave& w) {
   if (ends.by_one >= kMostly && picks.by_one >= kMostly) return WeaveFamily::kTwill;
   // Corkscrew: half of an odd number and a half rise, each two places from the one before the last.
   if (std::abs(2 * circle.risers - n) == 1 && ends.constant + picks.constant >= 2) return WeaveFamily::kTwill;
+  if (is_parallel(w.ends) || is_parallel(w.picks)) return WeaveFamily::kParallel;
   return n == 4 && single ? WeaveFamily::kTwill : WeaveFamily::kOther;
 }
 
@@ -221,19 +223,6 @@ bool has_tabby_between(const BitMatrix& threads) {
     if (std::max(floats.weft_front, floats.weft_back) >= kLongFloat) return true;
   }
   return false;
-}
-
-/// The fraction of cells whose four neighbours all cross the other way.
-double share_of_plain(const BitMatrix& cells) {
-  const int picks = cells.rows(), ends = cells.cols();
-  int64_t plain = 0;
-  for (int p = 0; p < picks; ++p)
-    for (int e = 0; e < ends; ++e) {
-      const bool up = cells.get(p, e);
-      plain += cells.get((p + 1) % picks, e) != up && cells.get((p + picks - 1) % picks, e) != up &&
-               cells.get(p, (e + 1) % ends) != up && cells.get(p, (e + ends - 1) % ends) != up;
-    }
-  return static_cast<double>(plain) / static_cast<double>(std::max<int64_t>(1, int64_t{picks} * ends));
 }
 
 /// Windows of n x n threads in which each end and each pick is on top k times; `by_count[k]`: their fraction.
@@ -345,15 +334,6 @@ bool is_honeycomb(const Weave& w) {
   return share_of_plain(w.picks) >= kPlain && share_of_solid(w.picks) >= kSolid;
 }
 
-/// Every other end with every other pick.
-BitMatrix every_other(const BitMatrix& cells, int first_pick, int first_end) {
-  BitMatrix out((cells.rows() - first_pick + 1) / 2, (cells.cols() - first_end + 1) / 2);
-  for (int p = 0; p < out.rows(); ++p)
-    for (int e = 0; e < out.cols(); ++e)
-      if (cells.get(2 * p + first_pick, 2 * e + first_end)) out.set(p, e, true);
-  return out;
-}
-
 /// Two plain weaves that change places from block to block, and so hang together where blocks meet.
 bool is_double_in_blocks(const BitMatrix& cells) {
   constexpr double kPlain = 0.7, kNotPlain = 0.2;
@@ -392,8 +372,10 @@ WeaveFamily weave_family(const BitMatrix& cells) {
   if (w.pick.count() < 2 || w.end.count() < 2) return WeaveFamily::kOther;
   if (w.pick.count() == 2 && w.end.count() == 2) return of_two_classes(w);
   if (const WeaveFamily family = of_circle(w); family != WeaveFamily::kOther) return family;
-  if (is_double_in_blocks(w.picks)) return WeaveFamily::kDouble;
-  if (has_tabby_between(w.picks) || has_tabby_between(w.ends)) return WeaveFamily::kPattern;
+  if (is_double_in_blocks(w.picks) || is_stitched(w.picks) || is_deflected(w.picks)) return WeaveFamily::kDouble;
+  if (is_parallel(w.ends) || is_parallel(w.picks)) return WeaveFamily::kParallel;
+  if (has_tabby_between(w.picks) || has_tabby_between(w.ends) || is_compound(w.picks) || is_compound(w.ends))
+    return WeaveFamily::kPattern;
   if (has_reversed_blocks(w.picks)) return WeaveFamily::kBlock;
   if (is_waffle(w) || is_honeycomb(w)) return WeaveFamily::kCells;
   return is_lace(w) ? WeaveFamily::kLace : WeaveFamily::kOther;

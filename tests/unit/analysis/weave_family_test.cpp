@@ -60,6 +60,45 @@ TEST(WeaveFamily, WaffleAndHoneycomb) {
 
 TEST(WeaveFamily, ClothsInLayers) { EXPECT_EQ(family({"#...", "###.", "..#.", "#.##"}), "double"); }
 
+TEST(WeaveFamily, TwoWarpsThatFollowOneLine) {
+  // Echo weave: the line goes to and fro over the shafts of a 4/4 twill, the second warp four shafts above the first.
+  std::vector<std::string> echo(8);
+  for (int p = 0; p < 8; ++p)
+    for (const int shaft : {0, 1, 2, 3, 4, 5, 4, 3, 2, 1})
+      for (const int above : {0, 3}) echo[static_cast<size_t>(p)] += (shaft + above + p) % 8 < 4 ? '#' : '.';
+  EXPECT_EQ(family(echo), "parallel");
+  for (std::string& pick : echo)
+    for (char& cell : pick) cell = cell == '#' ? '.' : '#';
+  EXPECT_EQ(family(echo), "parallel") << "the back";
+}
+
+TEST(WeaveFamily, TwoWeftsThatChangeFaces) {
+  // Taquete: of each pair of picks one is on the face, in blocks; every other end binds both.
+  std::vector<std::string> taquete;
+  for (int p = 0; p < 8; ++p) {
+    taquete.emplace_back();
+    for (int e = 0; e < 16; ++e) {
+      const bool binds = e % 2 == 0, raised = binds ? (p / 2 + e / 2) % 2 == 0 : (e < 8) == (p % 2 == 0);
+      taquete.back() += raised ? '#' : '.';
+    }
+  }
+  EXPECT_EQ(family(taquete), "pattern");
+}
+
+TEST(WeaveFamily, StitchedClothsAreDouble) {
+  // Two 2/2 twills, one over the other; a lower end rises over an upper pick once in a repeat.
+  std::vector<std::string> stitched;
+  for (int p = 0; p < 8; ++p) {
+    stitched.emplace_back();
+    for (int e = 0; e < 8; ++e) {
+      const bool upper_end = e % 2 == 0, upper_pick = p % 2 == 0;
+      const bool own = (p / 2 + e / 2) % 4 < 2, stitch = p == 2 && e == 1;
+      stitched.back() += (upper_end == upper_pick ? own : upper_end) || stitch ? '#' : '.';
+    }
+  }
+  EXPECT_EQ(family(stitched), "double");
+}
+
 TEST(WeaveFamily, WhatIsNoClothIsOther) {
   EXPECT_EQ(family({"##", "##"}), "other");
   EXPECT_EQ(family({"..", ".."}), "other");

@@ -32,11 +32,10 @@ TEST(Family, WeavesOfTheTableAreKnown) {
       {"satin", {"satin"}},
       {"block", {"damask"}},
       {"lace", {"huck", "bronson", "bronson_lace", "canvas", "ms_and_os", "swivel"}},
-      {"pattern", {"overshot", "summer_winter", "clipped_spots", "beiderwand"}},
-      {"double", {"double", "double_blocks"}},
+      {"pattern", {"overshot", "summer_winter", "clipped_spots", "beiderwand", "taquete"}},
+      {"double", {"double", "double_blocks", "stitched", "deflected"}},
       {"cells", {"waffle", "honeycomb"}},
-      // Honest: nothing that the analysis describes.
-      {"other", {"echo", "jin", "deflected", "stitched", "taquete", "shadow"}},
+      {"parallel", {"echo", "jin", "shadow"}},
   };
   for (const auto& [family, weaves] : families)
     for (const char* weave : weaves) EXPECT_EQ(found(weave), family) << weave;

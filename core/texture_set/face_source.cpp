@@ -113,6 +113,19 @@ Linear times(const Linear& c, const glm::vec3& f) {
   return {std::min(c.r * f.r, 1.0f), std::min(c.g * f.g, 1.0f), std::min(c.b * f.b, 1.0f)};
 }
 
+/// The same for a level of detail, whose material is measured on threads that are finer than its texels.
+int supersampling_of(const Cloth& cloth, const FaceOptions& options) {
+  constexpr float kSamples = 16;
+  constexpr int kLargest = 2048;
+  const TextureSize size = options.size;
+  int factor = supersampling(cloth, size);
+  if (options.detail == ThreadDetail::kAll) return factor;
+  while (std::max(size.width, size.height) * factor < kLargest &&
+         texels_per_thread(cloth, size.width * factor, size.height * factor) < kSamples)
+    factor *= 2;
+  return factor;
+}
+
 }  // namespace
 
 int supersampling(const Cloth& cloth, TextureSize size) {
@@ -135,7 +148,7 @@ TextureSize texture_size(float width_mm, float depth_mm, int size) {
 }
 
 FaceSource::FaceSource(Tile tile, const FaceOptions& options)
-    : tile_(std::move(tile)), options_(options), factor_(supersampling(tile_.cloth, options.size)) {
+    : tile_(std::move(tile)), options_(options), factor_(supersampling_of(tile_.cloth, options)) {
   const int width = options.size.width, height = options.size.height;
   if (tile_.part && !options.horizon) make_from_part();
   else make_whole();
@@ -145,6 +158,7 @@ FaceSource::FaceSource(Tile tile, const FaceOptions& options)
   measure_lean();
   measure_footprints();
   measure_means();
+  measure_mean_texel();
   finish(small_, 0, small_.texels.height, 0);
   measure_range();
 }
@@ -328,6 +342,30 @@ void FaceSource::measure_means() {
   occlusion_gain_ = high;
 }
 
+void FaceSource::measure_mean_texel() {
+  if (options_.detail == ThreadDetail::kAll || !options_.fitted) return;
+  SurfaceTexels all = small_;
+  while (all.texels.at_.size() > 1) all = half_of(all);
+  mean_texel_ = all.texels.at(0, 0);
+  mean_texel_.normal = {0, 0, 1}, mean_texel_.fibre = {1, 0, 0};
+  if (footprints_.width > 0) {
+    const Plane<glm::vec3> one = averaged_down(footprints_, 1, 1);
+    mean_texel_.slope_cov = one.width > 0 ? one.at(0, 0) : footprints_.at(0, 0);
+  }
+  mean_texel_.system = mean_texel_.slope_cov.z > mean_texel_.slope_cov.x ? 1 : 0;
+}
+
+/// Of a fitted texel.
+void FaceSource::leave_out_threads(SurfaceTexel& t) const {
+  if (options_.detail == ThreadDetail::kAll) return;
+  t.occlusion = kMeanOcclusion, t.height_mm = 0;
+  t.sheen = times(mean_texel_.sheen, fit_.sheen);
+  if (options_.detail != ThreadDetail::kColours) return;
+  t.normal = mean_texel_.normal, t.fibre = mean_texel_.fibre, t.slope_cov = mean_texel_.slope_cov;
+  t.metal = mean_texel_.metal, t.transmitted = mean_texel_.transmitted;
+  t.system = mean_texel_.system, t.thread = 0;
+}
+
 void FaceSource::finish(SurfaceTexels& surface, int y0, int level_height, int threads) const {
   if (!options_.fitted) return;
   const int width = surface.texels.width, height = surface.texels.height;
@@ -347,6 +385,7 @@ void FaceSource::finish(SurfaceTexels& surface, int y0, int level_height, int th
       t.normal = straightened(t.normal, lean_);
       t.sheen_roughness = fit_.sheen_roughness;
       t.occlusion = std::min(t.occlusion * occlusion_gain_, 1.0f);
+      leave_out_threads(t);
     }
   });
 }

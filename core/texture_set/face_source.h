@@ -28,13 +28,22 @@ TextureSize texture_size(float width_mm, float depth_mm, int size);
 /// smooth edges and a variance of the normals; more if threads are thinner than texels.
 int supersampling(const Cloth& cloth, TextureSize size);
 
+/// What a set keeps of the threads, for a level of detail.
+enum class ThreadDetail {
+  kAll,
+  kNoRelief,  // no shade of one thread on the next, and one sheen: occlusion, height and sheen are the same all over
+  kColours    // the base colour and coverage alone: all else is the mean of the face
+};
+inline constexpr int kLods = 3;  // of ThreadDetail, by value
+
 struct FaceOptions {
   TextureSize size;
   bool horizon = false;  // there are horizons()
   bool fitted = true;    // colours, sheen and occlusion are fitted to an engine; false: those of the cloth
   EngineModel model;     // of the engine
   std::optional<EngineModel> older{};  // a second model, for older_fit()
-  float footprint_mm = 0;              // of a pixel, whose microfacets the roughness includes; 0: those of a texel only
+  ThreadDetail detail = ThreadDetail::kAll;
+  float footprint_mm = 0;  // of a pixel, whose microfacets the roughness includes; 0: those of a texel only
 };
 
 /// Means over the texels of small().
@@ -88,6 +97,8 @@ class FaceSource {
   void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
   void measure_means();
   void measure_range();
+  void measure_mean_texel();
+  void leave_out_threads(SurfaceTexel& texel) const;
   void set_occlusion(SurfaceTexels& surface, int y0, int level_height) const;
   void finish(SurfaceTexels& surface, int y0, int level_height, int threads) const;
   SurfaceTexels piece(int x0, int x1, int y0, int y1) const;
@@ -102,6 +113,7 @@ class FaceSource {
   int occlusion_across_ = 1, occlusion_up_ = 1;  // repetitions of it in the face
   Plane<glm::vec3> footprints_;                  // covariance of the microfacets, scaled by the fit
   float weight_ = 0;                             // weight of the lobe of the footprint in that of a texel
+  SurfaceTexel mean_texel_;                      // of the whole face, before the fit; its lobe as scaled by the fit
   EngineFit fit_, older_fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;

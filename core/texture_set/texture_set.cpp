@@ -132,6 +132,7 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
             {"alpha", alpha_name(set.alpha)},
             {"coverage", set.front.coverage()},
             {"distance_m", options.distance_m},
+            {"lod", static_cast<int>(options.detail)},
             {"fit", {{"front", fit_json(set.front)}, {"back", fit_json(set.back)}}},
             {"maps", images.maps}};
   if (!images.factors.empty()) root["factors"] = images.factors;
@@ -171,7 +172,7 @@ SetIdentity identity_of(const fs::path& folder, const TextureSetOptions& options
 }
 
 Tile tile_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
-  return make_tile(design, cells, face, options.tile_mm, options.size);
+  return make_tile(design, cells, face, options.tile_mm, options.tile_size > 0 ? options.tile_size : options.size);
 }
 
 /// Estimate of the fraction of the plane that is covered, for straight threads.
@@ -195,6 +196,7 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   FaceOptions of;
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   of.horizon = target.raw, of.fitted = !target.raw;
+  of.detail = options.detail;
   of.model = engine_model(target, has_metal(cloth)), of.older = target.older_model;
   of.footprint_mm = target.raw || target.path_traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(tile), of};
@@ -279,11 +281,23 @@ std::string file_name_of(const std::string& text) {
   return out.empty() ? "cloth" : out.substr(0, 100);
 }
 
+TextureSetOptions at_lod(TextureSetOptions options, int lod) {
+  if (lod == 0) return options;
+  const int further = 1 << lod;
+  options.name += "-lod" + std::to_string(lod);
+  options.detail = static_cast<ThreadDetail>(lod);
+  options.tile_size = options.size;
+  options.size = std::max(options.size / (further * further), kMinSize);
+  options.distance_m = (options.distance_m > 0 ? options.distance_m : 1.0f) * static_cast<float>(further);
+  return options;
+}
+
 std::string key_of(const TextureSetOptions& o) {
   return o.program_version + " " + o.target->id + " " + o.name + " " + std::to_string(o.size) + " " +
          alpha_name(o.alpha) + " " + number(static_cast<double>(o.distance_m)) + " " +
          number(static_cast<double>(o.tile_mm)) + (o.mips ? std::string(" ") + name_of(*o.mips) : "") +
          (o.masks ? " masks" : "") +
+         (o.detail == ThreadDetail::kAll ? "" : " lod " + std::to_string(static_cast<int>(o.detail))) +
          (o.uv.unit == UvUnit::kMm && o.uv.right_mm == 0 && o.uv.up_mm == 0
               ? ""
               : std::string(" uv ") + uv_unit_name(o.uv.unit) + " " + number(static_cast<double>(o.uv.right_mm)) + " " +
@@ -346,7 +360,7 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
   std::vector<std::string> out;
-  if (each < kMinTexelsPerThread)
+  if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
     out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
                        arg("texels", rounded(each))));
   if (options.alpha == Alpha::kMask && !options.mips && !options.target->keeps_masks &&

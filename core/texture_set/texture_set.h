@@ -30,17 +30,23 @@ struct TextureSetOptions {
   std::string draft_path;                        // path of the draft; empty: never saved
   std::string program_version;
   int size = 1024;     // texels of the longer side, a power of two 16..8192
+  int tile_size = 0;   // the same of the set that this one is a level of detail of, whose tile it has; 0: none
   bool force = false;  // writes into a folder with other files, and replaces those of the same names
   Alpha alpha = Alpha::kAuto;
-  float distance_m = 1;             // viewing distance of the footprint in the roughness; 0: no footprint
-  std::optional<MipFormat> mips{};  // images with prefiltered mipmaps beside the others
-  UvMapping uv{};                   // of the meshes that wear the material
-  bool masks = false;               // images for recolouring (texture_set/recolour.h)
-  float tile_mm = 0;                // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
+  float distance_m = 1;                      // viewing distance of the footprint in the roughness; 0: no footprint
+  std::optional<MipFormat> mips{};           // images with prefiltered mipmaps beside the others
+  UvMapping uv{};                            // of the meshes that wear the material
+  ThreadDetail detail = ThreadDetail::kAll;  // of the level of detail; size and distance are given for it
+  bool masks = false;                        // images for recolouring (texture_set/recolour.h)
+  float tile_mm = 0;  // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
   std::string modified = "2000-01-01T00:00:00Z";  // time of the draft, ISO 8601, for formats that need it
   std::string key;                                // hash of all inputs of the set, for is_complete()
   bool archived = false;                          // for texture_set.json: a .zip of the same name is beside the folder
 };
+/// The options of a level of detail, 0 to kLods - 1: each a quarter as large as the one before, seen from twice as far
+/// or more, and with less of the threads. The name gets "-lod1", "-lod2".
+TextureSetOptions at_lod(TextureSetOptions options, int lod);
+
 /// The options that change the bytes of the set, as text.
 std::string key_of(const TextureSetOptions& options);
 

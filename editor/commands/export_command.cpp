@@ -44,6 +44,7 @@ using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOpti
     texture_set::is_complete, texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files,
     texture_set::lists_archive, texture_set::set_density, texture_set::target_named, texture_set::uv_unit_named,
     texture_set::warnings_of, texture_set::write_texture_set;
+using texture_set::at_lod, texture_set::kLods;
 using wif::is_draft_name, wif::is_wif_name;
 
 namespace {
@@ -54,8 +55,9 @@ constexpr auto kWatchStep = std::chrono::milliseconds(500);
 
 struct Job {
   std::string file, folder;
-  std::string version;  // of the draft; empty: the draft as it is
-  TextureSetOptions options;
+  std::string version;        // of the draft; empty: the draft as it is
+  TextureSetOptions options;  // of the nearest level of detail
+  int lod = 0;
   std::string form;         // template of the folder's name
   fs::file_time_type time;  // of the file, before it was read
 };
@@ -200,7 +202,9 @@ std::vector<Job> jobs_of(const ExportOptions& options, const MaterialOptions& ma
         o.uv = {uv_unit_named(material.uv).value_or(UvUnit::kMm), material.uv_right_mm, material.uv_up_mm};
         o.mips = files::mip_format_named(options.mips);
         std::error_code ec;
-        jobs.push_back({file, folder_of(options.out, form, o), version, o, form, fs::last_write_time(file, ec)});
+        for (int lod = 0; lod < (material.lods ? kLods : 1); ++lod)
+          jobs.push_back({file, folder_of(options.out, form, at_lod(o, lod)), version, o, lod, form,
+                          fs::last_write_time(file, ec)});
       }
     }
   }
@@ -292,8 +296,9 @@ void run_job(Job job, int index, ExportRun& run) {
   const Design design = version ? at_version(opened.design, *version) : opened.design;
   if (run.options.texels_per_mm > 0) {
     set_density(job.options, design, run.options.texels_per_mm);
-    job.folder = folder_of(run.options.out, job.form, job.options);
+    job.folder = folder_of(run.options.out, job.form, at_lod(job.options, job.lod));
   }
+  job.options = at_lod(job.options, job.lod);
   job.options.archived = run.options.zip;
   job.options.key =
       digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh + "\n" + job.version);
@@ -382,6 +387,8 @@ int export_command(const ExportOptions& options, const MaterialOptions& material
     return refuse(fill(tr("--size {size}: give a power of two from 16 to 8192"), arg("size", options.size)));
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
     return refuse(fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
+  if (material.lods && std::ranges::any_of(targets, &ExportTarget::raw))
+    return refuse(tr("--lods: a raw set has no material that levels of detail could make simpler"));
   if (const std::string wrong = template_problem(options.name); !wrong.empty()) return refuse(wrong);
   const bool mesh_wanted = std::ranges::any_of(targets, &ExportTarget::wears_mesh);
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};

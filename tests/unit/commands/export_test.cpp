@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <tuple>
 
 #include "base/json.h"
 #include "base/whole_files.h"
@@ -47,6 +48,21 @@ TEST_F(Export, a_folder_for_several_targets) {
   for (const char* set : {"a/raw", "a/unity-urp", "b/raw", "b/unity-urp"})
     EXPECT_TRUE(has(std::string(set) + "/texture_set.json")) << set;
   EXPECT_NE(ran.said.find("4 sets written"), std::string::npos) << ran.said;
+}
+
+TEST_F(Export, levels_of_detail_share_the_tile) {
+  EXPECT_EQ(exported({"--size", "256", "--lods"}).code, kDone);
+  for (const auto& [set, size, lod] :
+       {std::tuple("a", 256, 0), std::tuple("a-lod1", 64, 1), std::tuple("a-lod2", 16, 2)}) {
+    const json of = list(set);
+    EXPECT_EQ(std::max(of["size_texels"][0].get<int>(), of["size_texels"][1].get<int>()), size) << set;
+    EXPECT_EQ(of["lod"], lod) << set;
+    EXPECT_EQ(of["size_mm"], list("a")["size_mm"]) << set;
+  }
+  EXPECT_EQ(exported({"--lods", "--target", "raw"}).code, kUsage);
+  EXPECT_EQ(exported({"--lods", "--px-per-mm", "6", "--name", "dense/{name}"}).code, kDone);
+  EXPECT_EQ(list("dense/b-lod1")["size_mm"], list("dense/b")["size_mm"]);
+  EXPECT_EQ(4 * list("dense/b-lod1")["size_texels"][0].get<int>(), list("dense/b")["size_texels"][0].get<int>());
 }
 
 TEST_F(Export, names_follow_the_template) {

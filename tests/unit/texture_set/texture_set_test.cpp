@@ -340,6 +340,39 @@ TEST(TextureSet, ConstantMapsAreFactorsOrSmall) {
     EXPECT_EQ(map["width"], read_image(scratch / "blender/" + map["file"].get<std::string>())->width) << map["file"];
 }
 
+TEST(TextureSet, FarLevelsOfDetailHaveTheSameColoursAndOneMaterial) {
+  const Design design = sample_design();
+  const TextureSetOptions near = options_for(targets::kGltf, 1024), middle = at_lod(near, 1), far = at_lod(near, 2);
+  EXPECT_EQ(far.name, "sample-lod2");
+  EXPECT_EQ(far.size, 64);
+  EXPECT_NE(key_of(far), key_of(near));
+  const FaceSource at_hand = face_at(design, Face::kFront, near, 1024),
+                   mid = face_at(design, Face::kFront, middle, 1024), afar = face_at(design, Face::kFront, far, 1024);
+  const auto is_near = [](const Linear& a, const Linear& b) {
+    return std::abs(a.r - b.r) < 0.04f && std::abs(a.g - b.g) < 0.04f && std::abs(a.b - b.b) < 0.04f;
+  };
+  EXPECT_TRUE(is_near(mid.mean_base(), at_hand.mean_base()));
+  EXPECT_TRUE(is_near(afar.mean_base(), at_hand.mean_base()));
+  EXPECT_NEAR(afar.coverage(), at_hand.coverage(), 0.01f);
+  for (const FaceSource* face : {&mid, &afar})
+    for (const EngineScore& s : face->scores())
+      if (s.view_deg < 65) {
+        EXPECT_NEAR(s.mean, 1, 0.15f) << s.view_deg;
+      }
+  const SurfaceTexels all = afar.rows(0, afar.size().height);
+  const SurfaceTexel& first = all.texels.at_[0];
+  bool one_colour = true;
+  for (const SurfaceTexel& t : all.texels.at_) {
+    ASSERT_EQ(t.normal, glm::vec3(0, 0, 1));
+    ASSERT_EQ(t.slope_cov, first.slope_cov);
+    ASSERT_EQ(t.metal, first.metal);
+    ASSERT_EQ(t.sheen, first.sheen);
+    one_colour &= t.base == first.base;
+  }
+  EXPECT_FALSE(one_colour) << "the pattern stays";
+  EXPECT_NEAR(first.metal, at_hand.means().metal, 0.02) << "of 16 ends two are of metal, on a part of the face";
+}
+
 TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
   ASSERT_EQ(problem_of(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128))),

@@ -211,7 +211,9 @@ Mesh mesh_of_body(const std::string& name) {
   if (name == "tablecloth") append_table(mesh);
   if (name == "curtain") append_rod(mesh);
   if (name == "skirt") {
-    append_zero_set(mesh, taped_skirt_form, sample(taped_skirt_form, {-200, 730, -160}, {200, 1160, 160}, 8));
+    // Vertices stand in planes of the grid, one of which is just above the cloth's edge: shade ends there in a line.
+    constexpr float kCell = 8, kLowest = kWaistHeight + 1 - 41 * kCell;
+    append_zero_set(mesh, taped_skirt_form, sample(taped_skirt_form, {-200, kLowest, -160}, {200, 1160, 160}, kCell));
     append_stand(mesh, kSkirtLowered);
   }
   if (name == "cushion") {

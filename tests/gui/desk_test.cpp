@@ -197,6 +197,20 @@ TEST_F(DeskTest, TheViewsOfTheClothAreReachableInASmallWindow) {
   EXPECT_TRUE(comes_true([&] { return w.has("grazing"); }));
 }
 
+TEST_F(DeskTest, ADialogAsHighAsTheWindowIsAllSeen) {
+  show_cloth();
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.resize(1000, 640);
+  ASSERT_TRUE(comes_true([&] { return w.place_of("view").second.x < 700; }));
+  display_.key("ctrl+e");
+  ASSERT_TRUE(comes_true([&] { return w.has("export.for:gltf") && w.has("dialog:Export"); }));
+  constexpr double kTitle = 40;  // stands over the first row
+  EXPECT_TRUE(comes_true([&] { return w.place_of("export.for:gltf").first.y >= kTitle; }));
+  EXPECT_LE(w.place_of("dialog:Export").first.y + w.place_of("dialog:Export").second.y, 640);
+}
+
 TEST_F(DeskTest, TheMapComesWithTheScrollAndGoes) {
   show_cloth();
   put(draft_, straight_draft(400, 8));

@@ -153,9 +153,11 @@ class Files(unittest.TestCase):
             wl.export(wl.weave("twill", (16, 16)), self.folder / target, target, size=64)
             facts = json.loads((self.folder / target / "texture_set.json").read_text())
             self.assertTrue(facts)
+        wl.export(twill(), self.folder / "far", size=256, name="far", lod=2)
+        self.assertEqual(json.loads((self.folder / "far" / "texture_set.json").read_text())["name"], "far-lod2")
         with self.assertRaises(wl.Error) as caught:
             wl.export(twill(), "/proc/nowhere/set", size=64)
         self.assertEqual(caught.exception.kind, "output")
-        for wrong in ({"target": "abacus"}, {"size": 100}, {"alpha": "maybe"}, {"mips": "gif"}, {"tile_mm": -1}):
+        for wrong in ({"target": "abacus"}, {"size": 100}, {"alpha": "maybe"}, {"mips": "gif"}, {"tile_mm": -1}, {"lod": 3}):
             with self.assertRaises(ValueError):
                 wl.export(twill(), self.folder / "x", **wrong)

@@ -58,8 +58,10 @@ Mesh mesh_for(const ExportTarget& target, Design design, const std::string& mesh
 std::vector<std::string> export_set(const Design& design, const fs::path& folder, const std::string& target, int size,
                                     const std::string& name, const std::string& mesh, const std::string& alpha,
                                     double distance_m, const std::optional<double>& tile_mm,
-                                    const std::optional<std::string>& mips, bool force, const py::object& progress) {
+                                    const std::optional<std::string>& mips, int lod, bool force,
+                                    const py::object& progress) {
   check_size(size);
+  if (lod < 0 || lod >= texture_set::kLods) bad_value("lod is 0 to 2");
   if (!(tile_mm.value_or(0) >= 0 && distance_m >= 0)) bad_value("tile_mm and distance_m are 0 or more");
   TextureSetOptions options;
   options.target = &target_of(target);
@@ -70,6 +72,7 @@ std::vector<std::string> export_set(const Design& design, const fs::path& folder
   options.mips = mip_format_of(mips);
   options.distance_m = static_cast<float>(distance_m);
   options.tile_mm = tile_mm ? static_cast<float>(*tile_mm) : texture_set::kTileOfYarns;
+  options = texture_set::at_lod(options, lod);
   return long_call(progress, [&](const TaskProgress& task) {
     const Mesh worn = mesh_for(*options.target, design, mesh);
     value_of(write_texture_set(folder.string(), design, worn, options,
@@ -87,7 +90,7 @@ void bind_export(py::module_& module) {
   module.def("export", &export_set, py::arg("design"), py::arg("folder"), py::arg("target") = "gltf", py::kw_only(),
              py::arg("size") = 1024, py::arg("name") = "", py::arg("mesh") = "plane", py::arg("alpha") = "auto",
              py::arg("distance_m") = 1.0, py::arg("tile_mm") = py::none(), py::arg("mips") = py::none(),
-             py::arg("force") = false, py::arg("progress") = py::none(),
+             py::arg("lod") = 0, py::arg("force") = false, py::arg("progress") = py::none(),
              "A texture set of the design into a folder; returns remarks.");
 }
 

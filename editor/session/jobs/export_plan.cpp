@@ -12,8 +12,8 @@
 namespace weftlight::session {
 
 using base::tr;
-using texture_set::check_set_folder, texture_set::file_name_of, texture_set::kTileOfYarns, texture_set::listed_files,
-    texture_set::set_density;
+using texture_set::ThreadDetail, texture_set::at_lod, texture_set::check_set_folder, texture_set::file_name_of,
+    texture_set::kLods, texture_set::kTileOfYarns, texture_set::listed_files, texture_set::set_density;
 
 namespace fs = std::filesystem;
 
@@ -29,9 +29,12 @@ std::vector<ExportJob> jobs_of(const ExportPlan& plan, const Design& design, con
     o.tile_mm = plan.tile_cm < 0 ? kTileOfYarns : 10 * plan.tile_cm;
     if (plan.by_density) set_density(o, design, plan.texels_per_mm);
     if (!target->raw) o.mips = plan.mips;
-    fs::path folder = fs::path(plan.folder) / name;
-    if (plan.targets.size() > 1) folder /= target->id;
-    out.push_back({folder.string(), o});
+    for (int lod = 0; lod < (plan.lods && !target->raw ? kLods : 1); ++lod) {
+      const TextureSetOptions level = at_lod(o, lod);
+      fs::path folder = fs::path(plan.folder) / level.name;
+      if (plan.targets.size() > 1) folder /= target->id;
+      out.push_back({folder.string(), level});
+    }
   }
   return out;
 }
@@ -41,7 +44,8 @@ ExportFigures figures_of(const Design& design, const std::vector<ExportJob>& job
   for (const ExportJob& job : jobs) {
     const SetFigures set = texture_set::figures_of(design, job.options);
     if (out.images == 0) out.set = set;
-    out.images += set.images, out.texel_bytes += set.texel_bytes;
+    out.texel_bytes += set.texel_bytes;
+    if (job.options.detail == ThreadDetail::kAll) out.images += set.images;
   }
   const SetFigures& s = out.set;
   if (s.ends == 0 || s.picks == 0) {

@@ -22,6 +22,7 @@ struct ExportPlan {
   float tile_cm = -1;        // least width and height of the tile; 0: one repeat; negative: as its yarns need
   Alpha alpha = Alpha::kAuto;
   std::optional<MipFormat> mips;  // files with mipmaps beside the images; raw sets have their own
+  bool lods = false;              // also sets for larger distances; raw sets have none
   std::string folder;             // each set is a folder inside it
   bool watch = false;             // exports again after each edit
 };
@@ -31,14 +32,14 @@ struct ExportJob {
   std::string folder;
   TextureSetOptions options;
 };
-/// In the order of the targets. `draft_path` is empty if the draft was never saved.
+/// In the order of the targets; levels of detail after the set that they belong to. `draft_path` is empty if the draft was never saved.
 std::vector<ExportJob> jobs_of(const ExportPlan& plan, const Design& design, const std::string& draft_path,
                                const std::string& version);
 
 struct ExportFigures {
   SetFigures set;                // of the first target; size and repeat hold for all
   float texels_a_thread = 0;     // the smaller of warp and weft
-  int images = 0;                // in all sets
+  int images = 0;                // in all sets, without their further levels of detail
   int64_t texel_bytes = 0;       // of all sets, in GPU memory
   std::vector<std::string> why;  // warnings
 };

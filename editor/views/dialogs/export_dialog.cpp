@@ -357,6 +357,12 @@ DialogResult draw_prompt(PanelContext& c, ExportPrompt& p) {
   draw_size(c, *p.plan, width);
   draw_alpha(c, p, width);
   draw_mips(c, *p.plan, width);
+  row_label(
+      c, tr("Levels of detail"),
+      tr("Two further sets of a quarter and a sixteenth of the size, with the same tile: without the relief of the "
+         "threads, and with nothing but their colours"));
+  ImGui::Checkbox(tr("Also LOD 1 and 2"), &p.plan->lods);
+  c.map.add_item("export.lods");
   const bool choose = draw_folder(c, *p.plan, width);
   row_label(c, "", nullptr);
   ImGui::Checkbox(tr("Export after every edit"), &p.plan->watch);

@@ -60,6 +60,17 @@ TEST(ExportPlanTest, MipFilesAreWrittenOnlyForTargetsWithoutTheirOwn) {
   EXPECT_FALSE(jobs[1].options.mips) << "a raw set has mips of its own";
 }
 
+TEST(ExportPlanTest, LevelsOfDetailFollowTheirSet) {
+  ExportPlan plan = plan_into("out", {&texture_set::targets::kGodot, &texture_set::targets::kRaw}, 1024);
+  plan.lods = true;
+  const std::vector<ExportJob> jobs = jobs_of(plan, sample(), "a/twill.wif", "1");
+  ASSERT_EQ(jobs.size(), 4u) << "a raw set has none";
+  EXPECT_EQ(jobs[0].folder, "out/twill/godot");
+  EXPECT_EQ(jobs[1].folder, "out/twill-lod1/godot");
+  EXPECT_EQ(jobs[2].options.size, 64);
+  EXPECT_EQ(figures_of(sample(), jobs).images, figures_of(sample(), {jobs[0], jobs[3]}).images);
+}
+
 TEST(ExportPlanTest, OneTargetIsAlwaysChosen) {
   ExportPlan plan;
   toggle(plan, &texture_set::targets::kGltf);

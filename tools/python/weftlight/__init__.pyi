@@ -1008,11 +1008,13 @@ def export(
     distance_m: float = 1.0,
     tile_mm: float | None = None,
     mips: Literal["dds", "ktx2", "dds-bc", "ktx2-bc"] | None = None,
+    lod: int = 0,
     force: bool = False,
     progress: Progress | None = None,
 ) -> list[str]:
     """Writes a texture set of one tile, both faces, for one of TARGETS into `folder`, completely or not at all; returns
     remarks. `size`: texels of the longer side, a power of two of 16 to 8,192. `name`: of the files; else the title.
     `tile_mm`: least side of a tile of whole repeats, 0 for one repeat; by default one repeat, or up to 50 mm for yarns with
-    slubs, melange or unevenness. `force`: into a folder with other files. Error: it cannot be
+    slubs, melange or unevenness. `lod`: level of detail, 0 to 2, of the set with these options: 1 has a quarter of the
+    size, 2 a sixteenth, and "-lod1" or "-lod2" after the name. `force`: into a folder with other files. Error: it cannot be
     written."""

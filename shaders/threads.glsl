@@ -1,6 +1,6 @@
-// Threads as bodies: sections (thread_section.glsl) swept at right angles along centre lines that pass over each other, and rays
-// among them. GLSL 3.30 and C++20 (core/cloth/thread_scene.h). Cloth space: x along the weft, y along the warp, z out
-// of the visible face; millimetres. Systems: 0 warp, 1 weft.
+// Threads as bodies: sections (thread_section.glsl) swept at right angles along centre lines that pass over each other,
+// and rays among them. GLSL 3.30 and C++20 (core/cloth/thread_scene.h). Cloth space: x along the weft, y along the warp,
+// z out of the visible face; millimetres. Systems: 0 warp, 1 weft.
 //
 //   Crossing c = crossing_near(grid, at)           the two strands over and under a position
 //   ThreadHit h = first_thread(grid, at, v, span)  the first thread on a ray down against v

@@ -40,10 +40,9 @@ constexpr float kTouching = 1.06f;
 // presets 0.4 to 0.65 before they are woven; by eye.
 constexpr float kDensest = 0.75f;
 constexpr float kFirmTwist = 0.4f;  // tangent of the twist from which a yarn keeps its section; by eye
-// Area of a section over that of an ellipse as wide and high, by its squareness in the steps of the threads' records;
-// the last is as far as sections go, by eye: squarer ones show edges where they bend.
-constexpr std::array kFullness{1.0f,   1.008f, 1.016f, 1.025f, 1.035f, 1.045f, 1.055f,
-                               1.066f, 1.079f, 1.092f, 1.106f, 1.123f, 1.141f};
+// Steps of squareness, as the threads' records hold it, to which a section fills its corners; by eye: squarer ones show
+// edges where they bend.
+constexpr int kSquarest = 12;
 const float kTallest = thread_formulas::kTallestSection;
 constexpr float kLargest_mm = 1.0e4f;
 constexpr float kSmallestSpacing_mm = 1.0e-3f;
@@ -58,6 +57,17 @@ T entry(const std::vector<T>& table, int i, T missing) {
 
 /// Negative and NaN mean "take the yarn's".
 bool is_given(float mm) { return mm >= 0.0f; }
+
+/// Of a section that needs `jammed` times the area of the ellipse in its room.
+float squareness_for(float jammed) {
+  float nearest = 0;
+  for (int step = 1; step <= kSquarest; ++step) {
+    const float q = static_cast<float>(step) / thread_formulas::kSquareSteps;
+    const auto off = [&](float of) { return std::abs(thread_formulas::section_fullness(of) - jammed); };
+    if (off(q) < off(nearest)) nearest = q;
+  }
+  return nearest;
+}
 
 /// least: fraction of its section to which a thread can be pressed; it counts only for the height.
 ThreadBody body_of(float diameter, float spacing, const Yarn& yarn, float least = 1) {
@@ -74,10 +84,9 @@ ThreadBody body_of(float diameter, float spacing, const Yarn& yarn, float least 
   body.width_mm = std::min(wanted, body.spacing_mm);
   if (body.width_mm <= 0.0f) return body;
   const float jammed = wanted / body.width_mm;
-  const auto full = std::ranges::min_element(kFullness, {}, [&](float f) { return std::abs(f - jammed); });
-  body.squareness = static_cast<float>(full - kFullness.begin()) / thread_formulas::kSquareSteps;
-  const float left = std::clamp(*full / jammed, least, 1.0f);
-  body.height_mm = std::min(left * diameter * diameter / (*full * body.width_mm), kTallest * body.width_mm);
+  body.squareness = squareness_for(jammed);
+  const float full = thread_formulas::section_fullness(body.squareness), left = std::clamp(full / jammed, least, 1.0f);
+  body.height_mm = std::min(left * diameter * diameter / (full * body.width_mm), kTallest * body.width_mm);
   return body;
 }
 

@@ -1,4 +1,4 @@
-// The upper surface of the threads, their sections swept at right angles along its centre line. At a sample at most
+// The upper surface of the threads, their sections swept at right angles along their centre lines. At a sample at most
 // one end and one pick can be on top, since a thread is never wider than its room. A section leans with its thread:
 // at slope m the vertical cut through it is sqrt(1 + m^2) as high, and a point on top of the cut belongs to a section
 // further along (to first order in the section's height).

@@ -53,7 +53,9 @@ struct SectionFrame {
     return centre + across * (inside.x * p.x) + up * (inside.y * p.y);
   }
   /// Of the circle with the area of the section.
-  float mean_radius() const { return std::sqrt(radii.x * radii.y); }
+  float mean_radius() const {
+    return std::sqrt(radii.x * radii.y * cloth::thread_formulas::section_fullness(squareness));
+  }
 };
 
 /// The references outlive it. The centre lines of `paths` are computed.

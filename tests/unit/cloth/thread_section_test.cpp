@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "cloth/thread_texture.h"
 
@@ -11,8 +12,8 @@ namespace weftlight::cloth {
 namespace {
 
 using glm::vec2, glm::vec4;
-using thread_formulas::section_curvature, thread_formulas::section_gradient, thread_formulas::section_norm,
-    thread_formulas::section_point, thread_formulas::section_top;
+using thread_formulas::section_curvature, thread_formulas::section_fullness, thread_formulas::section_gradient,
+    thread_formulas::section_norm, thread_formulas::section_point, thread_formulas::section_top;
 
 class ThreadSectionShape : public testing::TestWithParam<float> {};
 
@@ -49,7 +50,15 @@ TEST_P(ThreadSectionShape, NormalsAndCurvatureAreThoseOfThePoints) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FromEllipseToRectangle, ThreadSectionShape, testing::Values(0.0f, 0.3f, 0.75f));
+TEST_P(ThreadSectionShape, ItsFullnessIsItsArea) {
+  constexpr int kParts = 100'000;
+  double sum = 0;
+  for (int i = 0; i < kParts; ++i)
+    sum += static_cast<double>(section_top((static_cast<float>(i) + 0.5f) / kParts, GetParam()));
+  EXPECT_NEAR(static_cast<double>(section_fullness(GetParam())), sum / kParts * 4 / std::numbers::pi, 5e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(FromEllipseToRectangle, ThreadSectionShape, testing::Values(0.0f, 0.3f, 0.5f, 0.75f));
 
 }  // namespace
 }  // namespace weftlight::cloth

@@ -32,7 +32,8 @@ struct ExportJob {
   std::string folder;
   TextureSetOptions options;
 };
-/// In the order of the targets; levels of detail after the set that they belong to. `draft_path` is empty if the draft was never saved.
+/// In the order of the targets; levels of detail after the set that they belong to. `draft_path` is empty if the draft
+/// was never saved.
 std::vector<ExportJob> jobs_of(const ExportPlan& plan, const Design& design, const std::string& draft_path,
                                const std::string& version);
 

@@ -251,7 +251,8 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog) ||
                     std::holds_alternative<VersionsPrompt>(dialog) || std::holds_alternative<PicturePrompt>(dialog) ||
                     std::holds_alternative<YarnsPrompt>(dialog);
-  const float down = tall ? 0.5f : 0.4f;  // of the room that is left, so that a dialog as high as the window is all seen
+  const float down =
+      tall ? 0.5f : 0.4f;  // of the room that is left, so that a dialog as high as the window is all seen
   ImGui::SetNextWindowPos({view->WorkPos.x + view->WorkSize.x * (live ? 1.0f : 0.5f) - (live ? c.style.px(16) : 0.0f),
                            view->WorkPos.y + view->WorkSize.y * down},
                           ImGuiCond_Always, {live ? 1.0f : 0.5f, down});

@@ -19,7 +19,8 @@ class ThreadSectionShape : public testing::TestWithParam<float> {};
 
 TEST_P(ThreadSectionShape, PointsLieOnIt) {
   const float q = GetParam();
-  for (float angle = -3; angle < 3; angle += 0.1f) {
+  for (int tenth = -30; tenth < 30; ++tenth) {
+    const float angle = 0.1f * static_cast<float>(tenth);
     const vec4 p = section_point(angle, q);
     EXPECT_NEAR(section_norm(p.x * p.x, p.y * p.y, q), 1, 1e-5f) << angle;
     EXPECT_NEAR(section_norm(0.09f * p.x * p.x, 0.09f * p.y * p.y, q), 0.3f, 1e-5f) << angle;
@@ -35,7 +36,8 @@ TEST_P(ThreadSectionShape, NormalsAndCurvatureAreThoseOfThePoints) {
   const float q = GetParam();
   const vec2 half(0.4f, 0.25f);
   constexpr float kStep = 1e-2f;
-  for (float angle = -3; angle < 3; angle += 0.1f) {
+  for (int tenth = -30; tenth < 30; ++tenth) {
+    const float angle = 0.1f * static_cast<float>(tenth);
     const vec4 p = section_point(angle, q), before = section_point(angle - kStep, q),
                after = section_point(angle + kStep, q);
     const vec2 step = (vec2(after) - vec2(before)) / (2 * kStep);

@@ -52,33 +52,12 @@ Partners partners_of(const std::vector<int>& kind, int first) {
   return {share(changes, count), share(kept, count), beside.size(), partners.size(), joins.size()};
 }
 
-/// The fraction of cells amid eight others that cross alike, on top and underneath.
-struct Solid {
-  double up = 0, down = 0;
-};
-Solid share_of_each_solid(const BitMatrix& cells) {
-  const int picks = cells.rows(), ends = cells.cols();
-  int64_t up = 0, down = 0;
-  for (int p = 0; p < picks; ++p)
-    for (int e = 0; e < ends; ++e) {
-      int on = 0;
-      for (int i = 0; i < 9; ++i)
-        on += cells.get((p + picks + i / 3 - 1) % picks, (e + ends + i % 3 - 1) % ends) ? 1 : 0;
-      up += on == 9 ? 1 : 0, down += on == 0 ? 1 : 0;
-    }
-  return {share(up, int64_t{picks} * ends), share(down, int64_t{picks} * ends)};
-}
-
 double share_on_top(const BitMatrix& cells) {
   int64_t up = 0;
   for (int p = 0; p < cells.rows(); ++p)
     for (int e = 0; e < cells.cols(); ++e) up += cells.get(p, e) ? 1 : 0;
   return share(up, int64_t{cells.rows()} * cells.cols());
 }
-
-}  // namespace
-
-namespace {
 
 /// blocks: a few opposite pairs are enough; otherwise only a line counts, which changes often and has many places.
 bool has_parallel_pairs(const BitMatrix& threads, bool blocks) {
@@ -138,7 +117,7 @@ bool is_compound(const BitMatrix& threads) {
 bool is_deflected(const BitMatrix& cells) {
   constexpr double kPlain = 0.08, kSolid = 0.03;
   if (cells.rows() < kMinThreads || cells.cols() < kMinThreads || share_of_plain(cells) < kPlain) return false;
-  const Solid solid = share_of_each_solid(cells);
+  const SolidShare solid = share_of_solid(cells);
   return std::min(solid.up, solid.down) >= kSolid;
 }
 
@@ -165,6 +144,19 @@ BitMatrix every_other(const BitMatrix& cells, int first_pick, int first_end) {
     for (int e = 0; e < out.cols(); ++e)
       if (cells.get(2 * p + first_pick, 2 * e + first_end)) out.set(p, e, true);
   return out;
+}
+
+SolidShare share_of_solid(const BitMatrix& cells) {
+  const int picks = cells.rows(), ends = cells.cols();
+  int64_t up = 0, down = 0;
+  for (int p = 0; p < picks; ++p)
+    for (int e = 0; e < ends; ++e) {
+      int on = 0;
+      for (int i = 0; i < 9; ++i)
+        on += cells.get((p + picks + i / 3 - 1) % picks, (e + ends + i % 3 - 1) % ends) ? 1 : 0;
+      up += on == 9 ? 1 : 0, down += on == 0 ? 1 : 0;
+    }
+  return {share(up, int64_t{picks} * ends), share(down, int64_t{picks} * ends)};
 }
 
 double share_of_plain(const BitMatrix& cells) {

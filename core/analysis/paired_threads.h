@@ -26,6 +26,12 @@ bool is_stitched(const BitMatrix& cells);
 /// Every other thread of both systems.
 BitMatrix every_other(const BitMatrix& cells, int first_pick, int first_end);
 
+/// The fractions of cells amid eight others that cross alike, on top and underneath.
+struct SolidShare {
+  double up = 0, down = 0;
+};
+SolidShare share_of_solid(const BitMatrix& cells);
+
 /// The fraction of cells whose four neighbours all cross the other way.
 double share_of_plain(const BitMatrix& cells);
 

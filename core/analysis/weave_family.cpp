@@ -314,24 +314,11 @@ bool is_waffle(const Weave& w) {
          std::max(std::ranges::max(warp), std::ranges::max(weft)) >= kLong;
 }
 
-/// The fraction of cells amid eight others that cross alike.
-double share_of_solid(const BitMatrix& cells) {
-  const int picks = cells.rows(), ends = cells.cols();
-  int64_t solid = 0;
-  for (int p = 0; p < picks; ++p)
-    for (int e = 0; e < ends; ++e) {
-      bool alike = true;
-      for (int i = 0; i < 9; ++i)
-        alike &= cells.get((p + picks + i / 3 - 1) % picks, (e + ends + i % 3 - 1) % ends) == cells.get(p, e);
-      solid += alike ? 1 : 0;
-    }
-  return static_cast<double>(solid) / static_cast<double>(std::max<int64_t>(1, int64_t{picks} * ends));
-}
-
 /// Blocks of plain weave beside blocks of one system's floats alone.
 bool is_honeycomb(const Weave& w) {
   constexpr double kPlain = 0.2, kSolid = 0.15;
-  return share_of_plain(w.picks) >= kPlain && share_of_solid(w.picks) >= kSolid;
+  const SolidShare solid = share_of_solid(w.picks);
+  return share_of_plain(w.picks) >= kPlain && solid.up + solid.down >= kSolid;
 }
 
 /// Two plain weaves that change places from block to block, and so hang together where blocks meet.

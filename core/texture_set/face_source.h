@@ -31,8 +31,8 @@ int supersampling(const Cloth& cloth, TextureSize size);
 /// What a set keeps of the threads, for a level of detail.
 enum class ThreadDetail {
   kAll,
-  kNoRelief,  // no shade of one thread on the next, and one sheen: occlusion, height and sheen are the same all over
-  kColours    // the base colour and coverage alone: all else is the mean of the face
+  kNoShade,  // none of one thread on the next: occlusion, height and sheen are the same all over
+  kColours   // the base colour and coverage alone: all else is the mean of the face
 };
 inline constexpr int kLods = 3;  // of ThreadDetail, by value
 

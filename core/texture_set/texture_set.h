@@ -43,8 +43,8 @@ struct TextureSetOptions {
   std::string key;                                // hash of all inputs of the set, for is_complete()
   bool archived = false;                          // for texture_set.json: a .zip of the same name is beside the folder
 };
-/// The options of a level of detail, 0 to kLods - 1: each a quarter as large as the one before, seen from twice as far
-/// or more, and with less of the threads. The name gets "-lod1", "-lod2".
+/// The options of a level of detail, 0 to kLods - 1: each a quarter as large as the one before, seen from twice as far,
+/// and with less of the threads. The name gets "-lod1", "-lod2".
 TextureSetOptions at_lod(TextureSetOptions options, int lod);
 
 /// The options that change the bytes of the set, as text.

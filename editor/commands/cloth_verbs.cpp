@@ -223,7 +223,7 @@ void add_material_options(CLI::App& verb, MaterialOptions& material) {
                    "of the draft"));
   verb.add_flag("--lods", material.lods,
                 tr("Also export sets for larger distances, named after the draft with -lod1 and -lod2: a quarter and a "
-                   "sixteenth of the size, without the relief of the threads, and with nothing but their colours"));
+                   "sixteenth of the size, without the shade between threads, and with nothing but their colours"));
   verb.add_option("--uv", material.uv,
                   tr("Unit of the texture coordinates of the meshes that will use the material; tile: a repeat of the "
                      "images; default: mm"))

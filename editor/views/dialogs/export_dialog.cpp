@@ -359,7 +359,7 @@ DialogResult draw_prompt(PanelContext& c, ExportPrompt& p) {
   draw_mips(c, *p.plan, width);
   row_label(
       c, tr("Levels of detail"),
-      tr("Two further sets of a quarter and a sixteenth of the size, with the same tile: without the relief of the "
+      tr("Two further sets of a quarter and a sixteenth of the size, with the same tile: without the shade between "
          "threads, and with nothing but their colours"));
   ImGui::Checkbox(tr("Also LOD 1 and 2"), &p.plan->lods);
   c.map.add_item("export.lods");

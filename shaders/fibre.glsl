@@ -4,7 +4,6 @@
 //   FibreOptics f                          what the fibre is
 //   fibre_scatter(f, h, wi, wo)            radiance along wo for unit irradiance perpendicular to the beam from wi
 //   fibre_sample(f, h, wo, numbers)        a direction wi; fibre_density(f, h, wi, wo) is its density by solid angle
-//   fibre_absorption(colour, width)        absorption of the fibres of a thread of this colour
 //
 // Directions are unit vectors that point away from the fibre, in a frame with x along it. h, -1 to 1: the distance of
 // the ray along wo from the axis, in radii, towards cross(x, wo). The mean over h is what a fibre sends that is thinner
@@ -13,7 +12,7 @@
 //
 // Based on: Marschner et al. 2003 (R, TT, TRT; the cylinder's section by the angle between the two inclinations);
 //   d'Eon et al. 2011 (inclinations normalised on the sphere); Chiang et al. 2016 (attenuations that add up to 1,
-//   offset h, logistic azimuths, absorption by colour).
+//   offset h, logistic azimuths).
 // Differs: from d'Eon: the inclinations are those of a diffusion that is confined to the angles between the two ends of
 //   the fibre: Marschner's Gaussian with its mirror images, over the two sines. It is normalised and reciprocal in
 //   closed form. From Marschner: one width for all parts, without which the sum of the parts depends on the angle; no
@@ -34,6 +33,7 @@ struct FibreOptics {
   float along;      // RMS angle by which light leaves its cone, radians
   float across;     // scale of the logistic distribution around the azimuth of a smooth cylinder, radians
   vec3 metal;       // reflectance at normal incidence of a metallic fibre, which transmits nothing; 0: dielectric
+  float turbidity;  // fraction of the light inside that is scattered around the fibre by what is in it, 0..1
 };
 
 // Fractions of the light; they add up to 1 without absorption.
@@ -41,7 +41,7 @@ struct FibreParts {
   vec3 reflected;  // R
   vec3 through;    // TT
   vec3 inner;      // TRT
-  vec3 rest;       // everything further, even around the fibre
+  vec3 rest;       // everything further and what turbid fibres scatter, even around the fibre
 };
 
 // Reflectance of a dielectric surface, unpolarised (Fresnel).
@@ -92,6 +92,9 @@ FORMULA FibreParts fibre_parts(FibreOptics f, float h, vec2 angle) {
   p.through = left * ((1.0f - fresnel) * (1.0f - fresnel));
   p.inner = p.through * left * fresnel;
   p.rest = p.inner * left * fresnel / max(vec3(1.0f) - left * fresnel, vec3(1.0e-4f));
+  p.rest += (p.through + p.inner) * f.turbidity;
+  p.through *= 1.0f - f.turbidity;
+  p.inner *= 1.0f - f.turbidity;
   return p;
 }
 
@@ -212,14 +215,4 @@ FORMULA float fibre_density(FibreOptics f, float h, vec3 wi, vec3 wo) {
   float cone = far_end ? fibre_cone_density(kFibrePi - polar_i, polar_o, fibre_width(f))
                        : fibre_cone_density(polar_i, mirrored, fibre_width(f));
   return dot(fibre_choices(f, h, angle), n) * cone / max(sin(polar_i), 1.0e-4f);
-}
-
-// Absorption, for a length of one radius, of fibres that give a dense assembly this colour, by a fit to traced hair
-// (Chiang 2016, equation 9 of section 4.2). roughness: azimuthal, 0 to 1.
-FORMULA vec3 fibre_absorption(vec3 colour, float roughness) {
-  float b = roughness;
-  float b2 = b * b;
-  float scale = 5.969f - 0.215f * b + 2.532f * b2 - 10.73f * b2 * b + 5.574f * b2 * b2 + 0.245f * b2 * b2 * b;
-  vec3 root = log(clamp(colour, vec3(1.0e-3f), vec3(0.995f))) / scale;
-  return root * root;
 }

@@ -324,8 +324,10 @@ FORMULA vec3 plied_normal(SurfaceFrame f, ThreadTexture x, float ply, float leng
 }
 
 // Fraction of the fibres' slopes for lobes of this variance across them: the sides of fibres are as round as the lobe is
-// wide.
-FORMULA float fibre_relief(float across) { return clamp(sqrt(across / kAcrossFibres), 0.2f, 1.0f); }
+// wide. A nap (0..1) hides those of the threads.
+FORMULA float fibre_relief(float across, float nap) {
+  return clamp(sqrt(across / kAcrossFibres), 0.2f, 1.0f) * (1.0f - 0.7f * nap);
+}
 
 // Normal with the plies and fibres that are seen, towards the eye at v.
 FORMULA vec3 detail_normal(SurfaceFrame f, ThreadTexture x, FibreDetail d, float relief, float length_mm, vec3 v) {

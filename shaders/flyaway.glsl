@@ -27,6 +27,9 @@ const float kFlyawayCrowd = 0.4f;        // fraction of a fibre's surroundings t
 // Fraction of the area whose fibres stand off far enough to be visible one by one.
 FORMULA float flyaway_fraction(float fuzz) { return max(fuzz - kFlyawaysBound, 0.0f); }
 
+// How much of fuzz of this fraction is a raised nap, whose fibres lie over the threads in all directions, 0..1.
+FORMULA float nap_of(float fuzz) { return smoothstep(0.65f, 0.9f, fuzz); }
+
 // Henyey-Greenstein phase function: density over the sphere by the cosine of the scattering angle, with mean cosine g;
 // integrates to 1.
 FORMULA float turn_density(float cosine, float g) {
@@ -71,6 +74,7 @@ struct FaceFlyaway {
 const float kFaceWidth = 0.013f;       // mm
 const float kFaceOpacity = 0.8f;       // of a clear fibre
 const float kMaxFaceFlyaways = 12.0f;  // in a cell
+const float kMaxNapFlyaways = 48.0f;   // in a cell of a nap, which holds longer ones
 const float kFaceFlyawaysPerMm2 = 1.5f * kFlyawaysPerMm2;  // they are thinner than drawn at the silhouette
 const float kFaceLight = 0.85f;        // of the light on them: threads and fibres around hide some
 const float kFaceFrom = 0.12f;         // yarns a pixel from which on fibres over the face are left to the fuzz
@@ -80,18 +84,19 @@ const float kFaceTo = 0.3f;
 FORMULA float face_flyaways_drawn(float yarns) { return clamp((kFaceTo - yarns) / (kFaceTo - kFaceFrom), 0.0f, 1.0f); }
 
 // Side of the cells that hold them, for fuzz of this fraction and optical depth: as long as the fibres, or shorter where
-// these are many, which are shorter, too.
+// these are many, which are shorter, too. In a nap they reach from thread to thread, so that it hides the weave.
 FORMULA float face_cell(float fraction, float depth, float spacing) {
   float crowded = sqrt(kMaxFaceFlyaways / max(flyaway_fraction(fraction) * kFaceFlyawaysPerMm2, 1.0e-3f));
-  return max(min(2.0f * kFlyawayLength * depth, crowded), 0.6f * spacing);
+  return max(min(2.0f * kFlyawayLength * depth, crowded), mix(0.6f, 1.2f, nap_of(fraction)) * spacing);
 }
 
-// Number of fibres that belong to a cell of this area; no more than kMaxFaceFlyaways are drawn.
+// The most fibres that are drawn in a cell, for fuzz of this fraction; and the number that belong to one of this area.
+FORMULA float max_face_flyaways(float fraction) { return mix(kMaxFaceFlyaways, kMaxNapFlyaways, nap_of(fraction)); }
 FORMULA float face_flyaways_in(float fraction, float area) { return flyaway_fraction(fraction) * kFaceFlyawaysPerMm2 * area; }
 
 // Fuzz that remains in the lobe where fibres over the face are drawn one by one.
 FORMULA float fuzz_left(float fraction, float area, float drawn) {
-  float shown = min(kMaxFaceFlyaways / max(face_flyaways_in(fraction, area), 1.0e-3f), 1.0f);
+  float shown = min(max_face_flyaways(fraction) / max(face_flyaways_in(fraction, area), 1.0e-3f), 1.0f);
   return fraction - flyaway_fraction(fraction) * shown * drawn;
 }
 
@@ -102,18 +107,24 @@ FORMULA uint flyaway_bits(uint a, uint b) {
   return h ^ (h >> 15);
 }
 
-// Fibre i of a cell; size: of the cell; length: mean.
-FORMULA FaceFlyaway face_flyaway(uint cell, uint i, vec2 size, float length) {
-  uint a = flyaway_bits(cell, i);
-  uint b = flyaway_bits(a, 1u);
-  uint c = flyaway_bits(a, 2u);
+// Its middle, by its bits: flyaway_bits(cell, number in it).
+FORMULA vec2 flyaway_middle(uint bits, vec2 size) {
+  return vec2(float(bits & 0xFFFFu), float(bits >> 16)) * 1.52587890625e-5f * size;
+}
+// The longest reach, for cells of this size.
+FORMULA float flyaway_reach(vec2 size) { return 0.45f * min(size.x, size.y); }
+
+// The fibre of these bits; size: of its cell; length: mean.
+FORMULA FaceFlyaway face_flyaway(uint bits, vec2 size, float length) {
+  uint b = flyaway_bits(bits, 1u);
+  uint c = flyaway_bits(bits, 2u);
   FaceFlyaway f;
-  f.middle = vec2(float(a & 0xFFFFu), float(a >> 16)) * 1.52587890625e-5f * size;
+  f.middle = flyaway_middle(bits, size);
   float turn = float(b & 0xFFFFu) * 9.587379924e-5f;
   f.way = vec2(cos(turn), sin(turn));
   // Lengths fall off exponentially; half the cell holds any.
   float long_one = -log(1.0f - 0.98f * float(b >> 16) * 1.52587890625e-5f);
-  f.reach = min(0.5f * length * (0.3f + 0.7f * long_one), 0.45f * min(size.x, size.y));
+  f.reach = min(0.5f * length * (0.3f + 0.7f * long_one), flyaway_reach(size));
   f.bend = float(c & 0xFFu) / 127.5f - 1.0f;
   f.wave = float((c >> 8) & 0xFFu) / 127.5f - 1.0f;
   f.height = float((c >> 16) & 0xFFu) / 255.0f;

@@ -74,10 +74,14 @@ FaceLayout face_layout(int face, ThreadGrid g, float yarns) {
 // Flyaway fibres over the face of the cloth: radiance times cover, and cover.
 vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle, vec2 dx, vec2 dy) {
   vec4 sum = vec4(0.0);
-  int count = int(ceil(min(face_flyaways_in(a.fuzz, a.size.x * a.size.y), kMaxFaceFlyaways)));
+  int count = int(ceil(min(face_flyaways_in(a.fuzz, a.size.x * a.size.y), max_face_flyaways(a.fuzz))));
   vec2 lean = x.v.xy / max(x.v.z, 0.2);
   vec2 at = middle + lean * g.top;
   vec2 corner = floor(at / a.size - 0.5);
+  vec2 rise = lean * (0.6 * g.top);   // of the highest
+  // The higher the brighter, above all in a nap.
+  vec2 brightness = mix(vec2(0.65, 0.65), vec2(0.3, 1.35), nap_of(a.fuzz));
+  float reach = 1.2 * flyaway_reach(a.size) + 0.5 * length(rise) + length(dx) + length(dy);   // with its bend
   int k = 0;
   do {
     vec2 own = corner + vec2(float(k & 1), float(k >> 1));
@@ -85,12 +89,16 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
     uint seed = uint(cell.x) * 4099u + uint(cell.y);   // the same on both faces
     int i = 0;
     do {
-      FaceFlyaway f = face_flyaway(seed, uint(i), a.size, kFlyawayLength * a.depth);
-      vec2 found = flyaway_at(f, at - own * a.size + lean * (f.height * 0.6 * g.top), dx, dy);
+      uint bits = flyaway_bits(seed, uint(i));
+      ++i;
+      vec2 off = at - own * a.size + 0.5 * rise - flyaway_middle(bits, a.size);
+      if (dot(off, off) > reach * reach) continue;
+      FaceFlyaway f = face_flyaway(bits, a.size, kFlyawayLength * a.depth);
+      vec2 found = flyaway_at(f, at - own * a.size + rise * f.height, dx, dy);
       if (found.x > 0.0) {
         vec4 root = flyaway_root(side.face, g, own * a.size + f.middle);
         if (f.present < root.w) {
-          vec3 body = root.rgb * (0.65 + 0.65 * f.height);
+          vec3 body = root.rgb * (brightness.x + brightness.y * f.height);
           vec3 clear = sqrt(body * sqrt(body));   // between that of a fibre and of the yarn, which surrounds it
           vec3 along = normalize(vec3(f.way + vec2(-f.way.y, f.way.x) * found.y, 0.3 * f.bend));
           vec3 lit = x.key * flyaway_key(clear, body, along, vec3(0.0, 0.0, 1.0), x.l, x.v)
@@ -99,7 +107,6 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
           sum += vec4(lit * (kFaceLight * cover), cover);
         }
       }
-      ++i;
     } while (i < count);
     ++k;
   } while (k < 4);
@@ -124,7 +131,7 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, v
   Texel texel = detail.texel;
   vec4 dye = thread_dye(hit_layer(g, hit), hit.system, thread, p.along);
   YarnLobes lobes = thread_lobes(int(dye.w), fibre_colour(texel, dye.rgb));
-  float relief = fibre_relief(lobes.slope_cov.z);
+  float relief = fibre_relief(lobes.slope_cov.z, nap_of(lobes.fuzz));
   vec3 n = detail_normal(frame_at, pattern, detail, relief, length_mm, x.v);
   lobes = detail_lobes(lobes, detail.resolved, relief);
   lobes.fuzz = fuzz_left(lobes.fuzz, faces.size.x * faces.size.y, faces.drawn);

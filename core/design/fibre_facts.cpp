@@ -10,6 +10,9 @@
 //   satin and silk), flax 7 (nodes), wool 8 (scales), cotton 10 (its convolutions turn it over several times a
 //   millimetre). Around it: the less round, the wider.
 // Bundles: technical fibres of flax, 50 to 100 um, hold some tens of ultimates before wet spinning divides them.
+// Turbidity: filament is spun semi-dull, with titanium dioxide; degummed silk is a bundle of fibrils with voids between
+//   them. How much of the light that scatters is by eye, so that satins of both fibres are as bright beside their
+//   highlight as measured ones (docs/measured.md). Cotton, wool and flax hold next to nothing of the kind.
 // Migration: fitted to scans of yarn by S. Zhao, F. Luan, K. Bala, Fitting procedural yarn models for realistic cloth
 //   rendering, 2016: distances from the axis between 0.7 and 0.95 of the largest and 1, 0.1 to 1.9 ways a turn.
 // Hair: ring-spun cotton has Uster H 4 to 7, worsted 6 to 9, filament none. Lengths fall off exponentially, under a
@@ -35,10 +38,10 @@ constexpr std::array<FibreFacts, 8> kFacts{{
     {1.52, 1.7f, 0.15f, 10 * kDegree, 0.30f, 1, 0.60f, 0.15f, 1.0f, 0.7f, 2.2f, false},
     {1.52, 1.7f, 0.12f, 6 * kDegree, 0.14f, 1, 0.40f, 0.12f, 1.0f, 0.5f, 1.5f, false},
     {1.50, 3.0f, 0.25f, 7 * kDegree, 0.20f, 12, 0.25f, 0.06f, 0.4f, 1.1f, 0.5f, false},
-    {1.34, 1.2f, 0.08f, 4 * kDegree, 0.25f, 1, 0.25f, 0.08f, 0.6f, 0.6f, 1.0f, false},
+    {1.34, 1.2f, 0.08f, 4 * kDegree, 0.25f, 1, 0.25f, 0.08f, 0.6f, 0.6f, 1.0f, false, 0.3f},
     {1.31, 4.5f, 0.22f, 8 * kDegree, 0.15f, 1, 0.90f, 0.20f, 1.0f, 1.2f, 2.0f, false},
-    {1.52, 2.8f, 0.05f, 5 * kDegree, 0.18f, 1, 0.12f, 0.03f, 0.3f, 0.6f, 0.8f, false},
-    {1.39, 3.5f, 0.03f, 3 * kDegree, 0.12f, 1, 0.10f, 0.03f, 0.3f, 0.6f, 0.8f, false},
+    {1.52, 2.8f, 0.05f, 5 * kDegree, 0.18f, 1, 0.12f, 0.03f, 0.3f, 0.6f, 0.8f, false, 0.3f},
+    {1.39, 3.5f, 0.03f, 3 * kDegree, 0.12f, 1, 0.10f, 0.03f, 0.3f, 0.6f, 0.8f, false, 0.3f},
     {1.39, 9.8f, 0.02f, 4 * kDegree, 0.30f, 1, 0.05f, 0.02f, 0.3f, 0.6f, 0.5f, true},
 }};
 

@@ -18,6 +18,7 @@ struct FibreFacts {
   float hair_mm = 0.7f;        // mean length of a hair
   float hair_curl = 0.5f;      // bend of a hair, 1/mm
   bool metallic = false;
+  float turbidity = 0;  // fraction of the light inside that delustrant, voids and fibrils scatter
 };
 
 /// Those of the most similar ready yarn, with its section, lustre and dullness where the yarn's own differ.

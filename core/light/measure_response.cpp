@@ -30,7 +30,8 @@ constexpr size_t kV = kResponseViews, kL = kResponseLights;
 constexpr float kDark = 1e-4f;           // radiance below which the gradient is ignored
 constexpr float kEvenWeave = 0.02f;      // relative variance of the coverage around below which it says nothing
 constexpr int kTransmissionSamples = 4;  // for each reflection sample: few of them are both visible and lit
-constexpr int kMeanTexels = 512;         // texels a side of the map, for plain means
+constexpr size_t kCoarseTexels = 16, kMinCoarse = 128, kMaxCoarse = 768;  // across a thread, along a side
+constexpr int kMeanTexels = 512;                                          // texels a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;
@@ -438,6 +439,13 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
 }
 
 }  // namespace
+
+Maps coarse_maps(const Cloth& cloth) {
+  const auto texels = [](size_t threads) {
+    return static_cast<int>(std::clamp<size_t>(threads * kCoarseTexels, kMinCoarse, kMaxCoarse));
+  };
+  return cloth::bake(cloth, {texels(cloth.ends.size()), texels(cloth.picks.size()), 0});
+}
 
 ClothResponse measure_response(const Cloth& cloth, const Maps& maps, int samples) {
   ClothResponse out;

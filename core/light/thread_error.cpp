@@ -98,7 +98,8 @@ float Sampler::sample(glm::vec2 at, const PixelSides& side, const glm::vec3& l, 
   const auto detail = thread_formulas::fibre_detail(
       pattern, period_fraction - std::floor(period_fraction), p.turn,
       thread_formulas::sample_size(pattern, mm, p.normal.z, length(system)), length(system));
-  const float relief = thread_formulas::fibre_relief(lobes_[system][thread].slope_cov.z);
+  const float relief =
+      thread_formulas::fibre_relief(lobes_[system][thread].slope_cov.z, formulas::nap_of(lobes_[system][thread].fuzz));
   const glm::vec3 n = thread_formulas::detail_normal(frame, pattern, detail, relief, length(system), v);
   const formulas::YarnLobes lobes =
       formulas::yarn_widen(formulas::detail_lobes(lobes_[system][thread], detail.resolved, relief),

@@ -4,11 +4,13 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/loops.h"
 #include "base/text.h"
 #include "reference/embree.h"
+#include "reference/fibre_dye.h"
 #include "reference/fibre_plan.h"
 #include "reference/thread_curves.h"
 #include "reference/tiles.h"
@@ -26,7 +28,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 struct Strand {
   uint32_t first_piece = 0;
   uint32_t yarn = 0;
-  glm::vec3 dye{0};  // absorption, or the reflectance of a metallic fibre
+  glm::vec3 dye{0};  // reflectance of its cloth, then the absorption for that; a metallic one has its own reflectance
 };
 
 /// Bytes that Embree holds, now and at most.
@@ -82,6 +84,7 @@ struct FibreScene::Parts {
   const uint32_t* indices = nullptr;
   std::vector<Strand> strands;
   std::vector<formulas::FibreOptics> optics;  // by yarn
+  std::optional<ThreadReflectance> reflectance;
   ~Parts() {
     if (scene) rtcReleaseScene(scene);
     if (device) rtcReleaseDevice(device);
@@ -92,6 +95,7 @@ struct FibreScene::Parts {
   bool make_scene(const std::vector<BuiltThread>& threads);
   void list_optics();
   Strand strand_of(const PlannedThread& plan, size_t piece, float tone) const;
+  void dye(const std::vector<DyeCurve>& curves);
   void fill_thread(const BuiltThread& built, glm::vec4* vertices, uint32_t* indices, Heights& core, Heights& all);
   glm::vec3 tangent_at(uint32_t piece, float u) const;
   void read_hit(const RTCRayHit& ray, glm::vec3 position, glm::vec3 direction, FibreHit& hit) const;
@@ -122,6 +126,7 @@ void FibreScene::Parts::list_optics() {
     formulas::FibreOptics o{};
     o.index = std::clamp(yarn.lobes.ior, 1.0f, 3.0f);
     o.along = facts.along_rad, o.across = facts.across_rad;
+    o.turbidity = facts.turbidity;
     o.metal = glm::vec3(facts.metallic ? 1.0f : 0.0f);
     optics.push_back(o);
   }
@@ -132,10 +137,16 @@ Strand FibreScene::Parts::strand_of(const PlannedThread& thread, size_t piece, f
   // A strand has one colour: that of its thread in the middle of the patch.
   const cloth::Linear& dye = colour_along(paths.cloth(), thread.system, thread.thread, plan.middle(thread.system));
   const glm::vec3 colour = glm::clamp(glm::vec3(dye.r, dye.g, dye.b) * tone, 0.0f, 1.0f);
-  const formulas::FibreOptics& o = optics[static_cast<size_t>(body.yarn)];
-  const bool metallic = o.metal.x > 0;
+  const bool metallic = optics[static_cast<size_t>(body.yarn)].metal.x > 0;
   return {static_cast<uint32_t>(piece), static_cast<uint32_t>(body.yarn),
-          metallic ? colour : formulas::fibre_absorption(colour, o.across)};
+          metallic ? colour : reflectance->of(thread.system, body.yarn, colour)};
+}
+
+void FibreScene::Parts::dye(const std::vector<DyeCurve>& curves) {
+  for (Strand& strand : strands) {
+    if (optics[strand.yarn].metal.x > 0) continue;
+    for (int c = 0; c < 3; ++c) strand.dye[c] = curves[strand.yarn].absorption(strand.dye[c]);
+  }
 }
 
 void FibreScene::Parts::fill_thread(const BuiltThread& built, glm::vec4* vertex, uint32_t* index, Heights& core,
@@ -243,6 +254,7 @@ void FibreScene::Parts::read_hit(const RTCRayHit& ray, glm::vec3 local, glm::vec
   const auto strand = std::upper_bound(strands.begin(), strands.end(), piece,
                                        [](uint32_t p, const Strand& s) { return p < s.first_piece; }) -
                       1;
+  hit.yarn = strand->yarn;
   hit.optics = optics[strand->yarn];
   (hit.optics.metal.x > 0 ? hit.optics.metal : hit.optics.absorption) = strand->dye;
 }
@@ -255,6 +267,7 @@ base::Result<std::unique_ptr<FibreScene>> FibreScene::build(const Cloth& cloth, 
   parts.paths = ThreadPaths(cloth);
   parts.plan = plan_fibres(parts.paths, options);
   if (auto room = within(parts.plan.figures, options.max_bytes); !room) return base::failed(room);
+  parts.reflectance.emplace(cloth);
   const std::vector<BuiltThread> threads = parts.make_threads();
   parts.count(threads);
   if (auto room = within(parts.plan.figures, options.max_bytes); !room) return base::failed(room);
@@ -264,6 +277,7 @@ base::Result<std::unique_ptr<FibreScene>> FibreScene::build(const Cloth& cloth, 
   if (!parts.make_scene(threads))
     return failure(ErrorKind::kMemory,
                    tr("the ray tracer (Embree) could not be started, or there is not enough memory"));
+  parts.dye(measure_dyes(*scene, options.low_mm, options.high_mm));
   return scene;
 }
 

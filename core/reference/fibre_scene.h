@@ -5,6 +5,7 @@
 // Where a whole number of periods is no larger than the patch with its margins, the fibres repeat with them and the
 // cloth is infinite that way; otherwise it ends beyond the margins.
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 
@@ -19,6 +20,7 @@ struct FibreHit {
   glm::vec3 centre;  // on the axis
   glm::vec3 axis;    // unit
   float radius_mm = 0;
+  uint32_t yarn = 0;
   float offset = 0;  // of the ray from the axis, in radii, towards cross(axis, -direction)
   formulas::FibreOptics optics;
 };

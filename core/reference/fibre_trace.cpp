@@ -68,11 +68,17 @@ glm::vec3 from_lamp(const FibreScene& fibres, const Meeting& at, const Surroundi
 
 }  // namespace
 
+bool FibreTracer::meet(glm::vec3 origin, glm::vec3 direction, float t_min, FibreHit& hit) const {
+  if (!fibres_.intersect(origin, direction, t_min, hit)) return false;
+  if (dyed_alike_) hit.optics.absorption = *dyed_alike_;
+  return true;
+}
+
 PathSample FibreTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
                               RandomStream& random) const {
   PathSample traced;
   FibreHit hit;
-  if (!fibres_.intersect(origin, direction, t_min, hit)) return traced;
+  if (!meet(origin, direction, t_min, hit)) return traced;
   traced.hit = true;
   const bool lamp = largest(around.light_irradiance) > 0;
   glm::vec3 weight(1);
@@ -91,7 +97,7 @@ PathSample FibreTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min
     }
     direction = glm::normalize(at.world(in));
     const glm::vec3 from = at.position;
-    if (!fibres_.intersect(from, direction, at.exit(direction), hit)) {
+    if (!meet(from, direction, at.exit(direction), hit)) {
       if (around.sky) traced.radiance += weight * around.sky(direction);
       return traced;
     }

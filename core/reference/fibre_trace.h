@@ -5,6 +5,7 @@
 // Based on: Kajiya 1986 (rendering equation, estimated by following paths); Arvo, Kirk 1990 (Russian roulette).
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "reference/fibre_scene.h"
 #include "reference/sampling.h"
@@ -17,13 +18,18 @@ inline constexpr int kMaxFibres = 512;
 
 class FibreTracer {
  public:
-  explicit FibreTracer(const FibreScene& fibres) : fibres_(fibres) {}
+  /// dyed_alike: absorption of every fibre instead of its own.
+  explicit FibreTracer(const FibreScene& fibres, std::optional<glm::vec3> dyed_alike = {})
+      : fibres_(fibres), dyed_alike_(dyed_alike) {}
   /// One sample of the radiance along a ray.
   PathSample trace(glm::vec3 origin, glm::vec3 direction, float t_min, const Surroundings& around,
                    RandomStream& random) const;
 
  private:
+  bool meet(glm::vec3 origin, glm::vec3 direction, float t_min, FibreHit& hit) const;
+
   const FibreScene& fibres_;
+  std::optional<glm::vec3> dyed_alike_;
 };
 
 }  // namespace weftlight::reference

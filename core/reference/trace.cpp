@@ -120,7 +120,7 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from, flo
   const Linear& dye = colour_along(cloth, hit.system, hit.thread, hit.along_mm);
   const glm::vec3 colour = thread_formulas::fibre_colour(texel, {dye.r, dye.g, dye.b});
   p.lobes = yarn_lobes(yarn.lobes, {colour.r, colour.g, colour.b});
-  const float relief = thread_formulas::fibre_relief(p.lobes.slope_cov.z);
+  const float relief = thread_formulas::fibre_relief(p.lobes.slope_cov.z, formulas::nap_of(p.lobes.fuzz));
   const glm::vec3 normal =
       thread_formulas::detail_normal({p.smooth, hit.axis, around}, texture, detail, relief, length, from);
   p.groove *= thread_formulas::detail_gain(texture, detail, relief);

@@ -9,27 +9,14 @@
 
 namespace weftlight::render_data {
 
-using cloth::Linear, cloth::Maps, cloth::bake;
-using light::SystemResponse, light::ViewNodes, light::density_at, light::measure_response, light::response_at,
-    light::view_nodes;
-
-namespace {
-
-// Texels across a thread, and limits of a side; means need no fine maps.
-constexpr size_t kTexelsPerThread = 16;
-constexpr size_t kMaxTexels = 768;
-constexpr size_t kMinTexels = 128;
-
-int texels_for(size_t threads) {
-  return static_cast<int>(std::clamp(threads * kTexelsPerThread, kMinTexels, kMaxTexels));
-}
-
-}  // namespace
+using cloth::Linear, cloth::Maps;
+using light::SystemResponse, light::ViewNodes, light::coarse_maps, light::density_at, light::measure_response,
+    light::response_at, light::view_nodes;
 
 FarField far_field(const Cloth& cloth, int samples) {
   FarField field;
   if (cloth.ends.empty() || cloth.picks.empty()) return field;
-  const Maps maps = bake(cloth, {texels_for(cloth.ends.size()), texels_for(cloth.picks.size()), 0});
+  const Maps maps = coarse_maps(cloth);
   const FaceInput face{cloth, maps};
   field.numbers = cloth_block(face, face);
   field.response = measure_response(cloth, maps, samples);

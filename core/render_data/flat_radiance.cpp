@@ -10,11 +10,36 @@
 namespace weftlight::render_data {
 
 using base::ErrorKind, base::Result, base::TaskProgress, base::failed, base::failure, base::tr;
-using reference::FlatPicture, reference::TubeScene, reference::trace_flat;
+using reference::FibreOptions, reference::FibreScene, reference::FlatPicture, reference::TubeScene,
+    reference::trace_flat;
 
 namespace {
 
-constexpr int kTracedPixels = 32;  // along each side of the period
+constexpr int kTracedPixels = 32;    // along each side of what is traced
+constexpr float kFibrePatch_mm = 2;  // least size of the fibres' patch, so that no single fibre stands for all
+
+/// The mean of a patch of this size, for each pair of directions.
+template <typename Threads>
+Result<std::vector<glm::vec3>> traced(const Threads& threads, glm::vec2 size_mm,
+                                      std::span<const FlatDirections> directions, int spp,
+                                      const TaskProgress& progress) {
+  std::vector<glm::vec3> out;
+  FlatPicture picture;
+  picture.width = picture.height = kTracedPixels;
+  picture.spp = spp;
+  picture.step_x_mm = {size_mm.x / kTracedPixels, 0}, picture.step_y_mm = {0, size_mm.y / kTracedPixels};
+  picture.around.light_irradiance = glm::vec3(1);
+  for (const FlatDirections& d : directions) {
+    if (progress.stopped()) return failure(ErrorKind::kCancelled, tr("stopped"));
+    picture.view = unit_direction(d.warp, d.view_deg);
+    picture.around.light_towards = unit_direction(d.warp, d.light_deg);
+    glm::vec3 sum(0);
+    for (const glm::vec4& p : trace_flat(threads, picture, {}).pixels) sum += glm::vec3(p);
+    out.push_back(sum / static_cast<float>(kTracedPixels * kTracedPixels));
+    progress.report(static_cast<float>(out.size()) / static_cast<float>(directions.size()));
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -36,22 +61,19 @@ Result<std::vector<glm::vec3>> traced_radiance(const Cloth& cloth, std::span<con
                                                const TaskProgress& progress) {
   const auto tubes = TubeScene::build(cloth, {});
   if (!tubes) return failed(tubes);
-  std::vector<glm::vec3> out;
-  FlatPicture picture;
-  picture.width = picture.height = kTracedPixels;
-  picture.spp = spp;
-  picture.step_x_mm = {cloth.width_mm / kTracedPixels, 0}, picture.step_y_mm = {0, cloth.depth_mm / kTracedPixels};
-  picture.around.light_irradiance = glm::vec3(1);
-  for (const FlatDirections& d : directions) {
-    if (progress.stopped()) return failure(ErrorKind::kCancelled, tr("stopped"));
-    picture.view = unit_direction(d.warp, d.view_deg);
-    picture.around.light_towards = unit_direction(d.warp, d.light_deg);
-    glm::vec3 sum(0);
-    for (const glm::vec4& p : trace_flat(**tubes, picture, {}).pixels) sum += glm::vec3(p);
-    out.push_back(sum / static_cast<float>(kTracedPixels * kTracedPixels));
-    progress.report(static_cast<float>(out.size()) / static_cast<float>(directions.size()));
-  }
-  return out;
+  return traced(**tubes, {cloth.width_mm, cloth.depth_mm}, directions, spp, progress);
+}
+
+Result<std::vector<glm::vec3>> fibre_radiance(const Cloth& cloth, std::span<const FlatDirections> directions, int spp,
+                                              const TaskProgress& progress) {
+  const auto whole = [](float period) {
+    return period < kFibrePatch_mm ? period * std::ceil(kFibrePatch_mm / period) : kFibrePatch_mm;
+  };
+  FibreOptions options;
+  options.high_mm = {whole(cloth.width_mm), whole(cloth.depth_mm)};
+  const auto fibres = FibreScene::build(cloth, options);
+  if (!fibres) return failed(fibres);
+  return traced(**fibres, options.high_mm, directions, spp, progress);
 }
 
 }  // namespace weftlight::render_data

@@ -1,6 +1,6 @@
 #pragma once
 // What a flat cloth sends back, from afar, under one directional light and nothing else: on the CPU by method `cloth`,
-// or ray traced.
+// or ray traced as threads or as fibres.
 
 #include <glm/glm.hpp>
 #include <span>
@@ -31,5 +31,10 @@ std::vector<glm::vec3> evaluated_radiance(const Cloth& cloth, std::span<const Fl
 /// has too many crossings; of kCancelled if it was stopped.
 base::Result<std::vector<glm::vec3>> traced_radiance(const Cloth& cloth, std::span<const FlatDirections> directions,
                                                      int spp, const base::TaskProgress& progress = {});
+
+/// The same of its fibres, over whole periods of at least 2 mm, or 2 mm of longer ones. An error if they need too much
+/// memory; of kCancelled if it was stopped.
+base::Result<std::vector<glm::vec3>> fibre_radiance(const Cloth& cloth, std::span<const FlatDirections> directions,
+                                                    int spp, const base::TaskProgress& progress = {});
 
 }  // namespace weftlight::render_data

@@ -22,10 +22,11 @@ namespace weftlight::commands {
 
 using base::tr, base::write_file_atomically;
 using chart::Brightness, chart::ChartBench, chart::ChartEffort, chart::ChartLight, chart::ChartRow,
-    chart::ChartSelection, chart::CountedDraw, chart::DrapeRow, chart::DrawCounter, chart::TruthNoise,
-    chart::chart_cells, chart::chart_csv, chart::chart_effort, chart::drape_cells, chart::drapes_csv,
-    chart::kChartScenes, chart::kFrameFootprints, chart::kFrameSizes, chart::kFrameTolerances, chart::light_name,
-    chart::lod_table_csv, chart::lod_table_of, chart::mark_pareto_front, chart::read_chart, chart::write_chart_figures;
+    chart::ChartSelection, chart::CountedDraw, chart::DrapeRow, chart::DrawCounter, chart::TruthNoise, chart::FibreRow,
+    chart::chart_cells, chart::chart_csv, chart::chart_effort, chart::drape_cells, chart::drapes_csv, chart::fibres_csv,
+    chart::kChartScenes, chart::kFibreFootprints, chart::kFibreViews, chart::kFrameFootprints, chart::kFrameSizes,
+    chart::kFrameTolerances, chart::light_name, chart::lod_table_csv, chart::lod_table_of, chart::mark_pareto_front,
+    chart::read_chart, chart::write_chart_figures;
 using design::Look, design::Method, design::method_name;
 using light::LodTable;
 
@@ -132,6 +133,7 @@ class ChartRun {
     if (auto done = write_chart_figures(dir_, bench_.device(), rows, *brightness, *noise); !done) return done;
     if (auto done = write("light.csv", other_lights()); !done) return done;
     if (auto done = write("drapes.csv", drapes().map(drapes_csv)); !done) return done;
+    if (auto done = write("fibres.csv", fibres().map(fibres_csv)); !done) return done;
     return write("frames.csv", frames());
   }
 
@@ -170,6 +172,19 @@ class ChartRun {
       if (!row) return failed(row);
       rows.push_back(*row);
     }
+    return rows;
+  }
+
+  /// Near the threads, against traced fibres.
+  base::Result<std::vector<FibreRow>> fibres() {
+    std::vector<FibreRow> rows;
+    for (const size_t scene : scenes())
+      for (const int view : kFibreViews)
+        for (size_t f = kFibreFootprints.size() - bench_.effort().fibre_footprints; f < kFibreFootprints.size(); ++f) {
+          const auto more = bench_.against_fibres(scene, view, kFibreFootprints[f]);
+          if (!more) return failed(more);
+          rows.insert(rows.end(), more->begin(), more->end());
+        }
     return rows;
   }
 

@@ -295,8 +295,11 @@ RunVerb add_response(CLI::App& verb) {
   ResponseOptions& o = *options;
   verb.add_option("file", o.file, tr("Draft"))->required();
   verb.add_option("-o,--output", o.out, tr("Output file: .csv"))->required()->check(some_path());
-  verb.add_option("--method", o.method, tr("Shading method, or reference for ray tracing; default: cloth"))
-      ->check(one_of(method_names(false)));
+  std::vector<std::string> methods = method_names(false);
+  methods.emplace_back("fibres");
+  verb.add_option("--method", o.method,
+                  tr("Shading method, or reference for ray tracing, fibres for tracing each fibre; default: cloth"))
+      ->check(one_of(methods));
   verb.add_option("--plane", o.plane, tr("Threads that lie in the plane of incidence; default: both"))
       ->check(one_of({"warp", "weft", "both"}));
   verb.add_option_function<std::string>(
@@ -306,7 +309,8 @@ RunVerb add_response(CLI::App& verb) {
           "--lights", [](const std::string&) {}, tr("Light angles in degrees from the normal; default: -80:80:5"))
       ->check(angles_into(o.lights_deg));
   add_face(verb, o.face);
-  verb.add_option("--spp", o.spp, tr("Rays per sample of the reference, with 1,024 samples per repeat; default: 16"))
+  verb.add_option("--spp", o.spp,
+                  tr("Rays per sample of reference and fibres, with 1,024 samples per repeat; default: 16"))
       ->check(whole_number(1, 1 << 16));
   return [options] {
     if (options->lights_deg.empty()) options->lights_deg = *parse_angles("-80:80:5");

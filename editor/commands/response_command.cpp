@@ -1,5 +1,5 @@
 // `weftlight response`: the far-field radiance of the flat cloth under one directional light, as a table. The method
-// `cloth` is evaluated on the CPU, `reference` is ray traced, the others are drawn as patches by the renderer.
+// `cloth` is evaluated on the CPU, `reference` and `fibres` are ray traced, the others are drawn as patches.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,8 @@ using draft::BitMatrix, draft::Face, draft::drawdown;
 using files::Image;
 using gl::Renderer;
 using render_data::FlatDirections, render_data::FlatPatch, render_data::PackedCloth, render_data::Stages,
-    render_data::evaluated_radiance, render_data::face_cloth, render_data::traced_radiance, render_data::unit_direction;
+    render_data::evaluated_radiance, render_data::face_cloth, render_data::fibre_radiance, render_data::traced_radiance,
+    render_data::unit_direction;
 
 namespace {
 
@@ -52,8 +53,11 @@ Cloth one_face(const Design& design, Face face) {
   return face_cloth(design, cells, face, Period::kRepeat);
 }
 
-Result<Radiances> traced(const Cloth& cloth, const ResponseOptions& o, const std::vector<FlatDirections>& directions) {
-  Result<Radiances> radiances = traced_radiance(cloth, directions, o.spp);
+Result<Radiances> traced(const Design& design, const ResponseOptions& o,
+                         const std::vector<FlatDirections>& directions) {
+  const Cloth cloth = one_face(design, o.face);
+  Result<Radiances> radiances =
+      o.method == "fibres" ? fibre_radiance(cloth, directions, o.spp) : traced_radiance(cloth, directions, o.spp);
   if (!radiances) return failure(radiances.error().kind, message(radiances.error()), o.file);
   return radiances;
 }
@@ -102,6 +106,13 @@ Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const st
   return out;
 }
 
+Result<Radiances> radiances_of(const Design& design, const ResponseOptions& o,
+                               const std::vector<FlatDirections>& directions) {
+  if (o.method == "cloth") return evaluated_radiance(one_face(design, o.face), directions);
+  if (o.method == "reference" || o.method == "fibres") return traced(design, o, directions);
+  return drawn(design, o, directions);
+}
+
 std::string as_csv(const std::vector<FlatDirections>& directions, const Radiances& radiances) {
   std::string text = "plane,view_deg,light_deg,r,g,b\n";
   for (size_t i = 0; i < directions.size(); ++i) {
@@ -125,10 +136,7 @@ int response_command(const ResponseOptions& o) {
     return fail({ErrorKind::kInput, tr("the draft has no threads; give it at least one end and one pick"), o.file});
   }
   const std::vector<FlatDirections> directions = directions_of(o);
-  const Result<Radiances> radiances = o.method == "cloth"
-                                          ? evaluated_radiance(one_face(opened.design, o.face), directions)
-                                      : o.method == "reference" ? traced(one_face(opened.design, o.face), o, directions)
-                                                                : drawn(opened.design, o, directions);
+  const Result<Radiances> radiances = radiances_of(opened.design, o, directions);
   if (!radiances) return fail(radiances.error());
   return finish(write_file_atomically(o.out, as_csv(directions, *radiances)));
 }

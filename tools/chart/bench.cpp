@@ -91,6 +91,8 @@ Pixels colours(const TracedImage& image) {
   return pixels;
 }
 
+glm::vec2 chart_corner() { return kCorner; }
+
 double cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 size_t scene_named(const std::string& name) {
@@ -197,6 +199,10 @@ base::Result<ChartBench::Loaded*> ChartBench::show(size_t scene) {
   return loaded;
 }
 
+FlatPicture ChartBench::traced_patch(double view_deg, const PixelSteps& steps, int pixels, uint64_t seed) const {
+  return flat_picture(view_deg, kCorner, steps, pixels, effort_.truth_budget, seed);
+}
+
 FlatPatch ChartBench::patch_of(double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
                                int samples) const {
   FlatPatch patch;
@@ -254,8 +260,7 @@ base::Result<const Truth*> ChartBench::truth(const ChartRow& cell) {
   const base::Result<const TubeScene*> traced = tubes(**loaded);
   if (!traced) return failed(traced);
   for (const uint64_t seed : {1u, 2u}) {
-    const FlatPicture picture =
-        flat_picture(cell.view_deg, kCorner, pixel_of(cell), pixels, effort_.truth_budget, seed);
+    const FlatPicture picture = traced_patch(cell.view_deg, pixel_of(cell), pixels, seed);
     (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(**traced, picture, {}));
   }
   return &truth;
@@ -365,7 +370,7 @@ base::Result<LightRow> ChartBench::measure_under(ChartLight light, const ChartRo
   if (light == ChartLight::kSky) patch.light_irradiance = glm::vec3(0), patch.sky = 1;
   Truth truth;
   for (const uint64_t seed : {1u, 2u}) {
-    FlatPicture picture = flat_picture(cell.view_deg, kCorner, pixel, size, effort_.truth_budget, seed);
+    FlatPicture picture = traced_patch(cell.view_deg, pixel, size, seed);
     picture.around.light_towards = patch.light_towards, picture.around.light_irradiance = patch.light_irradiance;
     if (light == ChartLight::kSky) picture.around.sky = [](glm::vec3 d) { return glm::vec3(0.5f + 0.5f * d.z); };
     (seed == 1 ? truth.half : truth.other_half) = colours(trace_flat(**traced, picture, {}));
@@ -430,9 +435,7 @@ base::Result<double> ChartBench::brightness(size_t scene, double view_deg, std::
   if (method) return mean_value(draw(*method, view_deg, kCorner, steps, kPixels, kPixels)) / white;
   const base::Result<const TubeScene*> traced = tubes(loaded);
   if (!traced) return failed(traced);
-  return mean_value(colours(
-             trace_flat(**traced, flat_picture(view_deg, kCorner, steps, kPixels, effort_.truth_budget, 3), {}))) /
-         white;
+  return mean_value(colours(trace_flat(**traced, traced_patch(view_deg, steps, kPixels, 3), {}))) / white;
 }
 
 }  // namespace weftlight::chart

@@ -13,6 +13,7 @@
 #include "chart/counter.h"
 #include "chart/drapes.h"
 #include "chart/error.h"
+#include "chart/fibre_rows.h"
 #include "chart/scene.h"
 #include "gl/headless_context.h"
 #include "gl/renderer.h"
@@ -59,6 +60,8 @@ class ChartBench {
   base::Result<double> frame_ms(size_t scene, const Look& look, double yarns_per_pixel, std::array<int, 2> size);
   /// All values of a row on the drape.
   base::Result<DrapeRow> draped(const DrapeRow& cell);
+  /// All near methods, and the traced tubes, against traced fibres.
+  base::Result<std::vector<FibreRow>> against_fibres(size_t scene, int view_deg, double yarns_per_pixel);
   base::Result<double> truth_noise(const ChartRow& cell);
   /// Sets the LOD table that auto uses.
   void use_lod_table(const LodTable& lod_table);
@@ -86,6 +89,7 @@ class ChartBench {
   base::Result<const TubeScene*> tubes(Loaded& loaded);
   base::Result<Loaded*> show(size_t scene);
   base::Result<const Truth*> truth(const ChartRow& cell);
+  reference::FlatPicture traced_patch(double view_deg, const PixelSteps& steps, int pixels, uint64_t seed) const;
   FlatPatch patch_of(double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
                      int samples) const;
   Pixels draw(Method method, double view_deg, glm::vec2 corner, const PixelSteps& steps, int width, int height,
@@ -114,8 +118,10 @@ class ChartBench {
   std::map<std::tuple<size_t, int, double, Method, int>, double> counted_;
 };
 
-/// Helpers: number of cores, index of a scene by its name (0 if unknown), colours without alpha, mean of both halves.
+/// Helpers: number of cores, where a patch begins, index of a scene by its name (0 if unknown), colours without alpha,
+/// mean of both halves.
 double cores();
+glm::vec2 chart_corner();  // of a patch on the cloth, mm
 size_t scene_named(const std::string& name);
 Pixels colours(const Image& image);
 Pixels colours(const TracedImage& image);

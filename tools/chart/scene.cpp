@@ -44,6 +44,7 @@ ChartEffort chart_effort(bool quick) {
   e.timing_size = e.yarn_timing_size = e.frame_size = 32, e.timing_repeats = 3, e.timing_enough_ns = 2e7;
   e.pans = 3;
   e.min_patch_pixels = 12, e.patch_yarns = 4, e.tube_facets = 24;
+  e.fibre_pixels = 16, e.fibre_footprints = 1;
   e.drape_width = 24, e.drape_height = 8, e.drape_rays = 4000, e.drape_footprints = 1;
   e.drape_timing_size = e.drape_yarn_timing_size = 24;
   return e;

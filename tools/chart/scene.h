@@ -68,6 +68,8 @@ struct ChartEffort {
   int min_patch_pixels = 16;        // along a side
   double patch_yarns = 8;           // or more pixels, to contain this many yarns
   int tube_facets = 48;             // in the truth
+  int fibre_pixels = 96;            // most along a side of a patch of fibres
+  size_t fibre_footprints = 4;      // the last ones of kFibreFootprints
   int drape_width = 96, drape_height = 16;  // pixels; folds run along the height
   int drape_rays = 100'000;                 // of each half of its truth
   int drape_timing_size = 128, drape_yarn_timing_size = 64;

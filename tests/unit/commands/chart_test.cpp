@@ -270,6 +270,17 @@ TEST_F(ChartRun, measures_a_part_and_resumes) {
     EXPECT_LT(error, 0.25) << row;
     EXPECT_LT(flip, 0.15) << row;
   }
+  // As bright as the fibres on the mean of all lights and views, hence about so in these.
+  const std::string fibres = read(dir_ / "fibres.csv");
+  for (const std::string row : {"plain,0,0.25,tubes,0,", "plain,60,0.25,yarn,5,", "plain,0,0.25,repeat,1,"}) {
+    const size_t at = fibres.find(row);
+    ASSERT_NE(at, std::string::npos) << row << " in\n" << fibres;
+    double error = 0, of_tubes = 0, flip = 0, energy = 0;
+    ASSERT_EQ(std::sscanf(fibres.c_str() + at + row.size(), "%lf,%lf,%lf,%lf", &error, &of_tubes, &flip, &energy), 4);
+    EXPECT_NEAR(energy, 1, 0.5) << row;
+    EXPECT_LT(error, 0.9) << row;
+    EXPECT_LE(of_tubes, 0.5) << row;
+  }
 }
 
 TEST(chart_command, reports_that_the_folder_cannot_be_made) {

@@ -18,31 +18,28 @@ using glm::vec3;
 using glm::vec4;
 
 using FibreCase = std::array<vec4, 4>;
-constexpr int kRows = 4;
+constexpr int kRows = 3;
 
 constexpr const char* kFibreMain = R"(
   vec3 wi = given(0).xyz, wo = given(1).xyz;
-  FibreOptics f = FibreOptics(given(2).x, given(3).xyz, given(2).y, given(2).z, vec3(0.0));
+  FibreOptics f = FibreOptics(given(2).x, given(3).xyz, given(2).y, given(2).z, vec3(0.0), 0.25);
   float h = given(2).w;
   if (row == 0) result = vec4(fibre_scatter(f, h, wi, wo), 1.0);
   if (row == 1) result = vec4(fibre_density(f, h, wi, wo), 0.0, 0.0, 1.0);
   if (row == 2) result = vec4(fibre_sample(f, h, wo, vec4(given(0).w, given(1).w, given(3).w, 0.3)), 1.0);
-  if (row == 3) result = vec4(fibre_absorption(clamp(given(3).xyz, vec3(0.01), vec3(0.99)), 0.3), 1.0);
 )";
 
 vec3 on_cpu(const FibreCase& c, int row) {
   const vec3 wi(c[0]), wo(c[1]);
-  const FibreOptics f{c[2].x, vec3(c[3]), c[2].y, c[2].z, vec3(0)};
+  const FibreOptics f{c[2].x, vec3(c[3]), c[2].y, c[2].z, vec3(0), 0.25f};
   const float h = c[2].w;
   switch (row) {
     case 0:
       return formulas::fibre_scatter(f, h, wi, wo);
     case 1:
       return {formulas::fibre_density(f, h, wi, wo), 0, 0};
-    case 2:
-      return formulas::fibre_sample(f, h, wo, {c[0].w, c[1].w, c[3].w, 0.3f});
     default:
-      return formulas::fibre_absorption(glm::clamp(vec3(c[3]), vec3(0.01f), vec3(0.99f)), 0.3f);
+      return formulas::fibre_sample(f, h, wo, {c[0].w, c[1].w, c[3].w, 0.3f});
   }
 }
 

@@ -44,7 +44,7 @@ constexpr const char* kRayMain = R"(
     if (row == 5) result = vec4(ply_normal(p, x, t.ply, length_mm), 0.0);
     FibreDetail d = fibre_detail(x, fract(p.along / length_mm), p.turn, sample_size(x, 0.03 * given(2).w, p.normal.z, length_mm), length_mm);
     SurfaceFrame frame_at = SurfaceFrame(p.normal, p.axis, p.around);
-    float relief = fibre_relief(y.slope_cov.z);
+    float relief = fibre_relief(y.slope_cov.z, 0.0f);
     if (row == 7) result = vec4(d.texel.groove, d.texel.tone, d.fibre_tan, d.resolved.y);
     if (row == 8) result = vec4(detail_normal(frame_at, x, d, relief, length_mm, v), ply_light(frame_at, x, d, length_mm, l));
     if (row == 9) result = vec4(detail_lobes(y, d.resolved, relief).slope_cov, detail_gain(x, d, relief));
@@ -72,7 +72,7 @@ vec4 ray_on_cpu(PackedThreads& t, const RayCase& c, int row) {
       fibre_detail(x, glm::fract(p.along / length), p.turn, sample_size(x, 0.03f * c[2].w, p.normal.z, length), length);
   const SurfaceFrame frame{p.normal, p.axis, p.around};
   const formulas::YarnLobes y = formulas::yarn_of(t.yarn(static_cast<int>(look.w)), vec3(look));
-  const float relief = fibre_relief(y.slope_cov.z);
+  const float relief = fibre_relief(y.slope_cov.z, 0.0f);
   switch (row) {
     case 0:
       return {hit.system, thread, hit.at.z, 0};
@@ -301,7 +301,7 @@ constexpr const char* kMethodMain = R"(
   if (row == 5) result = vec4(gradient_factor(a, b, e), region_factor(e.x, e.y + 0.1), slope_coord(l.x / l.z), lattice_point(lattice_of(lattice_for(e.x, vec4(0.1, 0.2, 0.3, 0.4), vec4(0.5, 0.6, 0.7, 9.0), 21)), 5, 3, e.y).x);
   if (row == 6) result = vec4(flyaway_key(color, color * e.x, normalize(vec3(e.xyz - 0.5)), vec3(0.0, 0.0, 1.0), l, v), flyaway_fraction(e.w));
   if (row == 7) result = vec4(flyaway_sky(color, color * e.x), 0.0);
-  FaceFlyaway f = face_flyaway(uint(1000.0 * e.x), uint(10.0 * e.y), vec2(0.5 + e.z, 0.5 + e.w), 0.5 + e.x);
+  FaceFlyaway f = face_flyaway(flyaway_bits(uint(1000.0 * e.x), uint(10.0 * e.y)), vec2(0.5 + e.z, 0.5 + e.w), 0.5 + e.x);
   if (row == 8) result = vec4(f.middle, f.reach, f.bend);
   if (row == 9) result = vec4(flyaway_at(f, f.middle + f.way * (f.reach * (e.y - 0.5)), vec2(0.1, 0.0), vec2(0.0, 0.1)), fuzz_left(e.z, e.x, e.y), face_cell(e.x, e.y, 0.2));
 )";
@@ -313,10 +313,10 @@ constexpr std::array<const char*, kMethodRows> kMethodNames{
 
 vec4 method_on_cpu(const MethodCase& given, int row) {
   using formulas::EngineMaterial, formulas::FaceFlyaway, formulas::YarnData, formulas::YarnLobes, formulas::face_cell,
-      formulas::face_flyaway, formulas::flyaway_fraction, formulas::flyaway_key, formulas::flyaway_sky,
-      formulas::fuzz_left, formulas::gradient_factor, formulas::half_slopes, formulas::lattice_for,
-      formulas::lattice_of, formulas::lattice_point, formulas::lobe_frame, formulas::region_factor,
-      formulas::response_coord, formulas::slope_coord, formulas::yarn_of;
+      formulas::face_flyaway, formulas::flyaway_bits, formulas::flyaway_fraction, formulas::flyaway_key,
+      formulas::flyaway_sky, formulas::fuzz_left, formulas::gradient_factor, formulas::half_slopes,
+      formulas::lattice_for, formulas::lattice_of, formulas::lattice_point, formulas::lobe_frame,
+      formulas::region_factor, formulas::response_coord, formulas::slope_coord, formulas::yarn_of;
   const vec3 l(given[0]), v(given[1]), color(given[6]);
   const vec4 e = given[7];
   YarnData data{};
@@ -353,8 +353,9 @@ vec4 method_on_cpu(const MethodCase& given, int row) {
     case 7:
       return {flyaway_sky(color, color * e.x), 0};
     default: {
-      const FaceFlyaway f = face_flyaway(static_cast<uint32_t>(1000 * e.x), static_cast<uint32_t>(10 * e.y),
-                                         {0.5f + e.z, 0.5f + e.w}, 0.5f + e.x);
+      const FaceFlyaway f =
+          face_flyaway(flyaway_bits(static_cast<uint32_t>(1000 * e.x), static_cast<uint32_t>(10 * e.y)),
+                       {0.5f + e.z, 0.5f + e.w}, 0.5f + e.x);
       if (row == 8) return {f.middle, f.reach, f.bend};
       return {flyaway_at(f, f.middle + f.way * (f.reach * (e.y - 0.5f)), {0.1f, 0}, {0, 0.1f}),
               fuzz_left(e.z, e.x, e.y), face_cell(e.x, e.y, 0.2f)};

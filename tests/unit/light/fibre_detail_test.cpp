@@ -50,7 +50,7 @@ Light light_of(const Yarn& yarn, const formulas::YarnLobes& lobes, glm::vec2 siz
     const thread_formulas::SurfaceFrame frame{glm::vec3(t, 0, std::sqrt(1 - t * t)), glm::vec3(0, 1, 0),
                                               glm::vec3(std::sqrt(1 - t * t), 0, -t)};
     const FibreDetail d = fibre_detail(x, along, std::asin(t) / 6.2831853f, size, kLength_mm);
-    const float relief = thread_formulas::fibre_relief(lobes.slope_cov.z);
+    const float relief = thread_formulas::fibre_relief(lobes.slope_cov.z, 0);
     const glm::vec3 n = thread_formulas::detail_normal(frame, x, d, relief, kLength_mm, v);
     const formulas::Reflected a = formulas::facet_radiance(formulas::detail_lobes(lobes, d.resolved, relief), n, 1,
                                                            frame.axis + frame.around * d.fibre_tan, glm::vec3(0), l, v);
@@ -90,7 +90,7 @@ TEST(FibreDetailLight, WhiteThreadsSendNoMoreThanTheyMeet) {
     constexpr int kPoints = 4000;
     for (int i = 0; i < kPoints; ++i) {
       const FibreDetail d = fibre_detail(x, u(rng), 0.5f * (u(rng) - 0.5f), kNear, kLength_mm);
-      const float relief = thread_formulas::fibre_relief(white.slope_cov.z);
+      const float relief = thread_formulas::fibre_relief(white.slope_cov.z, 0);
       const glm::vec3 v = glm::normalize(glm::vec3(u(rng) - 0.5f, u(rng) - 0.5f, 0.6f));
       const thread_formulas::SurfaceFrame frame{glm::vec3(0, 0, 1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)};
       const glm::vec3 n = thread_formulas::detail_normal(frame, x, d, relief, kLength_mm, v);

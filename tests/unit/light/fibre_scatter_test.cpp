@@ -20,7 +20,9 @@ using glm::vec3;
 
 constexpr double kPi = std::numbers::pi;
 
-FibreOptics clear_fibre(float index, float along, float across) { return {index, vec3(0), along, across, vec3(0)}; }
+FibreOptics clear_fibre(float index, float along, float across, float turbidity = 0) {
+  return {index, vec3(0), along, across, vec3(0), turbidity};
+}
 
 /// At an angle to the fibre and an azimuth around it.
 vec3 at(double polar, double azimuth) {
@@ -57,7 +59,7 @@ TEST(FibreScatter, AFurnaceIsWhiteForEveryIndexWidthAndDirection) {
     for (const float along : {0.05f, 0.15f, 0.4f})
       for (const double polar : {0.05, 0.4, 1.0, kPi / 2, 2.9})
         for (const double h : {-0.98, -0.4, 0.0, 0.7}) {
-          const FibreOptics f = clear_fibre(index, along, 0.15f);
+          const FibreOptics f = clear_fibre(index, along, 0.15f, h > 0 ? 0.4f : 0.0f);
           const double energy = over_sphere([&](vec3 wi) { return scattered(f, h, wi, at(polar, 0.3)); }, 400, 180);
           EXPECT_NEAR(energy, 1, 0.005) << index << ' ' << along << ' ' << polar << ' ' << h;
         }
@@ -89,7 +91,7 @@ TEST(FibreScatter, FromAfarItIsReciprocal) {
   int lit = 0;
   for (int k = 0; k < 60; ++k) {
     FibreOptics f = clear_fibre(static_cast<float>(1.2 + 0.6 * u(rng)), static_cast<float>(0.05 + 0.35 * u(rng)),
-                                static_cast<float>(0.1 + 0.4 * u(rng)));
+                                static_cast<float>(0.1 + 0.4 * u(rng)), static_cast<float>(0.5 * u(rng)));
     f.absorption = vec3(static_cast<float>(0.5 * u(rng)));
     // Near each other's cones, where there is light.
     const double polar = 0.1 + 2.9 * u(rng), other = std::clamp(kPi - polar + 0.4 * u(rng) - 0.2, 0.05, 3.0);
@@ -235,11 +237,12 @@ TEST(FibreScatter, LobesLieWhereSnellsLawSendsTheLight) {
       }
 }
 
-TEST(FibreScatter, TheLightestColourAbsorbsLeast) {
-  const vec3 dye = formulas::fibre_absorption({0.9f, 0.3f, 0.0f}, 0.3f);
-  EXPECT_LT(dye.r, dye.g);
-  EXPECT_LT(dye.g, dye.b);
-  EXPECT_NEAR(formulas::fibre_absorption(vec3(0.5f), 0.3f).r, 0.0139f, 0.0005f) << "(log 0.5 / 5.88)^2";
+TEST(FibreScatter, ATurbidFibreScattersMoreToTheSide) {
+  const vec3 from = at(kPi / 2, 0), side = at(kPi / 2, kPi / 2);
+  const FibreOptics clear = clear_fibre(1.55f, 0.1f, 0.1f), turbid = clear_fibre(1.55f, 0.1f, 0.1f, 0.5f);
+  EXPECT_GT(scattered(turbid, 0, from, side), 10 * scattered(clear, 0, from, side));
+  EXPECT_NEAR(scattered(turbid, 0, from, at(kPi / 2, kPi)), 0.5 * scattered(clear, 0, from, at(kPi / 2, kPi)),
+              0.1 * scattered(clear, 0, from, at(kPi / 2, kPi)));
 }
 
 }  // namespace

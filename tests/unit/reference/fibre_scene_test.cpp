@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "design/yarn_presets.h"
+#include "plain_cloth.h"
 #include "reference/fibre_trace.h"
 #include "reference/picture.h"
 #include "reference/tubes.h"
@@ -21,37 +22,16 @@ using design::yarn_presets;
 
 constexpr double kPi = std::numbers::pi;
 
-enum Preset : size_t { kCotton = 0, kLinen = 2, kSilk = 3, kWool = 4, kPolyester = 6 };
-
-/// A plain weave of 16 x 16 threads that almost touch.
-Cloth plain(Yarn yarn, cloth::Linear colour = {0.6f, 0.6f, 0.6f}) {
-  Cloth cloth;
-  const float d = yarn.diameter_mm, spacing = 1.15f * d;
-  cloth.yarns = {std::move(yarn)};
-  constexpr int kThreads = 16;
-  for (int i = 0; i < kThreads; ++i)
-    cloth.ends.push_back({(static_cast<float>(i) + 0.5f) * spacing, spacing, 1.1f * d, d / 1.1f, colour, 0, 0, d});
-  cloth.picks = cloth.ends;
-  cloth.width_mm = cloth.depth_mm = kThreads * spacing;
-  cloth.up = draft::BitMatrix(kThreads, kThreads);
-  for (int p = 0; p < kThreads; ++p)
-    for (int e = 0; e < kThreads; ++e) cloth.up.set(p, e, (p + e) % 2);
-  return cloth;
-}
-
-FibreOptions whole(const Cloth& cloth) {
-  FibreOptions options;
-  options.high_mm = {cloth.width_mm, cloth.depth_mm};
-  return options;
-}
-
 std::unique_ptr<FibreScene> fibres_of(const Cloth& cloth, const FibreOptions& options) {
   auto scene = FibreScene::build(cloth, options);
   EXPECT_TRUE(scene) << base::problem_of(scene);
   return std::move(scene).value_or(nullptr);
 }
 
-/// Ends of one straight fibre each, 2 mm apart; the weft has no thickness.
+// So far that hardly any light of one fibre meets the next.
+constexpr float kApart_mm = 40;
+
+/// Ends of one straight fibre each; the weft has no thickness.
 Cloth single_fibres() {
   Yarn yarn = yarn_presets()[kPolyester];
   yarn.twist = Twist::kNone;
@@ -60,9 +40,9 @@ Cloth single_fibres() {
   yarn.tex = 0.35f;
   Cloth cloth;
   cloth.yarns = {yarn};
-  cloth.ends = {{1, 2, 1e-3f, 1e-3f, {0.5f, 0.5f, 0.5f}, 0, 0, 1e-3f}};
+  cloth.ends = {{1, kApart_mm, 1e-3f, 1e-3f, {0.5f, 0.5f, 0.5f}, 0, 0, 1e-3f}};
   cloth.picks = {{1, 2, 0, 0, {1, 1, 1}, 0}};
-  cloth.width_mm = cloth.depth_mm = 2;
+  cloth.width_mm = kApart_mm, cloth.depth_mm = 2;
   cloth.up = draft::BitMatrix(1, 1);
   cloth.up.set(0, 0, true);
   return cloth;
@@ -112,7 +92,8 @@ TEST_F(SingleFibre, IsMetWhereItIs) {
       EXPECT_NEAR(hit.offset, offset, 0.01f);
       EXPECT_NEAR(std::abs(hit.axis.y), 1, 1e-5f);
       FibreHit again;
-      ASSERT_TRUE(scene_->intersect(start(out, offset) + glm::vec3(-8, 0, 0), -out, 0, again)) << "four periods away";
+      ASSERT_TRUE(scene_->intersect(start(out, offset) + glm::vec3(-4 * kApart_mm, 0, 0), -out, 0, again))
+          << "four periods away";
       EXPECT_NEAR(again.offset, offset, 0.1f);
     }
   FibreHit hit;
@@ -153,13 +134,18 @@ TEST(FibreScene, ClearFibresInAWhiteFurnaceAreWhite) {
   cotton.diameter_mm = 0.2f, cotton.tex = 20;
   const Cloth cloth = plain(cotton, {1, 1, 1});
   const auto scene = fibres_of(cloth, whole(cloth));
-  FlatPicture picture;
-  picture.width = picture.height = 1, picture.spp = 20'000;
-  picture.step_x_mm = {1, 0}, picture.step_y_mm = {0, 1};
-  picture.around.light_irradiance = glm::vec3(0);
-  picture.around.sky = [](glm::vec3) { return glm::vec3(1); };
-  const glm::vec4 p = trace_flat(*scene, picture, {}).pixels[0];
-  EXPECT_NEAR(p.g / p.a, 1, 0.01f);
+  const FibreTracer clear(*scene, glm::vec3(0));
+  Surroundings white;
+  white.light_irradiance = glm::vec3(0);
+  white.sky = [](glm::vec3) { return glm::vec3(1); };
+  RandomStream random(11);
+  double light = 0, met = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const glm::vec3 from(cloth.width_mm * random.next(), cloth.depth_mm * random.next(), 10);
+    const PathSample path = clear.trace(from, {0, 0, -1}, 0, white, random);
+    light += static_cast<double>(path.radiance.g), met += path.hit;
+  }
+  EXPECT_NEAR(light / met, 1, 0.01);
 }
 
 TEST(FibreScene, FibresLieInTheThreadsOfTheTubes) {

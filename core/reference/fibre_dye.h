@@ -2,8 +2,8 @@
 // How much the fibres of a yarn absorb for their cloth to have the yarn's colour. Light meets tens of fibres before it
 // leaves the cloth, fewer where yarns are thin or loose, so the same dye is deeper on a thick cloth than on a thin one.
 // The colour that was chosen is that of the cloth (docs/decisions/colour-is-that-of-the-cloth.md), so the dye is found
-// from it: by tracing the cloth's own fibres with dyes of known depth. What is wanted is what the
-// threads reflect together, highlights included, so that tubes and fibres of a cloth are equally bright on the mean.
+// from it: by tracing the cloth's own fibres with dyes of known depth. What is wanted is what the threads reflect
+// together, highlights included, so that tubes and fibres of a cloth are equally bright on the mean.
 
 #include <array>
 #include <glm/glm.hpp>

@@ -31,5 +31,16 @@ TEST(Flyaway, GlowsAgainstTheLight) {
   EXPECT_GT(against, 3 * aside);
 }
 
+TEST(Flyaway, OfANapReachFromThreadToThreadAndAreNoFewer) {
+  constexpr float kSpacing = 0.5f, kDepth = 0.9f, kRaised = 0.96f, kHairy = 0.35f;
+  const auto cell = [](float fuzz) { return formulas::face_cell(fuzz, kDepth, kSpacing); };
+  const float nap = cell(kRaised);
+  EXPECT_GT(formulas::flyaway_reach({nap, nap}), 0.5f * kSpacing) << "half a fibre; it was a quarter of a spacing";
+  EXPECT_LE(formulas::face_flyaways_in(kRaised, nap * nap), formulas::max_face_flyaways(kRaised));
+  // Hairy yarns that are not raised keep theirs, of which a pixel looks at few.
+  EXPECT_EQ(formulas::nap_of(kHairy), 0);
+  EXPECT_EQ(formulas::max_face_flyaways(kHairy), formulas::kMaxFaceFlyaways);
+}
+
 }  // namespace
 }  // namespace weftlight::light

@@ -163,7 +163,8 @@ TEST_F(Measured, traced_threads_agree_with_measurements) {
   for (const MeasuredCloth& cloth : kCloths) compare(cloth, "reference", kHalfAnOctave);
 }
 
-// Their lobes are not read, but for how bright the cloth is on the mean: all else follows from fibre, count and twist.
+// Their lobes are not read, but for how bright the cloth is on the mean; all else follows from fibre, count and twist.
+// The turbidity of filament and silk was chosen by the two satins (core/design/fibre_facts.cpp).
 TEST_F(Measured, fibres_agree_though_they_were_not_fitted) {
   for (const MeasuredCloth& cloth : kCloths) compare(cloth, "fibres", 0.7);
   for (const MeasuredCloth& cloth : kOthers) compare(cloth, "fibres", 0.95);

@@ -318,6 +318,16 @@ RunVerb add_response(CLI::App& verb) {
   };
 }
 
+RunVerb add_lobes(CLI::App& verb) {
+  const auto options = std::make_shared<LobesOptions>();
+  LobesOptions& o = *options;
+  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(some_path());
+  verb.add_flag("--keep-lustre", o.keep_lustre, tr("Keep the roughness along the fibres"));
+  add_progress(verb, o.quiet, o.progress_json);
+  return [options] { return lobes_command(*options); };
+}
+
 RunVerb add_drape(CLI::App& verb) {
   struct Options {
     DrapeOptions command;
@@ -379,6 +389,7 @@ constexpr Verb kClothVerbs[] = {
     {"export", mark("Export a seamless texture set"), add_export},
     {"chart", mark("Measure the speed and the accuracy of every shading method"), add_chart},
     {"response", mark("Tabulate the far-field radiance of the flat cloth"), add_response},
+    {"lobes", mark("Fit the lobes of a draft's yarns to their traced fibres"), add_lobes},
     {"drape", mark("Simulate a drape, with a generic fabric or the fabric of a draft"), add_drape},
     {"curves", mark("Write the threads, plies or fibres of a patch of cloth as curves"), add_curves},
 };

@@ -102,6 +102,11 @@ struct ResponseOptions {
   Face face = Face::kFront;
   int spp = 16;  // reference and fibres only: rays in each of 1,024 samples of the repeat
 };
+struct LobesOptions {
+  std::string file, out;
+  bool keep_lustre = false;
+  bool quiet = false, progress_json = false;
+};
 struct DrapeOptions {
   std::string name, out;  // name: a drape, a draft, or "all": every drape and stiffness, into the folder `out`
   std::string stiffness;  // of a generic fabric: limp, medium or stiff; empty: medium
@@ -151,6 +156,7 @@ int reference_command(const PictureOptions&);
 int export_command(const ExportOptions&);
 int chart_command(const ChartOptions&);
 int response_command(const ResponseOptions&);
+int lobes_command(const LobesOptions&);
 int drape_command(const DrapeOptions&);
 int curves_command(const CurvesOptions&);
 int analyse_command(const AnalyseOptions&);

@@ -7,8 +7,12 @@
 #include <map>
 #include <numbers>
 #include <sstream>
+#include <stdexcept>
 
 #include "../figures.h"
+#include "commands/open_design.h"
+#include "design/fibre.h"
+#include "design/yarn_presets.h"
 #include "files/files.h"
 #include "scratch_folder.h"
 
@@ -32,9 +36,10 @@ constexpr MeasuredCloth kCloths[] = {{"sadeghi2013.csv", "linen_plain", false},
                                      {"denim2012.csv", "cotton_denim", false},
                                      {"irawan2012.csv", "silk_charmeuse", true},
                                      {"irawan2012.csv", "cotton_twill", true}};
-// No number of our yarns was fitted to these; the colours of the second were.
+// No number of our yarns was fitted to these; the colours of the second were. The first is the shipped gabardine, dyed
+// nearly black as the other cloths of which the specular part alone is known.
 constexpr MeasuredCloth kOthers[] = {
-    {"irawan2012_more.csv", "wool_gabardine", true, false, "presets/cloths/gabardine.wif"},
+    {"irawan2012_more.csv", "wool_gabardine", true, false, "tests/measured/wool_gabardine.wif"},
     {"sadeghi2013_more.csv", "silk_shot", false, false, "tests/measured/silk_shot.wif"}};
 
 /// The numbers after `skip` fields of the rows that begin with `with`.
@@ -130,12 +135,18 @@ double octaves_off(const Rows& measured, const Rows& ours, bool shape_only,
   return std::sqrt(squares / count - mean * mean);
 }
 
+std::string draft_of(const MeasuredCloth& cloth) {
+  return cloth.draft ? std::string(WEFTLIGHT_SOURCE_DIR "/") + cloth.draft
+                     : presets_dir() + "/cloths/" + cloth.name + ".wif";
+}
+
 class Measured : public ScratchFolder {
  protected:
   /// `allowed`: octaves, for a table that is reciprocal.
   void compare(const MeasuredCloth& cloth, const std::string& method, double allowed) {
-    const std::string draft = cloth.draft ? std::string(WEFTLIGHT_SOURCE_DIR "/") + cloth.draft
-                                          : presets_dir() + "/cloths/" + cloth.name + ".wif";
+    compare(cloth, method, allowed, draft_of(cloth));
+  }
+  void compare(const MeasuredCloth& cloth, const std::string& method, double allowed, const std::string& draft) {
     const Ran ran = run({"response", draft, "-o", path("out.csv"), "--method", method, "--spp", "4"});
     ASSERT_EQ(ran.code, kDone) << ran.said;
     const auto measured =
@@ -170,9 +181,35 @@ TEST_F(Measured, fibres_agree_though_they_were_not_fitted) {
   for (const MeasuredCloth& cloth : kOthers) compare(cloth, "fibres", 0.95);
 }
 
-// The aim is 0.7.
+/// The draft with the lobes of tests/measured/fibre_lobes.csv, which `weftlight lobes` fits to the fibres of the ready
+/// yarns.
+design::Design in_lobes_of_fibres(design::Design design) {
+  const std::string table = std::string(WEFTLIGHT_TESTS_DIR) + "/measured/fibre_lobes.csv";
+  for (design::Yarn& yarn : design.yarns) {
+    const std::string& fibre = design::yarn_presets()[static_cast<size_t>(design::fibre_of(yarn))].name;
+    const auto rows = rows_of(table, fibre + ",", 1);
+    if (rows.size() != 1) throw std::runtime_error(table + ": one row for " + fibre);
+    const auto number = [&](size_t k) { return static_cast<float>(rows[0].at(k)); };
+    yarn.lobes.along_width = number(0), yarn.lobes.across_width = number(1), yarn.lobes.layers = number(2);
+    yarn.lobes.inner = number(3), yarn.lobes.body = number(4);
+    EXPECT_EQ(design::yarn_presets()[static_cast<size_t>(design::fibre_of(yarn))].name, fibre);
+  }
+  return design;
+}
+
+// No cloth was fitted for these lobes. The aim is 0.7.
+TEST_F(Measured, lobes_that_follow_from_fibres_agree_though_no_cloth_was_fitted) {
+  const auto compare_in = [&](const MeasuredCloth& cloth, double allowed) {
+    const OpenedDesign opened = open_design(draft_of(cloth));
+    ASSERT_TRUE(opened.ok);
+    compare(cloth, "cloth", allowed, written("fibres.wif", wif::write_new_wif(in_lobes_of_fibres(opened.design))));
+  };
+  for (const MeasuredCloth& cloth : kCloths) compare_in(cloth, 0.7);
+  for (const MeasuredCloth& cloth : kOthers) compare_in(cloth, 1.0);
+}
+
 TEST_F(Measured, cloths_that_were_not_fitted_are_no_further_off_than_known) {
-  for (const MeasuredCloth& cloth : kOthers) compare(cloth, "cloth", 1.3);
+  for (const MeasuredCloth& cloth : kOthers) compare(cloth, "cloth", 1.0);
 }
 
 }  // namespace

@@ -44,6 +44,13 @@ Yarn boiled_off(Yarn yarn) {
   return yarn;
 }
 
+/// With the lobes that `weftlight lobes` fits to the fibres of reeled silk.
+Yarn shining_as_its_fibres(Yarn silk) {
+  silk.lobes.along_width = 0.08f, silk.lobes.across_width = 0.571f, silk.lobes.layers = 6, silk.lobes.inner = 0.422f;
+  silk.lobes.body = 0.5f;
+  return silk;
+}
+
 /// Sett of the finished cloth, threads per centimetre.
 Design set_at(Design design, float ends_per_cm, float picks_per_cm) {
   design.draft.warp.spacing_mm.assign(design.draft.warp.color.size(), 10 / ends_per_cm);
@@ -205,7 +212,10 @@ Design gabardine() {
   yarn.twist = Twist::kS, yarn.irregularity = 0.02f, yarn.fibre_um = 24, yarn.hairiness = 0.12f,
   yarn.groove_depth = 0.3f;
   // Clear finish: singed, cropped and pressed.
-  yarn.lobes.fuzz = 0.08f, yarn.lobes.along_width = 0.24f, yarn.lobes.layers = 2;
+  yarn.lobes.fuzz = 0.08f;
+  // By `weftlight lobes`, for this count and finish.
+  yarn.lobes.along_width = 0.166f, yarn.lobes.across_width = 0.289f, yarn.lobes.layers = 4, yarn.lobes.inner = 0.722f,
+  yarn.lobes.body = 0.56f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 24);
   return titled(worn(std::move(d), "skirt", -25, 10, 1), "Gabardine",
                 {"2/2 twill that stands at 63 degrees, for the ends lie twice as close as the picks.",
@@ -247,8 +257,8 @@ Design chintz() {
 
 Design silk_satin() {
   Design d = with_colors(satin(8, 3, Face::kFront, {16, 16}), palette({0xc9a05c, 0xb98f4e}), {{0, 1}}, {{1, 1}});
-  Yarn warp = boiled_off(spun("Silk", "Organzine", "63 den", 0.113f, 120)),
-       weft = boiled_off(spun("Silk", "Tram", "252 den", 0.226f, 100));
+  Yarn warp = shining_as_its_fibres(boiled_off(spun("Silk", "Organzine", "63 den", 0.113f, 120))),
+       weft = shining_as_its_fibres(boiled_off(spun("Silk", "Tram", "252 den", 0.226f, 100)));
   d = set_at(with_yarns(std::move(d), warp, weft), 118, 42);
   return titled(lit(worn(std::move(d), "skirt", 15, 12), -35, 18), "Silk satin",
                 {"Duchesse: warp satin on eight shafts, 118 by 42 a centimetre, raw silk 3 and 12 fold."});
@@ -256,8 +266,8 @@ Design silk_satin() {
 
 Design taffeta() {
   Design d = with_colors(plain({16, 16}), palette({0x123a9e, 0xb5122e}), {{0, 1}}, {{1, 1}});
-  Yarn warp = boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 500)),
-       weft = boiled_off(spun("Silk", "Tram", "126 den", 0.16f, 120));
+  Yarn warp = shining_as_its_fibres(boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 500))),
+       weft = shining_as_its_fibres(boiled_off(spun("Silk", "Tram", "126 den", 0.16f, 120)));
   warp.flattening = weft.flattening = 0.5f;
   d = set_at(with_yarns(std::move(d), warp, weft), 62, 46);
   return titled(lit(worn(std::move(d), "skirt", 15, 12), -40, 25), "Shot taffeta",
@@ -299,7 +309,7 @@ Design damask() {
 
 Design ottoman() {
   Design d = with_colors(plain({48, 8}), palette({0x3d6e5a, 0x3a6a57}), {{0, 1}}, {{1, 1}});
-  Yarn warp = boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 300)),
+  Yarn warp = shining_as_its_fibres(boiled_off(spun("Silk", "Organzine", "84 den", 0.131f, 300))),
        weft = spun("Cotton", "Corded cotton", "Ne 5/6", 1.5f, 130, 6);
   warp.flattening = 0.5f, weft.flattening = 1;
   d = set_at(with_yarns(std::move(d), warp, weft), 66, 4.8f);

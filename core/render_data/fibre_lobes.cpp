@@ -82,9 +82,9 @@ using Point = std::array<double, kFitted>;
 constexpr std::array<double, 2> kWidths{0.03, 1.0}, kLayers{1, 16}, kInner{0, 0.9}, kBody{0.1, 1};
 
 Point point_of(const Lobes& l) {
-  constexpr float kLeast = 1e-3f;  // a width may be 0
-  return {std::log(static_cast<double>(std::max(l.along_width, kLeast))),
-          std::log(static_cast<double>(std::max(l.across_width, kLeast))), std::log(static_cast<double>(l.layers)),
+  constexpr float kMinWidth = 1e-3f;  // a width may be 0
+  return {std::log(static_cast<double>(std::max(l.along_width, kMinWidth))),
+          std::log(static_cast<double>(std::max(l.across_width, kMinWidth))), std::log(static_cast<double>(l.layers)),
           static_cast<double>(l.inner), static_cast<double>(l.body)};
 }
 
@@ -138,7 +138,7 @@ Result<void> trace(Search& search, const FibreFit& fit) {
   return {};
 }
 
-/// Rounded as a draft writes them.
+/// To three decimals, as they are read in a draft.
 Lobes rounded(Lobes lobes) {
   for (float Lobes::*member : {&Lobes::along_width, &Lobes::across_width, &Lobes::layers, &Lobes::inner, &Lobes::body})
     lobes.*member = std::round(1000 * lobes.*member) / 1000;
@@ -153,7 +153,7 @@ Lobes best_of(Search& search, const FibreFit& fit) {
   Lobes begin = search.yarn.lobes;
   begin.across_width = 0.4f, begin.layers = 6, begin.inner = 0.4f, begin.body = 0.5f;
   Point x = point_of(begin);
-  if (fit.keep_lustre) low[0] = high[0] = x[0];
+  if (!fit.fit_lustre) low[0] = high[0] = x[0];
   for (size_t k = 0; k < kFitted; ++k) x[k] = std::clamp(x[k], low[k], high[k]);
   constexpr Point kSteps{0.4, 0.4, 0.5, 0.15, 0.2};
 
@@ -189,7 +189,7 @@ Result<FibreLobes> lobes_of_fibres(const Yarn& yarn, const FibreFit& fit, const 
   out.octaves = out.octaves_before;
   if (fit.max_tries < 1) return out;
   Lobes found = rounded(best_of(search, fit));
-  if (fit.keep_lustre) found.along_width = yarn.lobes.along_width;
+  if (!fit.fit_lustre) found.along_width = yarn.lobes.along_width;
   if (progress.stopped()) return failure(ErrorKind::kCancelled, tr("stopped"));
   Yarn fitted = yarn;
   fitted.lobes = found;

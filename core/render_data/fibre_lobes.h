@@ -20,15 +20,16 @@ struct FibreLobes {
 };
 
 struct FibreFit {
-  bool keep_lustre = false;  // the roughness along the fibre stays, which a weaver sets as the lustre
-  int spp = 8;               // paths in each of 1,024 samples of a swatch, for each direction
-  int max_tries = 150;       // lobes that are tried; 0: the difference of the given ones is measured, and they stay
+  bool fit_lustre = false;  // the roughness along the fibres, too
+  int spp = 8;              // paths in each of 1,024 samples of a swatch, for each direction
+  int max_tries = 150;      // lobes that are tried; 0: the difference of the given ones is measured, and they stay
 };
 
-/// Fits roughness along and across, fibre layers, internal scattering and the diffuse part to traced swatches of this
-/// yarn alone: plain weave and satin, in three depths of dye each. The mean brightness of threads and fibres is the
-/// same by then (reference/fibre_dye.h). Fuzz, transmission and index stay. Takes about a minute on two cores;
-/// repeatable. An error for metallic yarn, which has no dye, without ray tracing, and of kCancelled.
+/// Fits roughness across, fibre layers, internal scattering and the diffuse part to traced swatches of this yarn alone:
+/// plain weave and satin, in three depths of dye each. The mean brightness of threads and fibres is the same by then
+/// (reference/fibre_dye.h). The roughness along the fibres stays, since it is the lustre that a weaver sets and that
+/// the fibres are traced with (design/fibre_facts.h); so do fuzz, transmission and index. Takes about a minute on two
+/// cores; repeatable. An error for metallic yarn, which has no dye, without ray tracing, and of kCancelled.
 base::Result<FibreLobes> lobes_of_fibres(const design::Yarn& yarn, const FibreFit& fit = {},
                                          const base::TaskProgress& progress = {});
 

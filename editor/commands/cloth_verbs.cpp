@@ -323,7 +323,7 @@ RunVerb add_lobes(CLI::App& verb) {
   LobesOptions& o = *options;
   verb.add_option("file", o.file, tr("Draft"))->required();
   verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(some_path());
-  verb.add_flag("--keep-lustre", o.keep_lustre, tr("Keep the roughness along the fibres"));
+  verb.add_flag("--fit-lustre", o.fit_lustre, tr("Also fit the roughness along the fibres, which is the lustre"));
   add_progress(verb, o.quiet, o.progress_json);
   return [options] { return lobes_command(*options); };
 }

@@ -104,7 +104,7 @@ struct ResponseOptions {
 };
 struct LobesOptions {
   std::string file, out;
-  bool keep_lustre = false;
+  bool fit_lustre = false;
   bool quiet = false, progress_json = false;
 };
 struct DrapeOptions {

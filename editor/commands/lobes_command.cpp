@@ -51,7 +51,7 @@ int lobes_command(const LobesOptions& o) {
     const TaskProgress progress({}, [&](float share, const std::string&) {
       meter.set(index, std::min(static_cast<double>(share), 0.999), yarn.name);
     });
-    const Result<FibreLobes> fitted = lobes_of_fibres(yarn, {.keep_lustre = o.keep_lustre}, progress);
+    const Result<FibreLobes> fitted = lobes_of_fibres(yarn, {.fit_lustre = o.fit_lustre}, progress);
     meter.clear();
     if (!fitted) return fail({fitted.error().kind, base::message(fitted.error()), o.file});
     yarn.lobes = fitted->lobes;

@@ -181,8 +181,8 @@ TEST_F(Measured, fibres_agree_though_they_were_not_fitted) {
   for (const MeasuredCloth& cloth : kOthers) compare(cloth, "fibres", 0.95);
 }
 
-/// The draft with the lobes of tests/measured/fibre_lobes.csv, which `weftlight lobes` fits to the fibres of the ready
-/// yarns.
+/// The draft with the lobes of tests/measured/fibre_lobes.csv, which `weftlight lobes --fit-lustre` fits to the fibres
+/// of the ready yarns.
 design::Design in_lobes_of_fibres(design::Design design) {
   const std::string table = std::string(WEFTLIGHT_TESTS_DIR) + "/measured/fibre_lobes.csv";
   for (design::Yarn& yarn : design.yarns) {

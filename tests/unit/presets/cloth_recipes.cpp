@@ -44,10 +44,9 @@ Yarn boiled_off(Yarn yarn) {
   return yarn;
 }
 
-/// With the lobes that `weftlight lobes` fits to the fibres of reeled silk.
+/// With the lobes that `weftlight lobes` fits to the fibres of the ready silk.
 Yarn shining_as_its_fibres(Yarn silk) {
-  silk.lobes.along_width = 0.08f, silk.lobes.across_width = 0.571f, silk.lobes.layers = 6, silk.lobes.inner = 0.422f;
-  silk.lobes.body = 0.5f;
+  silk.lobes.across_width = 0.573f, silk.lobes.layers = 5.7f, silk.lobes.inner = 0.4f, silk.lobes.body = 0.5f;
   return silk;
 }
 
@@ -212,10 +211,9 @@ Design gabardine() {
   yarn.twist = Twist::kS, yarn.irregularity = 0.02f, yarn.fibre_um = 24, yarn.hairiness = 0.12f,
   yarn.groove_depth = 0.3f;
   // Clear finish: singed, cropped and pressed.
-  yarn.lobes.fuzz = 0.08f;
+  yarn.lobes.fuzz = 0.08f, yarn.lobes.along_width = 0.24f;
   // By `weftlight lobes`, for this count and finish.
-  yarn.lobes.along_width = 0.166f, yarn.lobes.across_width = 0.289f, yarn.lobes.layers = 4, yarn.lobes.inner = 0.722f,
-  yarn.lobes.body = 0.56f;
+  yarn.lobes.across_width = 0.242f, yarn.lobes.layers = 6.8f, yarn.lobes.inner = 0.783f, yarn.lobes.body = 0.58f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 24);
   return titled(worn(std::move(d), "skirt", -25, 10, 1), "Gabardine",
                 {"2/2 twill that stands at 63 degrees, for the ends lie twice as close as the picks.",

@@ -6,10 +6,12 @@
 
 #include "../figures.h"
 #include "../yarns.h"
+#include "design/fibre.h"
+#include "design/fibre_facts.h"
 
 namespace weftlight::render_data {
 
-using design::Lobes, design::Yarn;
+using design::Lobes, design::Yarn, design::fibre_facts, design::fibre_of;
 
 namespace {
 
@@ -33,11 +35,14 @@ TEST(FibreLobes, AFitComesNearerAndKeepsWhatItIsTold) {
   Yarn dull = yarn_preset("Silk");
   dull.lobes.along_width = 0.1234567f, dull.lobes.across_width = 0.15f, dull.lobes.layers = 1, dull.lobes.inner = 0,
   dull.lobes.body = 1;
-  const auto fitted = lobes_of_fibres(dull, {.keep_lustre = true, .spp = 1, .max_tries = 40});
+  const auto fitted = lobes_of_fibres(dull, {.spp = 1, .max_tries = 40});
   ASSERT_TRUE(fitted);
   figure("octaves before, now", fitted->octaves_before, fitted->octaves);
   EXPECT_LT(fitted->octaves, 0.7f * fitted->octaves_before);
-  EXPECT_EQ(fitted->lobes.along_width, dull.lobes.along_width) << "the lustre was to stay";
+  Yarn now = dull;
+  now.lobes = fitted->lobes;
+  EXPECT_EQ(fibre_of(now), fibre_of(dull));
+  EXPECT_EQ(fibre_facts(now).along_rad, fibre_facts(dull).along_rad) << "fitted again, it has the same fibres";
   Lobes others = fitted->lobes;
   others.across_width = dull.lobes.across_width, others.layers = dull.lobes.layers, others.inner = dull.lobes.inner,
   others.body = dull.lobes.body;

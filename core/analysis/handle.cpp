@@ -10,7 +10,7 @@
 
 namespace weftlight::analysis {
 
-using design::Yarn, design::fibre_of, design::tex_of;
+using design::Yarn, design::tex_of;
 using draft::System, draft::Threads, draft::kFromYarn;
 
 namespace {
@@ -82,7 +82,7 @@ double crepe_fraction(const Yarn& yarn, const FibreMechanics& fibre, double twis
 ThreadHandle thread_handle(Yarn yarn, float thickness_mm, double firm) {
   const double tex = static_cast<double>(thickness_mm >= 0 ? tex_of(yarn, thickness_mm) : tex_of(yarn));
   if (thickness_mm >= 0) yarn.diameter_mm = thickness_mm;
-  const FibreMechanics& fibre = kFibres[static_cast<size_t>(fibre_of(yarn))];
+  const FibreMechanics& fibre = kFibres[static_cast<size_t>(yarn.fibre)];
   const double area = tex / (1000 * fibre.density);
   const double fibres = std::max(area / fibre.section, 1.0);
   const double twist = std::numbers::pi * static_cast<double>(yarn.diameter_mm * yarn.turns_per_m) / 1000;

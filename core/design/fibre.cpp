@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "base/words.h"
 #include "design/count.h"
 #include "design/yarn_fields.h"
 #include "design/yarn_presets.h"
 
 namespace weftlight::design {
+
+using base::same_word;
+
 namespace {
 
 // Ratio of the highlight's width along the fibre between dull and bright, as between matt (delustred with titanium
@@ -20,7 +24,7 @@ constexpr float kLustreRange = 9.0f;
 struct Substance {
   double density, packing;
 };
-constexpr std::array<Substance, 8> kSubstances{
+constexpr std::array<Substance, kFibres> kSubstances{
     {{1.52, 0.6}, {1.52, 0.65}, {1.5, 0.65}, {1.34, 0.6}, {1.31, 0.5}, {1.52, 0.6}, {1.39, 0.6}, {1.39, 0.6}}};
 
 /// Factors relative to a round fibre: spread of the reflected light along and across, reflecting layers, inner scatter,
@@ -37,24 +41,16 @@ constexpr std::array<Shape, kCrossSectionNames.size()> kShapes{{{1, 1, 1, 1, 1, 
                                                                 {1.35f, 1.15f, 0.75f, 0.9f, 0.9f, 0.76f},
                                                                 {0.85f, 0.35f, 1, 0.7f, 1.2f, 0.31f}}};
 
-/// By preset.
-constexpr std::array<CrossSection, 8> kPresetSections{
-    {CrossSection::kBean, CrossSection::kRound, CrossSection::kRound, CrossSection::kTrilobal, CrossSection::kRound,
-     CrossSection::kRound, CrossSection::kRound, CrossSection::kFlat}};
-
 const Shape& shape_of(CrossSection s) { return kShapes[static_cast<size_t>(s)]; }
 
-const Substance& substance_of(const Yarn& yarn) { return kSubstances[static_cast<size_t>(fibre_of(yarn))]; }
+const Substance& substance_of(const Yarn& yarn) { return kSubstances[static_cast<size_t>(yarn.fibre)]; }
 
 /// Count of a thread of this diameter that is solid fibre.
 double solid_tex(const Yarn& yarn, float diameter_mm) {
   return tex_from_diameter(static_cast<double>(diameter_mm), substance_of(yarn).density, 1);
 }
 
-const Yarn& preset_of(int preset) {
-  const auto all = yarn_presets();
-  return all[static_cast<size_t>(std::clamp(preset, 0, static_cast<int>(all.size()) - 1))];
-}
+constexpr float kFar = 1e30f;
 
 /// Dissimilarity by the parameters that tell fibres apart and that no slider of a weaver changes: index of refraction,
 /// specular strength, spread across, inner scatter, transmission, fibre bundles, fuzz. Each term saturates, as fits to
@@ -82,62 +78,82 @@ Lobes reshaped(Lobes lobes, const Shape& from, const Shape& to) {
   return clamped(lobes);
 }
 
-struct FibreMatch {
-  int preset = 0;
-  CrossSection section = CrossSection::kRound;
-};
-
-/// The preset with its fibres in that cross-section.
-Yarn preset_in_section(const FibreMatch& match) {
-  Yarn yarn = preset_of(match.preset);
-  const CrossSection own = kPresetSections[static_cast<size_t>(match.preset)];
-  if (match.section != own) yarn.lobes = reshaped(yarn.lobes, shape_of(own), shape_of(match.section));
+/// The ready yarn of this fibre in this cross-section.
+Yarn ready_in_section(Fibre fibre, CrossSection section) {
+  Yarn yarn = ready_yarn(fibre);
+  if (section != yarn.section) yarn.lobes = reshaped(yarn.lobes, shape_of(yarn.section), shape_of(section));
+  yarn.section = section;
   return yarn;
 }
 
-/// The least dissimilar of all presets in all cross-sections.
-FibreMatch closest_match(const Yarn& yarn) {
-  FibreMatch best;
-  float least = 1e30f;
-  for (int preset = 0; preset < static_cast<int>(kPresetSections.size()); ++preset) {
-    for (size_t s = 0; s < kShapes.size(); ++s) {
-      const FibreMatch match{preset, static_cast<CrossSection>(s)};
-      const float distance = dissimilarity(yarn, preset_in_section(match));
-      if (distance < least) least = distance, best = match;
-    }
+struct NearestSection {
+  CrossSection section = CrossSection::kRound;
+  float distance = kFar;  // dissimilarity
+};
+
+NearestSection nearest_section(const Yarn& yarn, Fibre fibre) {
+  NearestSection nearest;
+  for (int s = 0; s < kCrossSections; ++s) {
+    const auto section = static_cast<CrossSection>(s);
+    const float distance = dissimilarity(yarn, ready_in_section(fibre, section));
+    if (distance < nearest.distance) nearest = {section, distance};
   }
-  return best;
+  return nearest;
 }
+
+Yarn usual(const Yarn& yarn) { return ready_in_section(yarn.fibre, yarn.section); }
 
 }  // namespace
 
-int fibre_of(const Yarn& yarn) { return closest_match(yarn).preset; }
+std::optional<Fibre> fibre_from_name(std::string_view name) {
+  for (const Yarn& ready : yarn_presets())
+    if (same_word(ready.name, name)) return ready.fibre;
+  return std::nullopt;
+}
 
-CrossSection cross_section(const Yarn& yarn) { return closest_match(yarn).section; }
+std::optional<CrossSection> section_from_name(std::string_view name) {
+  for (size_t s = 0; s < kCrossSectionNames.size(); ++s)
+    if (same_word(kCrossSectionNames[s], name)) return static_cast<CrossSection>(s);
+  return std::nullopt;
+}
 
-Yarn with_cross_section(Yarn yarn, CrossSection section) {
-  const FibreMatch match = closest_match(yarn);
-  if (match.section == section) return yarn;
-  yarn.lobes = reshaped(yarn.lobes, shape_of(match.section), shape_of(section));
-  yarn.lobes.inner_depth = preset_in_section({match.preset, section}).lobes.inner_depth;
+Yarn with_recognised_section(Yarn yarn) {
+  yarn.section = nearest_section(yarn, yarn.fibre).section;
   return yarn;
 }
 
-Yarn with_fibre(Yarn yarn, int preset) {
-  const Yarn& from = preset_of(preset);
+Yarn with_recognised_fibre(Yarn yarn) {
+  float least = kFar;
+  for (const Yarn& ready : yarn_presets()) {
+    const NearestSection nearest = nearest_section(yarn, ready.fibre);
+    if (nearest.distance < least) least = nearest.distance, yarn.fibre = ready.fibre, yarn.section = nearest.section;
+  }
+  return yarn;
+}
+
+Yarn with_cross_section(Yarn yarn, CrossSection section) {
+  if (yarn.section == section) return yarn;
+  yarn.lobes = reshaped(yarn.lobes, shape_of(yarn.section), shape_of(section));
+  yarn.section = section;
+  yarn.lobes.inner_depth = usual(yarn).lobes.inner_depth;
+  return yarn;
+}
+
+Yarn with_fibre(Yarn yarn, Fibre fibre) {
+  const Yarn& from = ready_yarn(fibre);
+  yarn.fibre = from.fibre, yarn.section = from.section;
   yarn.lobes = from.lobes;
   yarn.fibre_um = from.fibre_um, yarn.groove_depth = from.groove_depth, yarn.hairiness = from.hairiness;
   return yarn;
 }
 
 float lustre(const Yarn& yarn) {
-  const float preset = preset_in_section(closest_match(yarn)).lobes.along_width,
-              own = std::max(yarn.lobes.along_width, 1e-4f);
+  const float preset = usual(yarn).lobes.along_width, own = std::max(yarn.lobes.along_width, 1e-4f);
   return std::clamp(0.5f + std::log(preset / own) / std::log(kLustreRange), 0.0f, 1.0f);
 }
 
 Yarn with_lustre(Yarn yarn, float lustre) {
-  const Lobes preset = preset_in_section(closest_match(yarn)).lobes;
+  const Lobes preset = usual(yarn).lobes;
   const float brighter = std::pow(kLustreRange, std::clamp(lustre, 0.0f, 1.0f) - 0.5f);
   yarn.lobes.along_width = preset.along_width / brighter;
   yarn.lobes.layers = 1 + (preset.layers - 1) * std::sqrt(brighter);
@@ -145,7 +161,7 @@ Yarn with_lustre(Yarn yarn, float lustre) {
 }
 
 Yarn with_hairiness(Yarn yarn, float hairiness) {
-  const Yarn& preset = preset_of(fibre_of(yarn));
+  const Yarn& preset = ready_yarn(yarn.fibre);
   yarn.hairiness = hairiness;
   yarn.lobes.fuzz = preset.lobes.fuzz * hairiness / std::max(preset.hairiness, 0.01f);
   return clamped(std::move(yarn));

@@ -1,6 +1,7 @@
 #pragma once
-// A yarn in a weaver's terms: fibre, cross-section of the fibre, lustre, hairiness. Each is computed from the
-// parameters of yarn_fields.h, relative to the preset of that fibre, and sets them; nothing else is stored.
+// A yarn in a weaver's terms: fibre, cross-section of the fibre, lustre, hairiness. The yarn names its fibre and its
+// section; lustre and hairiness are computed from the parameters of yarn_fields.h, relative to the ready yarn of that
+// fibre, and set them.
 
 #include <array>
 #include <cstdint>
@@ -12,24 +13,26 @@
 
 namespace weftlight::design {
 
-/// Index of the most similar of yarn_presets(), regardless of lustre and hairiness.
-int fibre_of(const Yarn& yarn);
-/// The yarn made of the preset's fibre: takes its lobes, grooves and hairiness; name, thickness, twist and evenness
-/// stay.
-Yarn with_fibre(Yarn yarn, int preset);
+/// By the English name of the ready yarn, or of the section, in any case.
+std::optional<Fibre> fibre_from_name(std::string_view name);
+std::optional<CrossSection> section_from_name(std::string_view name);
+/// The yarn made of another fibre: takes the lobes, grooves and hairiness of the ready yarn; name, thickness, twist and
+/// evenness stay.
+Yarn with_fibre(Yarn yarn, Fibre fibre);
+/// The yarn with the fibre and the section of the ready yarn that is most similar to it, regardless of lustre and
+/// hairiness: for files that do not name them.
+Yarn with_recognised_fibre(Yarn yarn);
+/// The same where the fibre is named and its section is not.
+Yarn with_recognised_section(Yarn yarn);
 
-/// Cross-section of a fibre. Round: wool, most filament; trilobal: silk, bright filament; bean: cotton; flat: slit
-/// film.
-enum class CrossSection : uint8_t { kRound, kTrilobal, kBean, kFlat };
-inline constexpr std::array<const char*, 4> kCrossSectionNames{base::mark("Round"), base::mark("Trilobal"),
-                                                               base::mark("Bean"), base::mark("Flat film")};
+inline constexpr std::array<const char*, kCrossSections> kCrossSectionNames{
+    base::mark("Round"), base::mark("Trilobal"), base::mark("Bean"), base::mark("Flat film")};
 
-/// The most similar one, by the colour of the inner scatter.
-CrossSection cross_section(const Yarn& yarn);
 /// The same yarn made of fibres of another cross-section.
 Yarn with_cross_section(Yarn yarn, CrossSection section);
 
-/// 0 (dull) to 1 (bright); 1/2 for the preset of its fibre and cross-section. Computed from the spread along the fibre.
+/// 0 (dull) to 1 (bright); 1/2 for the ready yarn of its fibre and cross-section. Computed from the spread along the
+/// fibre.
 float lustre(const Yarn& yarn);
 /// A brighter fibre has a narrower highlight (along) from more clear layers; both are clamped to their ranges.
 Yarn with_lustre(Yarn yarn, float lustre);

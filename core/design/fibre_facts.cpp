@@ -34,7 +34,7 @@ namespace {
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
 
 /// By preset, in the order of yarn_presets.cpp.
-constexpr std::array<FibreFacts, 8> kFacts{{
+constexpr std::array<FibreFacts, kFibres> kFacts{{
     {1.52, 1.7f, 0.15f, 10 * kDegree, 0.30f, 1, 0.60f, 0.15f, 1.0f, 0.7f, 2.2f, false},
     {1.52, 1.7f, 0.12f, 6 * kDegree, 0.14f, 1, 0.40f, 0.12f, 1.0f, 0.5f, 1.5f, false},
     {1.50, 3.0f, 0.25f, 7 * kDegree, 0.20f, 12, 0.25f, 0.06f, 0.4f, 1.1f, 0.5f, false},
@@ -54,14 +54,12 @@ constexpr float kBoundHairiness = 0.06f, kHairOfAll = 17;
 }  // namespace
 
 FibreFacts fibre_facts(const Yarn& yarn) {
-  const size_t preset = static_cast<size_t>(fibre_of(yarn));
-  FibreFacts facts = kFacts[preset];
-  const Yarn& same = yarn_presets()[preset];
+  FibreFacts facts = kFacts[static_cast<size_t>(yarn.fibre)];
+  const Yarn& same = ready_yarn(yarn.fibre);
   // A brighter or duller yarn of the same fibre.
   const float own = std::max(yarn.lobes.along_width, 1e-3f), usual = std::max(same.lobes.along_width, 1e-3f);
   facts.along_rad = std::clamp(facts.along_rad * own / usual, 0.02f, 0.35f);
-  const CrossSection section = cross_section(yarn);
-  if (section != cross_section(same)) facts.across_rad = kAcross[static_cast<size_t>(section)];
+  if (yarn.section != same.section) facts.across_rad = kAcross[static_cast<size_t>(yarn.section)];
   facts.metallic = yarn.lobes.metallic;
   return facts;
 }

@@ -21,7 +21,7 @@ struct FibreFacts {
   float turbidity = 0;  // fraction of the light inside that delustrant, voids and fibrils scatter
 };
 
-/// Those of the most similar ready yarn, with its section, lustre and dullness where the yarn's own differ.
+/// Those of the yarn's fibre, with its section, lustre and dullness where the yarn's own differ.
 FibreFacts fibre_facts(const Yarn& yarn);
 
 /// Hair, in mm for each mm of yarn (Uster's H), by the yarn's hairiness; loops are counted beside it.

@@ -189,13 +189,12 @@ int closest_yarn(const Design& design, int yarn) {
   int best = -1;
   if (!within(yarn, design.yarns.size())) return best;
   const Yarn& gone = design.yarns[static_cast<size_t>(yarn)];
-  const int fibre = fibre_of(gone);
   constexpr float kOtherFibre = 1000;
   float least = std::numeric_limits<float>::max();
   for (size_t i = 0; i < design.yarns.size(); ++i) {
     const Yarn& other = design.yarns[i];
     const float octaves = std::abs(std::log2(std::max(tex_of(other), 0.01f) / std::max(tex_of(gone), 0.01f)));
-    const float distance = octaves + (fibre_of(other) == fibre ? 0 : kOtherFibre);
+    const float distance = octaves + (other.fibre == gone.fibre ? 0 : kOtherFibre);
     if (static_cast<int>(i) != yarn && distance < least) least = distance, best = static_cast<int>(i);
   }
   return best;

@@ -15,6 +15,15 @@ using draft::Rgb;
 
 enum class Twist : uint8_t { kNone, kS, kZ };
 
+/// What a yarn is spun or thrown of, in the order of yarn_presets().
+enum class Fibre : uint8_t { kCotton, kMercerisedCotton, kLinen, kSilk, kWool, kViscose, kPolyester, kMetallic };
+inline constexpr int kFibres = 8;
+
+/// Cross-section of a fibre. Round: wool, most filament; trilobal: silk, bright filament; bean: cotton; flat: slit
+/// film.
+enum class CrossSection : uint8_t { kRound, kTrilobal, kBean, kFlat };
+inline constexpr int kCrossSections = 4;
+
 /// The lobes of a yarn's BSDF (formulas in shaders/lobes.glsl).
 struct Lobes {
   // Specular: Gaussian of micro-slopes, RMS along and across the fibre. Light that passes the first fibres of the yarn
@@ -57,7 +66,9 @@ struct Dye {
 
 struct Yarn {
   std::string name = "Cotton";
-  float diameter_mm = 0.5f;  // where the draft gives no thickness
+  Fibre fibre = Fibre::kCotton;
+  CrossSection section = CrossSection::kBean;  // of its fibres
+  float diameter_mm = 0.5f;                    // where the draft gives no thickness
   Twist twist = Twist::kZ;
   float turns_per_m = 550.0f;  // of the last twist
   int plies = 1;

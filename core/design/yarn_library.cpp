@@ -116,6 +116,7 @@ class YarnReader {
     for (const YarnLine& line : lines_) take(line);
     if (out_.yarn.name.empty()) out_.yarn.name = tr("Yarn");
     out_.yarn = clamped(std::move(out_.yarn));
+    if (!has_section_) out_.yarn = with_recognised_section(std::move(out_.yarn));
     if (!says(out_.count, out_.yarn)) out_.count.clear();
     return std::move(out_);
   }
@@ -156,6 +157,7 @@ class YarnReader {
     if (same_word(line.key, "Name")) out_.yarn.name = one_line(cut_utf8(line.value, kMaxLibraryLine / 4));
     else if (same_word(line.key, "Note")) out_.note = one_line(line.value);
     else if (same_word(line.key, "Colour") || same_word(line.key, "Color")) take_color(line);
+    else if (same_word(line.key, "Cross-section")) take_section(line);
     else if (same_word(line.key, "Twist")) take_twist(line);
     else if (same_word(line.key, "Metallic")) out_.yarn.lobes.metallic = same_word(line.value, "true");
     else if (same_word(line.key, "Tint")) take_tint(line);
@@ -170,6 +172,13 @@ class YarnReader {
     if (!color) return remark(line, tr("a colour is written as #1E3A5F Navy"));
     if (out_.colors.size() < kMaxYarnColors) out_.colors.push_back(*color);
     else remark(line, tr("a yarn can have at most 1,000 colours"));
+  }
+
+  void take_section(const YarnLine& line) {
+    const std::optional<CrossSection> section = section_from_name(line.value);
+    if (!section) return remark(line, tr("a cross-section is Round, Trilobal, Bean or Flat film"));
+    out_.yarn.section = *section;
+    has_section_ = true;
   }
 
   void take_twist(const YarnLine& line) {
@@ -221,6 +230,7 @@ class YarnReader {
   const std::vector<YarnLine>& lines_;
   std::vector<LibraryRemark>& remarks_;
   LibraryYarn out_;
+  bool has_section_ = false;
 };
 
 void add(std::string& out, std::string_view key, std::string_view value) {
@@ -238,7 +248,8 @@ std::string yarn_text(const LibraryYarn& one) {
   add(out, "Name", one_line(yarn.name));
   if (!one.note.empty()) add(out, "Note", one_line(one.note));
   if (!one.count.empty()) add(out, "Count", one_line(one.count));
-  add(out, "Fibre", yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name);
+  add(out, "Fibre", ready_yarn(yarn.fibre).name);
+  add(out, "Cross-section", kCrossSectionNames[static_cast<size_t>(yarn.section)]);
   add_if(out, "Price", one.price);
   add_if(out, "Cone Weight", one.cone_g);
   add_if(out, "Cone Length", one.cone_m);
@@ -384,7 +395,7 @@ UsedYarn with_yarn_from(Design design, const LibraryYarn& from, size_t color) {
 
 bool matches(const LibraryYarn& yarn, std::string_view typed) {
   std::string all = lowered(yarn.yarn.name + "\n" + yarn.count + "\n" + yarn.note);
-  all.append("\n").append(lowered(tr(yarn_presets()[static_cast<size_t>(fibre_of(yarn.yarn))].name.c_str())));
+  all.append("\n").append(lowered(tr(ready_yarn(yarn.yarn.fibre).name.c_str())));
   for (const YarnColor& color : yarn.colors) all.append("\n").append(lowered(color.name));
   const std::string words = lowered(typed);
   for (size_t at = words.find_first_not_of(kBlanks); at != std::string::npos;) {

@@ -43,7 +43,7 @@ using base::mark;
 namespace {
 
 /// Fields that are absent have the default of yarn.h.
-std::array<Yarn, 8> make_presets() {
+std::array<Yarn, kFibres> make_presets() {
   return {{
       // Ne 8/2 ring-spun, 148 tex, phi 0.6; 22 degrees.
       {
@@ -75,6 +75,8 @@ std::array<Yarn, 8> make_presets() {
       // Ne 10/2 gassed, 118 tex, phi 0.65; 20 degrees.
       {
           .name = mark("Mercerised cotton"),
+          .fibre = Fibre::kMercerisedCotton,
+          .section = CrossSection::kRound,
           .diameter_mm = 0.39f,
           .twist = Twist::kS,
           .turns_per_m = 297,
@@ -102,6 +104,8 @@ std::array<Yarn, 8> make_presets() {
       // Lea 16/2 wet-spun, 207 tex, phi 0.65; 16 degrees.
       {
           .name = mark("Linen"),
+          .fibre = Fibre::kLinen,
+          .section = CrossSection::kRound,
           .diameter_mm = 0.52f,
           .twist = Twist::kS,
           .turns_per_m = 176,
@@ -129,6 +133,8 @@ std::array<Yarn, 8> make_presets() {
       // Nm 30/2 spun, 67 tex, phi 0.6; 14 degrees.
       {
           .name = mark("Silk"),
+          .fibre = Fibre::kSilk,
+          .section = CrossSection::kTrilobal,
           .diameter_mm = 0.33f,
           .twist = Twist::kS,
           .turns_per_m = 240,
@@ -156,6 +162,8 @@ std::array<Yarn, 8> make_presets() {
       // Nm 28/2 worsted, 71 tex, phi 0.5; 18 degrees.
       {
           .name = mark("Wool"),
+          .fibre = Fibre::kWool,
+          .section = CrossSection::kRound,
           .diameter_mm = 0.37f,
           .twist = Twist::kS,
           .turns_per_m = 280,
@@ -183,6 +191,8 @@ std::array<Yarn, 8> make_presets() {
       // 300 den filament, 33 tex, phi 0.6; 5 degrees.
       {
           .name = mark("Viscose"),
+          .fibre = Fibre::kViscose,
+          .section = CrossSection::kRound,
           .diameter_mm = 0.22f,
           .twist = Twist::kZ,
           .turns_per_m = 127,
@@ -210,6 +220,8 @@ std::array<Yarn, 8> make_presets() {
       // 150 den filament, 17 tex, phi 0.6; 4 degrees.
       {
           .name = mark("Polyester filament"),
+          .fibre = Fibre::kPolyester,
+          .section = CrossSection::kRound,
           .diameter_mm = 0.16f,
           .twist = Twist::kZ,
           .turns_per_m = 139,
@@ -237,6 +249,8 @@ std::array<Yarn, 8> make_presets() {
       // Slit film 0.37 mm wide, 12 um thick: 6.2 tex; with two 30 den of core 12.9 tex. Folded to about 0.25 mm.
       {
           .name = mark("Metallic"),
+          .fibre = Fibre::kMetallic,
+          .section = CrossSection::kFlat,
           .diameter_mm = 0.25f,
           .twist = Twist::kNone,
           .turns_per_m = 0,
@@ -268,8 +282,10 @@ std::array<Yarn, 8> make_presets() {
 }  // namespace
 
 std::span<const Yarn> yarn_presets() {
-  static const std::array<Yarn, 8> presets = make_presets();
+  static const std::array<Yarn, kFibres> presets = make_presets();
   return presets;
 }
+
+const Yarn& ready_yarn(Fibre fibre) { return yarn_presets()[static_cast<size_t>(fibre)]; }
 
 }  // namespace weftlight::design

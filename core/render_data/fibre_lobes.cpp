@@ -21,7 +21,7 @@ namespace weftlight::render_data {
 
 using base::ErrorKind, base::Result, base::TaskProgress, base::failed, base::failure, base::tr;
 using cloth::Period;
-using design::Lobes, design::Yarn, design::clamped, design::fibre_of;
+using design::Lobes, design::Yarn, design::clamped;
 using draft::drawdown;
 
 namespace {
@@ -191,12 +191,6 @@ Result<FibreLobes> lobes_of_fibres(const Yarn& yarn, const FibreFit& fit, const 
   Lobes found = rounded(best_of(search, fit));
   if (!fit.fit_lustre) found.along_width = yarn.lobes.along_width;
   if (progress.stopped()) return failure(ErrorKind::kCancelled, tr("stopped"));
-  Yarn fitted = yarn;
-  fitted.lobes = found;
-  if (fibre_of(fitted) != fibre_of(yarn)) {
-    out.mistaken_for = fibre_of(fitted);
-    return out;
-  }
   const auto octaves = static_cast<float>(search.octaves(found));
   if (octaves < out.octaves_before) out.lobes = found, out.octaves = octaves;
   return out;

@@ -14,9 +14,6 @@ struct FibreLobes {
   /// Root mean square of log2(threads / fibres) over directions and depths of dye, of the given lobes and of the
   /// fitted.
   float octaves_before = 0, octaves = 0;
-  /// Fibres are told apart by lobes (design/fibre.h). Index of the ready yarn that this one would be taken for with the
-  /// lobes that were found; they are then not used. -1: it stays what it is.
-  int mistaken_for = -1;
 };
 
 struct FibreFit {

@@ -57,6 +57,9 @@ inline constexpr FloatField<ClothPlan> kPlanFloats[] = {
     {"Bout", &ClothPlan::bout_mm, 1, design::kMaxClothMm},
     {"Raddle", &ClothPlan::raddle_mm, 1, design::kMaxClothMm},
 };
+/// After a yarn's number: its fibre by the name of the ready yarn, and the section of its fibres. As texts, since they
+/// are always written; a file without them is from before they had names.
+inline constexpr std::string_view kMadeOf = "Made Of", kSection = "Cross-section";
 /// Limit of yarns whose purchase is known; their keys have a number before them.
 inline constexpr int kMaxPurchases = 4096;
 

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "design/dye.h"
+#include "design/fibre.h"
 #include "design/lights.h"
 #include "wif/private.h"
 #include "wif/section_rows.h"
@@ -17,8 +18,9 @@ using base::next_word, base::tr;
 using design::Assembly, design::ClothPlan, design::Design, design::Dye, design::Finish, design::Leading, design::Loom,
     design::Method, design::MethodFacts, design::NamedView, design::Scene, design::ThreadSection, design::Twist,
     design::WeaveUse, design::Yarn, design::YarnField, design::YarnPurchase, design::clamped, design::dye_from_text,
-    design::is_environment, design::kFinishFields, design::kLobeFields, design::kMethods, design::kPliesFacts,
-    design::kTwistNames, design::kYarnFields, design::lighting_preset, design::sleying_from_text;
+    design::fibre_from_name, design::is_environment, design::kFinishFields, design::kLobeFields, design::kMethods,
+    design::kPliesFacts, design::kTwistNames, design::kYarnFields, design::lighting_preset, design::section_from_name,
+    design::sleying_from_text, design::with_recognised_fibre, design::with_recognised_section;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn,
     draft::kMaxColors, draft::kMaxShafts, draft::kMaxThreads;
 
@@ -102,6 +104,18 @@ Method as_method(std::string_view value) {
 
 std::string text_of(const Source& s, const WifKey& key) { return unescaped(to_utf8(key.value, s.text.encoding)); }
 
+/// False if there is no such key, or no such name.
+template <class T>
+bool read_name(const Source& s, const WifSection& section, const std::string& name,
+               std::optional<T> (*from_name)(std::string_view), T& out) {
+  const WifKey* key = section.find(name);
+  if (!key) return false;
+  const std::optional<T> named = from_name(key->value);
+  if (!named) return s.unusable(*key), false;
+  out = *named;
+  return true;
+}
+
 void read_dye(const Source& s, const WifSection& section, const std::string& prefix, Dye& dye) {
   if (const WifKey* key = section.find(prefix + "Dye")) {
     if (auto stretches = dye_from_text(key->value)) dye.stretches = std::move(*stretches);
@@ -127,7 +141,11 @@ Yarn read_yarn(const Source& s, const WifSection& section, const std::string& pr
   read_fields(s, section, prefix, kLobeFields, yarn.lobes);
   read_color(s, section, prefix + "Tint", yarn.lobes.specular_tint);
   read_dye(s, section, prefix, yarn.dye);
-  return clamped(std::move(yarn));
+  yarn = clamped(std::move(yarn));
+  const bool has_fibre = read_name(s, section, prefix + std::string(kMadeOf), fibre_from_name, yarn.fibre);
+  const bool has_section = read_name(s, section, prefix + std::string(kSection), section_from_name, yarn.section);
+  if (!has_fibre) return with_recognised_fibre(std::move(yarn));
+  return has_section ? yarn : with_recognised_section(std::move(yarn));
 }
 
 void read_yarns(const Source& s, Design& design) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "design/dye.h"
+#include "design/fibre.h"
+#include "design/yarn_presets.h"
 #include "wif/design_sections.h"
 #include "wif/encoding.h"
 #include "wif/numbers.h"
@@ -12,8 +14,9 @@ namespace weftlight::wif {
 
 using design::Assembly, design::ClothPlan, design::Design, design::Dye, design::Finish, design::Look, design::Loom,
     design::NamedView, design::Scene, design::ThreadSection, design::WeaveUse, design::Yarn, design::YarnField,
-    design::YarnPurchase, design::dye_text, design::kFinishFields, design::kLobeFields, design::kPliesFacts,
-    design::kTwistNames, design::kYarnFields, design::method_name, design::sleying_text;
+    design::YarnPurchase, design::dye_text, design::kCrossSectionNames, design::kFinishFields, design::kLobeFields,
+    design::kPliesFacts, design::kTwistNames, design::kYarnFields, design::method_name, design::ready_yarn,
+    design::sleying_text;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::Threads, draft::kFromYarn;
 
 namespace {
@@ -64,6 +67,8 @@ void add_dye(WifEntries& out, const std::string& prefix, const Dye& dye) {
 WifEntries yarn_entries(const Yarn& yarn, const std::string& prefix) {
   WifEntries out;
   if (!yarn.name.empty()) add(out, prefix + "Name", escaped(yarn.name), true);
+  add(out, prefix + std::string(kMadeOf), ready_yarn(yarn.fibre).name, true);
+  add(out, prefix + std::string(kSection), kCrossSectionNames[static_cast<size_t>(yarn.section)], true);
   add(out, prefix + "Twist", kTwistNames[static_cast<size_t>(yarn.twist)]);
   add(out, prefix + kPliesFacts.key, std::to_string(yarn.plies));
   add_fields(out, prefix, kYarnFields, yarn);

@@ -1,9 +1,11 @@
 // The lists of colours and yarns of the draft: swap, sort, merge, remove. Under Draft.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "actions/action_parts.h"
+#include "render_data/fibre_lobes.h"
 #include "session/editing/palette_deletion.h"
 
 namespace weftlight::actions {
@@ -12,7 +14,8 @@ using base::mark, base::tr;
 using design::ColorOrder, design::Design, design::Yarn, design::with_merged_colors, design::with_merged_yarns,
     design::with_sorted_colors, design::with_sorted_yarns, design::with_swapped_lightness, design::with_swapped_systems,
     design::without_unused_colors, design::without_unused_yarns;
-using session::Edit, session::keeping_active;
+using render_data::FibreLobes, render_data::lobes_of_fibres;
+using session::Edit, session::SlowEdit, session::keeping_active;
 
 namespace {
 
@@ -38,6 +41,26 @@ Action& add_dialog(Actions& all, const char* submenu, const char* id, const char
   Action& added = add(all, "Draft", id, label, "", run);
   added.item.submenu = submenu;
   return added;
+}
+
+/// Takes a minute, in which the weaver goes on: the optics are for the yarn, whatever is woven with it meanwhile.
+SlowEdit optics_from_fibres(size_t yarn) {
+  SlowEdit edit;
+  edit.label = tr("Optics from the fibres");
+  edit.doing = tr("Tracing the fibres of the yarn");
+  edit.no_change = tr("No optics are nearer to the fibres than these.");
+  edit.apply = [yarn](Design d, const base::TaskProgress& progress) -> base::Result<Design> {
+    const base::Result<FibreLobes> fitted = lobes_of_fibres(d.yarns[yarn], {}, progress);
+    if (!fitted) return failed(fitted);
+    d.yarns[yarn].lobes = fitted->lobes;
+    return d;
+  };
+  edit.onto = [yarn](Design now, const Design& before, const Design& made) -> std::optional<Design> {
+    if (yarn >= now.yarns.size() || !(now.yarns[yarn] == before.yarns[yarn])) return std::nullopt;
+    now.yarns[yarn] = made.yarns[yarn];
+    return now;
+  };
+  return edit;
 }
 
 Design by_hue(Design d) { return with_sorted_colors(std::move(d), ColorOrder::kHue); }
@@ -69,6 +92,12 @@ void add_palette_actions(Actions& all, const ActiveDraft& draft, const DraftDial
   };
   add_dialog(all, kYarns, "yarns.library", tr("Yarn library\xE2\x80\xA6"), yarns.show_library);
   add_dialog(all, kYarns, "yarns.keep", tr("Add the active yarn to the library"), yarns.keep);
+  const auto active = [&draft]() -> const Yarn& {
+    return draft.document().now().yarns[static_cast<size_t>(draft.view().drawing.yarn)];
+  };
+  add_dialog(all, kYarns, "yarns.optics_from_fibres", tr("Optics from the fibres"), [&draft] {
+    draft.compute(optics_from_fibres(static_cast<size_t>(draft.view().drawing.yarn)));
+  }).enabled = [active] { return !active().lobes.metallic; };
   new_group(add_edit(all, draft, {kYarns, "yarns.sort", tr("Sort yarns by name"), with_sorted_yarns, sorted}));
   add_edit(
       all, draft,

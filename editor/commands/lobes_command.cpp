@@ -4,13 +4,12 @@
 #include "commands/commands.h"
 #include "commands/open_design.h"
 #include "commands/progress_line.h"
-#include "design/yarn_presets.h"
 #include "render_data/fibre_lobes.h"
 
 namespace weftlight::commands {
 
 using base::Result, base::TaskProgress, base::arg, base::fill, base::tr, base::write_file_atomically;
-using design::Yarn, design::yarn_presets;
+using design::Yarn;
 using render_data::FibreLobes, render_data::lobes_of_fibres;
 using wif::write_wif;
 
@@ -22,11 +21,6 @@ ProgressForm form_of(const LobesOptions& o) {
 }
 
 std::string result_text(const FibreLobes& fitted) {
-  if (fitted.mistaken_for >= 0) {
-    const Yarn& other = yarn_presets()[static_cast<size_t>(fitted.mistaken_for)];
-    return fill(tr("stays as it is, since with the lobes of its fibres it would be taken for {fibre}"),
-                arg("fibre", tr(other.name.c_str())));
-  }
   return fill(tr("{before:.2f} octaves from its fibres, now {now:.2f}"), arg("before", fitted.octaves_before),
               arg("now", fitted.octaves));
 }

@@ -29,11 +29,14 @@ void SlowEdits::start(const SlowEdit& edit) {
 void SlowEdits::take(const SlowEdit& edit, const State& of, const Design& made) {
   OpenDocument* open = session_.find(of.document);
   if (open == nullptr) return;
-  if (open->document.snapshot() != of.design) {
+  std::optional<Design> result = made;
+  if (const std::shared_ptr<const Design> now = open->document.snapshot(); now != of.design)
+    result = edit.onto ? edit.onto(*now, *of.design, made) : std::nullopt;
+  if (!result) {
     outcome_.said = fill(tr("{edit}: not applied, because the draft has changed meanwhile"), arg("edit", edit.label));
     return;
   }
-  const bool changed = session_.commit(*open, {edit.label, [&made](const Design&) { return made; }}, 0);
+  const bool changed = session_.commit(*open, {edit.label, [&result](const Design&) { return *result; }}, 0);
   if (!changed) outcome_.said = edit.no_change;
   outcome_.edited |= changed && open == &session_.active();
 }

@@ -8,14 +8,13 @@
 #include "../unit/straight_draft.h"
 #include "design/edits.h"
 #include "design/fibre.h"
-#include "design/yarn_presets.h"
 #include "require.h"
 #include "wif/wif.h"
 
 using weftlight::straight_draft;
 using weftlight::design::Design, weftlight::design::Scene, weftlight::design::Yarn, weftlight::design::clamped,
-    weftlight::design::fibre_of, weftlight::design::is_consistent, weftlight::design::lustre,
-    weftlight::design::yarn_presets;
+    weftlight::design::is_consistent, weftlight::design::kCrossSections, weftlight::design::kFibres,
+    weftlight::design::lustre;
 using weftlight::draft::is_consistent;
 using weftlight::wif::WifRead, weftlight::wif::read_wif, weftlight::wif::write_new_wif, weftlight::wif::write_wif;
 
@@ -31,8 +30,8 @@ void check(const Design& design) {
   require(is_consistent(design), "a design is consistent");
   for (const Yarn& yarn : design.yarns) {
     require(clamped(yarn) == yarn, "a yarn is within its ranges");
-    const int fibre = fibre_of(yarn);
-    require(fibre >= 0 && fibre < static_cast<int>(yarn_presets().size()), "a yarn has a closest preset");
+    require(static_cast<int>(yarn.fibre) < kFibres, "a yarn has a fibre");
+    require(static_cast<int>(yarn.section) < kCrossSections, "and its fibre a section");
     require(std::isfinite(lustre(yarn)), "lustre is finite");
   }
   const Scene& s = design.scene;

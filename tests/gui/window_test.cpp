@@ -284,6 +284,26 @@ TEST_F(WindowTest, AYarnIsDyedAlongItsLength) {
   quit(w);
 }
 
+// It takes a minute, in which the weaver goes on; here it is cancelled.
+TEST_F(WindowTest, FibresAreTracedBesideTheWindow) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  open_below_yarns(w, "section.lobes", "yarn.optics_from_fibres");
+  if (HasFatalFailure()) return;
+  display_.click(w.middle_of("yarn.optics_from_fibres"));
+  ASSERT_TRUE(comes_true([&] { return w.has("task.cancel"); }));
+  const Point paint = w.cell("threading", 1, 1);
+  display_.click(paint);
+  EXPECT_TRUE(comes_true([&] { return w.live() != original; })) << "painting goes on";
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == original; }));
+  display_.click(w.middle_of("task.cancel"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("task.cancel"); }));
+  EXPECT_EQ(w.live(), original);
+  quit(w);
+}
+
 TEST_F(WindowTest, TheLobesFollowTheirSlider) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

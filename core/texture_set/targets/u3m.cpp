@@ -8,6 +8,7 @@
 
 #include "base/json.h"
 #include "base/whole_files.h"
+#include "design/yarn_presets.h"
 #include "draft/drawdown.h"
 #include "files/fabric_physics.h"
 #include "files/zip.h"
@@ -18,7 +19,7 @@ namespace weftlight::texture_set {
 
 using base::write_file_atomically;
 using cloth::Cloth, cloth::Period, cloth::ThreadBody, cloth::lay_out, cloth::srgb_from_linear;
-using design::Design, design::Yarn;
+using design::Design, design::Yarn, design::ready_yarn;
 using draft::BitMatrix, draft::Face, draft::Rgb, draft::drawdown;
 using files::FabricPhysics, files::ZipEntry, files::ZipKind, files::fabric_physics, files::write_zip;
 
@@ -62,15 +63,19 @@ constexpr FibreRow kFibres[] = {{"cotton", "Cotton", 1.52},
                                 {"nylon", "Nylon", 1.14},
                                 {"hemp", "Hemp", 1.48},
                                 {"jute", "Jute", 1.44}};
-constexpr FibreRow kUnknown{"", "unknown", 1.4};
+/// The row whose word is in the text.
+const FibreRow* row_named_in(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const auto named = [&](const FibreRow& row) { return text.find(row.word) != std::string::npos; };
+  const auto found = std::ranges::find_if(kFibres, named);
+  return found != std::end(kFibres) ? found : nullptr;
+}
 
+/// By the yarn's name, since U3M has more fibres than a yarn can name; otherwise by its fibre.
 const FibreRow& fibre_of(const Yarn& yarn) {
-  std::string name = yarn.name;
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  for (const FibreRow& row : kFibres) {
-    if (name.find(row.word) != std::string::npos) return row;
-  }
-  return kUnknown;
+  const FibreRow* row = row_named_in(yarn.name);
+  if (row == nullptr) row = row_named_in(ready_yarn(yarn.fibre).name);
+  return row != nullptr ? *row : kFibres[0];
 }
 
 /// Grams of each fibre in one period.

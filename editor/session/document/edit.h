@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/progress.h"
+#include "base/result.h"
 #include "design/design.h"
 
 namespace weftlight::session {
@@ -24,12 +25,16 @@ struct Edit {
 };
 using MaybeEdit = std::optional<Edit>;
 
-/// An edit that takes seconds. It is computed beside the window, and committed unless the draft changed meanwhile.
+/// An edit that takes seconds or minutes. It is computed beside the window, and committed unless the draft changed
+/// meanwhile.
 struct SlowEdit {
   std::string label;
   std::string doing;  // shown meanwhile: "Searching for a skeleton tie-up"
-  std::function<Design(Design, const base::TaskProgress&)> apply;
+  std::function<base::Result<Design>(Design, const base::TaskProgress&)> apply;
   std::string no_change;  // said if the design did not change
+  /// Where the draft changed meanwhile: what was made of `before`, as a change of the draft as it is now. Empty where
+  /// the two do not agree; without it they never do.
+  std::function<std::optional<Design>(Design now, const Design& before, const Design& made)> onto = {};
 };
 
 }  // namespace weftlight::session

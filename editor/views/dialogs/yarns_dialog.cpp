@@ -22,9 +22,8 @@ namespace weftlight::views {
 
 using analysis::kOunce_g, analysis::kPound_g, analysis::kYard_m;
 using base::arg, base::fill, base::mark, base::tr;
-using design::UsedYarn, design::Yarn, design::YarnColor, design::as_written, design::fibre_of, design::library_yarn_of,
-    design::matches, design::with_count, design::with_fibre, design::with_yarn_from, design::written_count,
-    design::yarn_presets;
+using design::UsedYarn, design::Yarn, design::YarnColor, design::as_written, design::library_yarn_of, design::matches,
+    design::with_count, design::with_fibre, design::with_yarn_from, design::written_count, design::yarn_presets;
 using session::DocumentView, session::Edit, session::MaybeEdit, session::keep_yarn, session::remove_yarn,
     session::replace_yarn;
 using ui::begin_combo, ui::begin_list, ui::draw_swatch, ui::end_combo, ui::fitted, ui::hit_area, ui::icon_button,
@@ -40,9 +39,7 @@ constexpr float kAround = 92;      // the dialog beside its two columns
 constexpr float kWithFibre = 600;  // a list of that width has room for the fibre
 constexpr size_t kMaxDots = 5;
 
-const char* fibre_name(const Yarn& yarn) {
-  return tr(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name.c_str());
-}
+const char* fibre_name(const Yarn& yarn) { return tr(ready_yarn(yarn.fibre).name.c_str()); }
 
 std::string count_text(const LibraryYarn& y) { return y.count.empty() ? written_count(y.yarn) : y.count; }
 
@@ -227,13 +224,12 @@ void draw_fibre_field(PanelContext& c, LibraryYarn& y) {
   row_label(c, tr("Fibre"), nullptr);
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (!begin_combo(c, "yarns.fibre", fibre_name(yarn))) return;
-  const auto presets = yarn_presets();
-  for (size_t i = 0; i < presets.size(); ++i) {
-    if (ImGui::Selectable(tr(presets[i].name.c_str()), static_cast<int>(i) == fibre_of(yarn))) {
-      yarn = with_fibre(yarn, static_cast<int>(i));
+  for (const Yarn& ready : yarn_presets()) {
+    if (ImGui::Selectable(tr(ready.name.c_str()), ready.fibre == yarn.fibre)) {
+      yarn = with_fibre(yarn, ready.fibre);
       if (const auto spun = with_count(yarn, y.count); spun && !y.count.empty()) yarn = *spun;
     }
-    c.map.add_item("yarns.fibre:" + presets[i].name);
+    c.map.add_item("yarns.fibre:" + ready.name);
   }
   end_combo();
 }

@@ -21,14 +21,14 @@ namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr;
 using design::CrossSection, design::Design, design::FieldFacts, design::Finish, design::Lobes, design::Twist,
-    design::Yarn, design::YarnField, design::cross_section, design::fibre_of, design::kCrossSectionNames,
-    design::kFinishFields, design::kLobeFields, design::kLustreFacts, design::kPliesFacts, design::kYarnFields,
-    design::lustre, design::with_cross_section, design::with_fibre, design::with_hairiness, design::with_lustre,
-    design::with_new_yarn, design::with_yarn, design::yarn_presets;
+    design::Yarn, design::YarnField, design::kCrossSectionNames, design::kFinishFields, design::kLobeFields,
+    design::kLustreFacts, design::kPliesFacts, design::kYarnFields, design::lustre, design::ready_yarn,
+    design::with_cross_section, design::with_fibre, design::with_hairiness, design::with_lustre, design::with_new_yarn,
+    design::with_yarn, design::yarn_presets;
 using draft::Rgb;
 using session::DocumentView, session::Edit;
 using ui::begin_combo, ui::end_combo, ui::icon_button, ui::row_label, ui::section, ui::segmented, ui::slider,
-    ui::tooltip;
+    ui::text_button, ui::tooltip;
 
 namespace {
 
@@ -146,14 +146,12 @@ bool draw_plies(PanelContext& c, Yarn& yarn) {
 bool draw_fibre(PanelContext& c, Yarn& yarn) {
   row_label(c, tr("Fibre"), tr("What the yarn is spun from. Sets lustre and hairiness; thickness and twist are kept"));
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const int fibre = fibre_of(yarn);
-  const auto presets = yarn_presets();
-  if (!begin_combo(c, "yarn.fibre", tr(presets[static_cast<size_t>(fibre)].name.c_str()))) return false;
+  if (!begin_combo(c, "yarn.fibre", tr(ready_yarn(yarn.fibre).name.c_str()))) return false;
   bool chosen = false;
-  for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
-    const std::string& name = presets[static_cast<size_t>(i)].name;
-    if (ImGui::Selectable(tr(name.c_str()), i == fibre)) yarn = with_fibre(yarn, i), chosen = true;
-    c.map.add_item("yarn.fibre:" + name);
+  for (const Yarn& ready : yarn_presets()) {
+    if (ImGui::Selectable(tr(ready.name.c_str()), ready.fibre == yarn.fibre))
+      yarn = with_fibre(yarn, ready.fibre), chosen = true;
+    c.map.add_item("yarn.fibre:" + ready.name);
   }
   end_combo();
   return chosen;
@@ -165,7 +163,7 @@ bool draw_cross_section(PanelContext& c, Yarn& yarn) {
             tr("Shape of a fibre's section. Trilobal glitters, the bean shape of cotton is duller, flat film flashes; "
                "the flatter, the paler the body colour"));
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const size_t now = static_cast<size_t>(cross_section(yarn));
+  const size_t now = static_cast<size_t>(yarn.section);
   if (!begin_combo(c, "yarn.section", tr(kCrossSectionNames[now]))) return false;
   bool chosen = false;
   for (size_t i = 0; i < kCrossSectionNames.size(); ++i) {
@@ -239,6 +237,12 @@ MaybeEdit draw_optics(Panel& c, Yarn& yarn, Rgb colour) {
       tr("For Lurex and metal threads: the highlight has the colour of the thread, and there is no diffuse body"));
   if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.view.yarn, yarn, mark("Metallic"));
   c.map.add_item("yarn.metallic");
+  ImGui::BeginDisabled(yarn.lobes.metallic);
+  if (text_button(c, "yarn.optics_from_fibres", tr("Trace the fibres"),
+                  tr("Traces the fibres of this yarn and fits roughness across, fibre layers, internal scattering and "
+                     "the diffuse part to them; takes about a minute, in which you can go on")))
+    c.wanted.add_action("yarns.optics_from_fibres");
+  ImGui::EndDisabled();
   const ImVec2 after = ImGui::GetCursorPos();
   ImGui::SetCursorPos(plot);
   draw_lobes_plot(c, yarn.lobes, colour);

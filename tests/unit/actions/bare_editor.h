@@ -1,6 +1,7 @@
 #pragma once
 // An editor for tests of the table of actions: one document and its view, and no window.
 
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +36,10 @@ class BareEditor {
   DocumentView& view() { return view_; }
   void commit(const Edit& edit) { document_.commit(edit, edit.stroke); }
   void compute(const SlowEdit& edit) {
-    commit({edit.label, [&edit](Design d) { return edit.apply(std::move(d), {}); }});
+    std::stop_source stop;
+    if (edit.onto) stop.request_stop();  // takes a minute
+    const base::TaskProgress progress(stop.get_token());
+    commit({edit.label, [&](Design d) { return edit.apply(d, progress).value_or(d); }});
   }
   void undo() { document_.undo(); }
   void redo() { document_.redo(); }

@@ -15,35 +15,50 @@
 namespace weftlight::design {
 namespace {
 
-TEST(Fibre, EachPresetIsOfItsOwnFibre) {
-  const auto all = yarn_presets();
-  for (int i = 0; i < static_cast<int>(all.size()); ++i) {
-    const Yarn& yarn = all[static_cast<size_t>(i)];
-    EXPECT_EQ(fibre_of(yarn), i) << yarn.name;
-    EXPECT_NEAR(lustre(yarn), 0.5f, 1e-4f) << yarn.name;
-  }
+/// As read from a file that names neither fibre nor section.
+Yarn unnamed(Yarn yarn) {
+  yarn.fibre = Fibre::kViscose, yarn.section = CrossSection::kFlat;
+  return with_recognised_fibre(std::move(yarn));
 }
 
-TEST(Fibre, AFinishKeepsTheFibre) {
+TEST(Fibre, EachReadyYarnIsOfItsOwnFibre) {
+  const auto all = yarn_presets();
+  ASSERT_EQ(all.size(), static_cast<size_t>(kFibres));
+  for (int i = 0; i < kFibres; ++i) {
+    const Yarn& yarn = all[static_cast<size_t>(i)];
+    EXPECT_EQ(yarn.fibre, static_cast<Fibre>(i)) << yarn.name;
+    EXPECT_EQ(&ready_yarn(yarn.fibre), &yarn);
+    EXPECT_EQ(fibre_from_name(yarn.name), yarn.fibre);
+    EXPECT_EQ(unnamed(yarn), yarn) << yarn.name;
+    EXPECT_NEAR(lustre(yarn), 0.5f, 1e-4f) << yarn.name;
+  }
+  EXPECT_EQ(fibre_from_name("LINEN"), Fibre::kLinen);
+  EXPECT_FALSE(fibre_from_name("nettle"));
+  EXPECT_EQ(unnamed(Yarn{}), Yarn{}) << "cotton";
+}
+
+TEST(Fibre, AFinishedYarnWithoutANameIsRecognised) {
   Yarn tweed = yarn_preset("Wool");
   tweed.fibre_um = 45, tweed.groove_depth = 0.25f, tweed.hairiness = 1;
   tweed.lobes.fuzz = 0.6f, tweed.lobes.along_width = 0.7f, tweed.lobes.across_width = 0.8f;
-  EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(tweed))].name, "Wool");
+  EXPECT_EQ(unnamed(tweed), tweed);
   Yarn gabardine = yarn_preset("Wool");
   gabardine.fibre_um = 24, gabardine.groove_depth = 0.3f, gabardine.hairiness = 0.12f;
   gabardine.lobes.fuzz = 0.08f, gabardine.lobes.along_width = 0.24f;
-  EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(gabardine))].name, "Wool");
+  EXPECT_EQ(unnamed(gabardine), gabardine);
   Yarn damask = yarn_preset("Linen");
   damask.fibre_um = 30, damask.groove_depth = 0.3f, damask.lobes.along_width = 0.13f, damask.lobes.layers = 7;
-  EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(damask))].name, "Linen");
+  EXPECT_EQ(unnamed(damask), damask);
 }
 
 TEST(Fibre, AnotherFibreKeepsThicknessAndTwist) {
   Yarn yarn = yarn_preset("Cotton");
   yarn.name = "Mine", yarn.diameter_mm = 0.7f, yarn.turns_per_m = 123, yarn.irregularity = 0.1f;
-  for (int i = 0; i < static_cast<int>(yarn_presets().size()); ++i) {
-    const Yarn chosen = with_fibre(yarn, i);
-    EXPECT_EQ(fibre_of(chosen), i);
+  for (const Yarn& ready : yarn_presets()) {
+    const Yarn chosen = with_fibre(yarn, ready.fibre);
+    EXPECT_EQ(chosen.fibre, ready.fibre);
+    EXPECT_EQ(chosen.section, ready.section);
+    EXPECT_EQ(chosen.lobes, ready.lobes);
     EXPECT_EQ(chosen.name, "Mine");
     EXPECT_EQ(chosen.diameter_mm, 0.7f);
     EXPECT_EQ(chosen.turns_per_m, 123);
@@ -53,20 +68,21 @@ TEST(Fibre, AnotherFibreKeepsThicknessAndTwist) {
 
 TEST(Fibre, ACrossSectionIsRecognisedAndReversible) {
   for (const Yarn& ready : yarn_presets()) {
-    const CrossSection own = cross_section(ready);
+    const CrossSection own = ready.section;
     EXPECT_EQ(with_cross_section(ready, own), ready) << ready.name;
     for (size_t s = 0; s < kCrossSectionNames.size(); ++s) {
       const CrossSection section = static_cast<CrossSection>(s);
       const Yarn yarn = with_cross_section(ready, section);
       EXPECT_EQ(yarn, clamped(yarn)) << ready.name;
-      EXPECT_EQ(cross_section(yarn), section) << ready.name;
-      EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name, ready.name) << kCrossSectionNames[s];
+      EXPECT_EQ(yarn.section, section) << ready.name;
+      EXPECT_EQ(section_from_name(kCrossSectionNames[s]), section);
+      EXPECT_EQ(unnamed(yarn), yarn) << ready.name << " " << kCrossSectionNames[s];
       EXPECT_NEAR(lustre(yarn), 0.5f, 1e-3f) << ready.name << ": usual lustre of the fibre";
       const Yarn back = with_cross_section(yarn, own);
       EXPECT_NEAR(back.lobes.across_width, ready.lobes.across_width, 1e-5f);
       EXPECT_NEAR(back.lobes.layers, ready.lobes.layers, 1e-4f);
       EXPECT_EQ(back.lobes.inner_depth, ready.lobes.inner_depth);
-      EXPECT_EQ(cross_section(with_lustre(yarn, 0.9f)), section) << ready.name;
+      EXPECT_EQ(unnamed(with_lustre(yarn, 0.9f)), with_lustre(yarn, 0.9f)) << ready.name;
       EXPECT_EQ(back.diameter_mm, ready.diameter_mm);
     }
   }
@@ -96,7 +112,7 @@ TEST(Fibre, SlidersReadBackTheirValues) {
       EXPECT_LT(yarn.lobes.along_width, width) << ready.name << ": brighter is narrower";
       width = yarn.lobes.along_width;
       EXPECT_NEAR(lustre(yarn), bright, 1e-3f) << ready.name;
-      EXPECT_EQ(yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name, ready.name) << bright;
+      EXPECT_EQ(unnamed(yarn), yarn) << ready.name << " " << bright;
     }
     for (const float flyaways : {0.0f, 0.3f, 1.0f}) {
       const Yarn yarn = with_hairiness(ready, flyaways);
@@ -140,7 +156,7 @@ TEST(Fibre, OpticalSlidersKeepTheCount) {
       for (size_t s = 0; s < kCrossSectionNames.size(); ++s)
         EXPECT_EQ(tex_of(with_cross_section(yarn, static_cast<CrossSection>(s))), tex) << yarn.name;
       if (is_set) {
-        EXPECT_EQ(tex_of(with_fibre(yarn, 2)), tex) << yarn.name << ": another fibre, the same weight";
+        EXPECT_EQ(tex_of(with_fibre(yarn, Fibre::kLinen)), tex) << yarn.name << ": another fibre, the same weight";
       }
     }
 }
@@ -163,7 +179,7 @@ TEST(Fibre, ACountStaysAsItWasWritten) {
   EXPECT_EQ(yarn.plies, 4) << "as it says";
   EXPECT_EQ(with_count(yarn, "30 tex")->plies, 4) << "it does not say";
   EXPECT_EQ(with_count(yarn, "Nm 30")->plies, 1);
-  EXPECT_EQ(written_count(with_hairiness(with_lustre(with_fibre(yarn, 0), 0.8f), 0.5f)), "Ne 16/4");
+  EXPECT_EQ(written_count(with_hairiness(with_lustre(with_fibre(yarn, Fibre::kCotton), 0.8f), 0.5f)), "Ne 16/4");
   EXPECT_EQ(written_count(yarn_preset("Cotton")), "Ne 8/2") << "as the ready yarns are sold";
   EXPECT_EQ(written_count(yarn_preset("Wool")), "Nm 28/2");
 }

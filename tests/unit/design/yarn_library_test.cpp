@@ -62,11 +62,11 @@ TEST(YarnLibrary, AFewLinesByHandAreEnough) {
   EXPECT_EQ(y.yarn.name, "Tuna");
   EXPECT_EQ(y.count, "Nm 2/12") << "as it was written";
   EXPECT_EQ(y.yarn.plies, 2);
-  EXPECT_EQ(fibre_of(y.yarn), 4);
+  EXPECT_EQ(y.yarn.fibre, Fibre::kWool);
   EXPECT_NEAR(y.yarn.tex, 166.67f, 0.01f);
   EXPECT_FLOAT_EQ(y.price, 7.25f);
   EXPECT_EQ(y.colors, (std::vector<YarnColor>{{{0, 0, 1}, "Navy"}}));
-  EXPECT_EQ(fibre_of(library.yarns[1].yarn), 0) << "cotton where nothing is said";
+  EXPECT_EQ(library.yarns[1].yarn.fibre, Fibre::kCotton) << "cotton where nothing is said";
   EXPECT_TRUE(library.remarks.empty());
 }
 

@@ -23,7 +23,7 @@
 namespace weftlight::wif {
 
 using base::read_file, base::write_file_atomically;
-using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::fibre_of, design::is_consistent,
+using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::is_consistent,
     design::packing_fraction, design::yarn_presets;
 using draft::BitMatrix, draft::System, draft::drawdown;
 
@@ -87,7 +87,7 @@ constexpr UsualCloth kUsual[] = {
 TEST(Presets, YarnsOfClothsHaveTheirFibre) {
   for (const PresetRecipe& recipe : cloth_recipes()) {
     for (const Yarn& yarn : recipe.design.yarns) {
-      const std::string fibre = yarn_presets()[static_cast<size_t>(fibre_of(yarn))].name;
+      const std::string fibre = ready_yarn(yarn.fibre).name;
       const auto said = [&](const char* word) { return yarn.name.find(word) != std::string::npos; };
       const char* expected = said("otton")                                ? "Cotton"
                              : said("inen")                               ? "Linen"

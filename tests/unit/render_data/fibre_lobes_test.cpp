@@ -6,12 +6,11 @@
 
 #include "../figures.h"
 #include "../yarns.h"
-#include "design/fibre.h"
 #include "design/fibre_facts.h"
 
 namespace weftlight::render_data {
 
-using design::Lobes, design::Yarn, design::fibre_facts, design::fibre_of;
+using design::Lobes, design::Yarn, design::fibre_facts;
 
 namespace {
 
@@ -41,7 +40,6 @@ TEST(FibreLobes, AFitComesNearerAndKeepsWhatItIsTold) {
   EXPECT_LT(fitted->octaves, 0.7f * fitted->octaves_before);
   Yarn now = dull;
   now.lobes = fitted->lobes;
-  EXPECT_EQ(fibre_of(now), fibre_of(dull));
   EXPECT_EQ(fibre_facts(now).along_rad, fibre_facts(dull).along_rad) << "fitted again, it has the same fibres";
   Lobes others = fitted->lobes;
   others.across_width = dull.lobes.across_width, others.layers = dull.lobes.layers, others.inner = dull.lobes.inner,

@@ -105,6 +105,46 @@ TEST_F(SlowEditsTest, WhatWasPaintedMeanwhileWins) {
   EXPECT_EQ(document().now(), painted);
 }
 
+TEST_F(SlowEditsTest, WhatAgreesWithTheDraftAsItIsNowIsAppliedToIt) {
+  SlowEdit edit = slow("Anni");
+  edit.onto = [](Design now, const Design& before, const Design& made) -> std::optional<Design> {
+    if (now.author != before.author) return std::nullopt;
+    now.author = made.author;
+    return now;
+  };
+  hold_up();
+  edits_.start(edit);
+  session_.commit(titled("painted"), 7);
+  EXPECT_TRUE(proceed().edited);
+  EXPECT_EQ(document().now().title, "painted");
+  EXPECT_EQ(document().now().author, "Anni");
+  session_.undo();
+  EXPECT_EQ(document().now().author, "");
+  EXPECT_EQ(document().now().title, "painted");
+  hold_up();
+  edits_.start(edit);
+  session_.commit({"Author",
+                   [](Design d) {
+                     d.author = "Gunta";
+                     return d;
+                   }},
+                  8);
+  const SlowEdits::Outcome outcome = proceed();
+  EXPECT_NE(outcome.said.find("changed meanwhile"), std::string::npos) << outcome.said;
+  EXPECT_EQ(document().now().author, "Gunta");
+}
+
+TEST_F(SlowEditsTest, AProblemIsSaid) {
+  SlowEdit edit = slow("Anni");
+  edit.apply = [](Design, const base::TaskProgress&) -> base::Result<Design> {
+    return base::failure(base::ErrorKind::kInput, "nobody knows");
+  };
+  hold_up();
+  edits_.start(edit);
+  EXPECT_EQ(proceed().said, "Author: nobody knows");
+  EXPECT_EQ(document().now().author, "");
+}
+
 TEST_F(SlowEditsTest, AnUndoneEditMeanwhileIsNoChange) {
   hold_up();
   edits_.start(slow("Anni"));

@@ -17,7 +17,7 @@ namespace {
 
 /// The keys of a yarn, for the numbers that are always set.
 std::vector<std::string> yarn_keys() {
-  std::vector<std::string> keys{"Name", "Twist", kPliesFacts.key, "Tint", "Metallic"};
+  std::vector<std::string> keys{"Name", "Made Of", "Cross-section", "Twist", kPliesFacts.key, "Tint", "Metallic"};
   for (const auto& field : kYarnFields)
     if (!field.facts.optional) keys.emplace_back(field.facts.key);
   for (const auto& field : kLobeFields) keys.emplace_back(field.facts.key);
@@ -69,12 +69,13 @@ TEST(Defaults, AFileOfAnotherProgramGetsNoYarns) {
 TEST(Defaults, APresetLeavesThemOut) {
   const Design design = in_two_yarns();
   const std::string bytes = write_preset_wif(design);
-  EXPECT_EQ(
-      bytes.substr(bytes.find("[PRIVATE WEFTLIGHT YARNS]")),
-      "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=2\r\n1 Name=Cotton\r\n2 Name=Wool\r\n2 Diameter=0.7\r\n2 Fuzz=0.3\r\n\r\n"
-      "[PRIVATE WEFTLIGHT WEFT YARNS]\r\n2=2\r\n\r\n"
-      "[PRIVATE WEFTLIGHT LOOK]\r\nExposure=0.5\r\n\r\n"
-      "[PRIVATE WEFTLIGHT SCENE]\r\nMesh=skirt\r\nView Distance=2\r\n");
+  EXPECT_EQ(bytes.substr(bytes.find("[PRIVATE WEFTLIGHT YARNS]")),
+            "[PRIVATE WEFTLIGHT YARNS]\r\nYarns=2\r\n1 Name=Cotton\r\n1 Made Of=Cotton\r\n1 Cross-section=Bean\r\n2 "
+            "Name=Wool\r\n2 Made Of=Cotton\r\n2 "
+            "Cross-section=Bean\r\n2 Diameter=0.7\r\n2 Fuzz=0.3\r\n\r\n"
+            "[PRIVATE WEFTLIGHT WEFT YARNS]\r\n2=2\r\n\r\n"
+            "[PRIVATE WEFTLIGHT LOOK]\r\nExposure=0.5\r\n\r\n"
+            "[PRIVATE WEFTLIGHT SCENE]\r\nMesh=skirt\r\nView Distance=2\r\n");
   EXPECT_EQ(opened(bytes).design, design);
   expect_every_key(write_new_wif(opened(bytes).design), 2);
 }

@@ -26,10 +26,11 @@ vec4 response_at(int table, int system, vec3 l, vec3 v) {
 Reflected far_field_of(Side side, Lights x, int which, vec2 slopes, vec3 color) {
   int system = side.face * 2 + which;
   SystemData data = cloth.systems[system];
-  vec2 d = vec2(textureLod(slopes_map, vec2(slopes.x, (float(system) * 2.0 + 0.5) / 8.0), 0.0).r,
-                textureLod(slopes_map, vec2(slopes.y, (float(system) * 2.0 + 1.5) / 8.0), 0.0).r);
+  const float edge = 0.5 / float(RESPONSE_SLOPES);  // between the tables of two systems
+  float d = textureLod(slopes_map, vec2(slopes.x, (float(system) + clamp(slopes.y, edge, 1.0 - edge)) / 4.0), 0.0).r;
   YarnLobes y = yarn_of(data.yarn, color);
   vec4 reflected = response_at(0, system, x.l, x.v);
+  if (x.l.z > 0.0) reflected.y = mirror_of(reflected.y);
   return system_radiance(y, reflected, d, data.fraction, view_table(side.face, 1 + which, x.v), x.l, x.v);
 }
 

@@ -113,15 +113,21 @@ FORMULA vec2 half_slopes(vec3 l, vec3 v) {
   return vec2((l.x + v.x) / z, (l.y + v.y) / z);
 }
 
-// Density of normals (1/sr) of facets with slopes h; slopes: densities of the angles of h.x and h.y.
-FORMULA float facet_density(vec2 slopes, vec2 h) {
+// Density of normals (1/sr) of facets with slopes h; slopes: density of the angles of h.x and h.y.
+FORMULA float facet_density(float slopes, vec2 h) {
   float secant2 = 1.0f + h.x * h.x + h.y * h.y;
-  return slopes.x * slopes.y / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
+  return slopes / ((1.0f + h.x * h.x) * (1.0f + h.y * h.y)) * secant2 * secant2;
 }
 
 // Added to the density of facets wherever mirrored light is divided by it, so that light which few facets mirror stays
 // finite.
 const float kFacetDensityFloor = 0.01f;
+
+// Mirrored light in the response tables: its logarithm. From node to node highlights rise and fall by factors, and half
+// way between two of them is their geometric mean; the floor keeps what is next to nothing from darkening a neighbour.
+const float kMirrorFloor = 1.0e-3f;
+FORMULA float stored_mirror(float mirror) { return log2(mirror + kMirrorFloor); }
+FORMULA float mirror_of(float stored) { return max(exp2(stored) - kMirrorFloor, 0.0f); }
 
 // Schlick's (1 - cosine)^5 averaged over a hemisphere, and the Fresnel term with it: the colour of multiple scattering.
 const float kMeanGrazing = 1.0f / 21.0f;
@@ -158,9 +164,9 @@ FORMULA vec3 key_far_field(YarnLobes y, vec4 reflected, float mirrors, vec3 l, v
 }
 
 // One thread system in the far field. reflected: its response (core/light/cloth_response.h), `transmitted` there for
-// light from behind; slopes: densities of the slope angles at half_slopes(); fraction: of the coverage at normal view;
+// light from behind; slopes: density of the slope angles at half_slopes(); fraction: of the coverage at normal view;
 // sky: its response to a uniform sky.
-FORMULA Reflected system_radiance(YarnLobes y, vec4 reflected, vec2 slopes, float fraction, vec4 sky, vec3 l, vec3 v) {
+FORMULA Reflected system_radiance(YarnLobes y, vec4 reflected, float slopes, float fraction, vec4 sky, vec3 l, vec3 v) {
   float mirrors = l.z > 0.0f ? facet_density(slopes, half_slopes(l, v)) * fraction + kFacetDensityFloor : 1.0f;
   Reflected a;
   a.key = key_far_field(y, reflected, mirrors, l, v);

@@ -56,18 +56,8 @@ glm::vec4 response_at(const SystemResponse& system, const glm::vec3& light, cons
                         (turned ? turn.high : turn.low);
     sum += weight * glm::make_vec4(&(before ? system.reflected : system.transmitted)[4 * node]);
   }
+  if (before) sum.y = formulas::mirror_of(sum.y);
   return sum;
-}
-
-float density_at(const std::array<float, kSlopeBins>& bins, float slope) {
-  const float at = std::clamp(formulas::slope_coord(slope) * kSlopeBins - 0.5f, 0.0f, kSlopeBins - 1.001f);
-  const size_t k = static_cast<size_t>(at);
-  return bins[k] + (bins[k + 1] - bins[k]) * (at - static_cast<float>(k));
-}
-
-float closed_form(const FacetSlopes& slopes, float fraction, const glm::vec3& l, const glm::vec3& v) {
-  const formulas::vec2 h = formulas::half_slopes(l, v);
-  return fraction * formulas::facet_density({density_at(slopes[0], h.x), density_at(slopes[1], h.y)}, h);
 }
 
 }  // namespace weftlight::light

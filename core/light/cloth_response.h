@@ -7,22 +7,18 @@
 #include <vector>
 
 #include "cloth/maps.h"
+#include "light/facet_slopes.h"
 #include "light/thread_samples.h"
 
 namespace weftlight::light {
 
 using cloth::Linear;
 
-inline constexpr int kSlopeBins = RESPONSE_SLOPES;  // uniform in the slope's angle, -90 to 90 degrees
-
-// Density of the facets' slope angles along x and y, including micro-slopes; integral 1.
-using FacetSlopes = std::array<std::array<float, kSlopeBins>, 2>;
-
 struct SystemResponse {
   // RGBA of [view][light]: body (to be multiplied by the thread's colour); mirrored light over its closed form
-  // (facet_density() of shaders/methods.glsl times the fraction, plus kFacetDensityFloor); fuzz (to be multiplied by
-  // its colour); multiple scattering of facets (by mean_fresnel() there). Directions: light/thread_samples.h. Relative
-  // to all visible cloth.
+  // (facet_density() of shaders/methods.glsl times the fraction, plus kFacetDensityFloor), as stored_mirror() there;
+  // fuzz (to be multiplied by its colour); multiple scattering of facets (by mean_fresnel() there). Directions:
+  // light/thread_samples.h. Relative to all visible cloth.
   std::vector<float> reflected;
   // The same for [view][light from behind] (thread_samples.h), through the threads or onto their sides: body includes
   // transmission, mirrored light is not divided by a closed form. Most of this light is stopped by other threads.
@@ -37,9 +33,9 @@ struct SystemResponse {
   FacetMoments facets{};         // from the maps, visible from above
   std::vector<float> seen;       // [view]: its fraction of the visible cloth
   std::vector<float> height_mm;  // [view]: mean height of the visible surface
-  FacetSlopes slopes{};
-  float fraction = 0;  // of the coverage at normal view, by rays; both systems sum to 1
-  Linear colour;       // mean of the maps, with grooves
+  FacetSlopes slopes;            // of those visible from above
+  float fraction = 0;            // of the coverage at normal view, by rays; both systems sum to 1
+  Linear colour;                 // mean of the maps, with grooves
 };
 
 /// Index 0 warp, 1 weft. Mean colours and facets come from the maps; everything else is measured at `samples` surface
@@ -71,11 +67,5 @@ ViewNodes view_nodes(const glm::vec3& view);
 /// Reflected light (from behind: transmitted) between the nodes of light and view, as response_at() of
 /// shaders/method_repeat.glsl.
 glm::vec4 response_at(const SystemResponse& system, const glm::vec3& light, const glm::vec3& view);
-
-/// Density of a slope's angle along one axis, interpolated between bins as a texture unit does.
-float density_at(const std::array<float, kSlopeBins>& bins, float slope);
-/// Density (1/sr) of the facets of a system that mirror light from `l` to `v`, by the product of slope densities that
-/// the renderer uses. fraction: of the coverage.
-float closed_form(const FacetSlopes& slopes, float fraction, const glm::vec3& l, const glm::vec3& v);
 
 }  // namespace weftlight::light

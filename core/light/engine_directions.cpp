@@ -70,9 +70,8 @@ glm::vec3 FarRadiance::at(const glm::vec3& light, const glm::vec3& view) const {
   glm::vec3 sum(0);
   for (size_t s = 0; s < 2; ++s) {
     const SystemResponse& system = response_.systems[s];
-    const glm::vec2 slopes{density_at(system.slopes[0], h.x), density_at(system.slopes[1], h.y)};
-    sum += formulas::system_radiance(yarns_[s], response_at(system, light, view), slopes, system.fraction, glm::vec4(0),
-                                     light, view)
+    sum += formulas::system_radiance(yarns_[s], response_at(system, light, view), density_at(system.slopes, h),
+                                     system.fraction, glm::vec4(0), light, view)
                .key;
   }
   return sum;

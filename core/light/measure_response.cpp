@@ -31,7 +31,8 @@ constexpr float kDark = 1e-4f;           // radiance below which the gradient is
 constexpr float kEvenWeave = 0.02f;      // relative variance of the coverage around below which it says nothing
 constexpr int kTransmissionSamples = 4;  // for each reflection sample: few of them are both visible and lit
 constexpr size_t kCoarseTexels = 16, kMinCoarse = 128, kMaxCoarse = 768;  // across a thread, along a side
-constexpr int kMeanTexels = 512;                                          // texels a side of the map, for plain means
+constexpr size_t kMaxSlopeSamples = 4096;
+constexpr int kMeanTexels = 512;  // texels a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;
@@ -251,25 +252,6 @@ void add_views_fast(std::array<Sums, 2>& sums, const std::vector<Point>& points,
   platform::with_widest_vectors([&] { add_views(sums, points, grazing, elevation); });
 }
 
-void spread_slope(std::array<float, kSlopeBins>& bins, float slope, float sigma, float weight) {
-  const float middle = std::atan(slope), deviation = std::max(std::atan(sigma), 0.5f * kPi / kSlopeBins);
-  const float step = kPi / kSlopeBins;
-  std::array<float, kSlopeBins> bell;
-  float sum = 0;
-  for (int b = 0; b < kSlopeBins; ++b) {
-    const float z = ((static_cast<float>(b) + 0.5f) * step - 0.5f * kPi - middle) / deviation;
-    sum += bell[static_cast<size_t>(b)] = std::exp(-0.5f * std::min(z * z, 60.0f));
-  }
-  for (size_t b = 0; b < kSlopeBins; ++b) bins[b] += weight * bell[b] / (std::max(sum, 1e-20f) * step);
-}
-
-void add_slopes(FacetSlopes& slopes, const glm::vec3& n, const glm::vec3& fibre, glm::vec2 widths2, float weight) {
-  const glm::vec3 t = fibre - n * glm::dot(n, fibre);
-  const float c2 = t.x * t.x / std::max(t.x * t.x + t.y * t.y, 1e-6f), z = std::max(n.z, 1e-3f);
-  spread_slope(slopes[0], n.x / z, std::sqrt(widths2.x * c2 + widths2.y * (1 - c2)), weight);
-  spread_slope(slopes[1], n.y / z, std::sqrt(widths2.x * (1 - c2) + widths2.y * c2), weight);
-}
-
 /// Means over the whole map: without directions many more texels are affordable.
 void measure_means(ClothResponse& out, const Maps& maps) {
   const int step_x = std::max(1, maps.coverage.width / kMeanTexels),
@@ -299,25 +281,15 @@ void measure_means(ClothResponse& out, const Maps& maps) {
   out.sky /= std::max(all, 1e-9f);
 }
 
-/// Normalises to a density.
-void finish(FacetSlopes& slopes) {
-  for (auto& axis : slopes) {
-    float sum = 0;
-    for (const float v : axis) sum += v;
-    for (float& v : axis) v *= kSlopeBins / (kPi * std::max(sum, 1e-9f));
-  }
-}
-
 using Moments = FacetMoments;
 
-/// Slopes, moments and fractions of what is visible from above. A texel of a map belongs to one system: where the gaps
+/// Moments and fractions of what is visible from above. A texel of a map belongs to one system: where the gaps
 /// between threads are narrower than texels, fractions from the map are off by a quarter.
 std::array<Moments, 2> measure_top(ClothResponse& out, const ThreadSamples& threads) {
   std::array<Moments, 2> sums{};
   std::array<float, 2> seen{};
   for (const TopSample& p : threads.top) {
     const size_t s = static_cast<size_t>(p.system);
-    add_slopes(out.systems[s].slopes, p.normal, p.fibre, p.widths2, 1);
     const Moments m = facet_moments(p.normal);
     for (size_t k = 0; k < kFacetMoments; ++k) sums[s][k] += m[k];
     seen[s] += 1;
@@ -404,17 +376,26 @@ std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std
   return points;
 }
 
+/// Of what is visible from above, one in so many that the slopes are not what takes time.
+std::array<FacetSlopes, 2> slopes_of(const std::vector<TopSample>& samples) {
+  std::array<std::vector<FacetsAround>, 2> facets;
+  const size_t step = samples.size() / kMaxSlopeSamples + 1;
+  for (size_t i = 0; i < samples.size(); i += step) {
+    const TopSample& p = samples[i];
+    facets[static_cast<size_t>(p.system)].push_back({1, p.normal, p.fibre, {p.widths2.x, 0, p.widths2.y}});
+  }
+  return {facet_slopes(facets[0]), facet_slopes(facets[1])};
+}
+
 /// Mirrored light is measured at few samples, so it is divided by the slopes of just these; the shader multiplies by
 /// those of many.
 std::array<FacetSlopes, 2> slopes_of(const std::vector<ThreadSample>& samples) {
-  std::array<FacetSlopes, 2> out{};
+  std::array<std::vector<FacetsAround>, 2> facets;
   for (const ThreadSample& p : samples) {
     const float weight = p.area * std::max(p.side.z, 0.0f) * p.open[kV - 1];
-    const glm::vec3& cov = p.lobes.slope_cov;
-    if (weight > 0) add_slopes(out[static_cast<size_t>(p.system)], p.normal, p.fibre, {cov.x, cov.z}, weight);
+    facets[static_cast<size_t>(p.system)].push_back({weight, p.normal, p.fibre, p.lobes.slope_cov});
   }
-  for (FacetSlopes& slopes : out) finish(slopes);
-  return out;
+  return {facet_slopes(facets[0]), facet_slopes(facets[1])};
 }
 
 /// few: slopes of the samples that the sums are of.
@@ -429,7 +410,8 @@ void write_tables(ClothResponse& out, const std::array<Sums, 2>& sums, const std
         const size_t at = v * kL + i;
         const float density = closed_form(few[s], system.fraction, w[view_of_light(i)], w[v]);
         system.reflected[4 * at] = radiance.body[at] / seen;
-        system.reflected[4 * at + 1] = radiance.mirror[at] / (seen * (density + formulas::kFacetDensityFloor));
+        system.reflected[4 * at + 1] =
+            formulas::stored_mirror(radiance.mirror[at] / (seen * (density + formulas::kFacetDensityFloor)));
         system.reflected[4 * at + 2] = radiance.fuzz[at] / seen;
         system.reflected[4 * at + 3] = radiance.multiple[at] / seen;
       }
@@ -470,10 +452,11 @@ ClothResponse measure_response(const Cloth& cloth, const Maps& maps, int samples
   for_each_job(kResponseElevations, [&](int e) { add_views_fast(sums, points, grazing, e); });
   for (Sums& s : sums) s.repeat_top();
   out.visible_rise = visible_rises(sums, threads);
+  std::array<FacetSlopes, 2> slopes = slopes_of(threads.top);
   std::array<float, 2> scale{};
   for (size_t s = 0; s < 2; ++s) {
+    out.systems[s].slopes = std::move(slopes[s]);
     scale[s] = finish_system(out.systems[s], sums[s], points, static_cast<int>(s), moments[s]);
-    finish(out.systems[s].slopes);
   }
   write_tables(out, sums, slopes_of(threads.samples), w);
   PerView seen;

@@ -106,7 +106,7 @@ glm::vec3 under_even_sky(const light::SystemResponse& system, const formulas::Ya
   for (size_t v = 0; v < kViews.size(); ++v) {
     const float mu = kViews[v].z, weight = mu * std::sqrt(mu);  // nodes lie evenly by the root of mu
     const glm::vec4 sky = glm::make_vec4(&system.sky[4 * v]);
-    const auto radiance = formulas::system_radiance(yarn, glm::vec4(0), {0, 0}, 0, sky, {0, 0, 1}, kViews[v]);
+    const auto radiance = formulas::system_radiance(yarn, glm::vec4(0), 0, 0, sky, {0, 0, 1}, kViews[v]);
     sum += weight * (radiance.diffuse + radiance.glossy), seen += weight * system.seen[v];
   }
   return sum / seen;

@@ -49,9 +49,8 @@ glm::vec3 far_field_radiance(const FarField& field, const glm::vec3& light, cons
   for (size_t s = 0; s < 2; ++s) {
     const interop::SystemData& data = field.numbers.systems[s];
     const SystemResponse& system = field.response.systems[s];
-    const formulas::vec2 slopes(density_at(system.slopes[0], h.x), density_at(system.slopes[1], h.y));
-    sum += formulas::system_radiance(yarn_of(data), response_at(system, light, view), slopes, data.fraction,
-                                     glm::vec4(0), light, view)
+    sum += formulas::system_radiance(yarn_of(data), response_at(system, light, view), density_at(system.slopes, h),
+                                     data.fraction, glm::vec4(0), light, view)
                .key;
   }
   return sum * cover_along(field.numbers, view);
@@ -70,7 +69,7 @@ glm::vec3 far_field_sky_radiance(const FarField& field, const glm::vec3& view, f
     for (size_t k = 0; k < 4; ++k)
       sky += views.weight[k] * glm::make_vec4(&field.response.systems[s].sky[4 * views.at[k]]);
     const auto radiance =
-        formulas::system_radiance(yarn_of(field.numbers.systems[s]), glm::vec4(0), {0, 0}, 0, sky, {0, 0, 1}, view);
+        formulas::system_radiance(yarn_of(field.numbers.systems[s]), glm::vec4(0), 0, 0, sky, {0, 0, 1}, view);
     diffuse += radiance.diffuse, glossy += radiance.glossy;
   }
   return (diffuse * (even + glm::dot(rise, from_diffuse)) + glossy * (even + glm::dot(rise, from_glossy))) *

@@ -66,7 +66,7 @@ struct ResponseTables {
   // [view]: [face * 2 + system][elevation][reflected, gradient][azimuth of the light], then for light from behind
   // [face * 2 + system][elevation][azimuth]
   std::vector<glm::vec4> reflected;
-  std::vector<float> slopes;  // [face * 2 + system][axis][slope]: density of the facets' slope angles
+  std::vector<float> slopes;  // [face * 2 + system][y][x]: density of the facets' slope angles
   // [face][table][elevation][azimuth]: visible fraction of the warp, its rise, mean heights of both; reflected light
   // of a uniform sky by system; its mean directions (response_block.cpp)
   std::vector<glm::vec4> views;

@@ -10,7 +10,7 @@
 namespace weftlight::render_data {
 
 using base::for_each_job;
-using light::ClothResponse, light::SystemResponse, light::kResponseLights, light::kResponseViews,
+using light::ClothResponse, light::SystemResponse, light::kResponseLights, light::kResponseViews, light::kSlopeBins,
     light::kTransmissionElevations, light::kTransmissionLights, light::measure_response, light::response_views;
 
 namespace {
@@ -64,7 +64,8 @@ std::vector<float> slopes_of(const Faces& faces) {
   std::vector<float> out;
   for (const ClothResponse& face : faces) {
     for (const SystemResponse& system : face.systems) {
-      for (const auto& axis : system.slopes) out.insert(out.end(), axis.begin(), axis.end());
+      out.insert(out.end(), system.slopes.begin(), system.slopes.end());
+      out.resize(out.size() + kSlopeBins * kSlopeBins - system.slopes.size());  // a system without threads
     }
   }
   return out;

@@ -18,7 +18,7 @@ using light::kLightAzimuths, light::kResponseElevations, light::kResponseSamples
 inline constexpr int kReflectionWidth = kLightAzimuths + 1, kViewTableWidth = kViewAzimuths + 1;
 inline constexpr int kResponseWidth = RESPONSE_WIDTH, kResponseHeight = RESPONSE_HEIGHT;
 static_assert(2 * kReflectionWidth <= kResponseWidth && kTransmissionAzimuths + 1 <= kResponseWidth);
-inline constexpr int kSlopeRows = 8;  // (face * 2 + system) * 2 + axis
+inline constexpr int kSlopeRows = 4 * light::kSlopeBins;  // (face * 2 + system) * bins + angle along y
 inline constexpr int kViewTableHeight = VIEW_TABLES * kResponseElevations;
 
 /// Yarns a pixel from which on the packed colour of the face is uniform to 2 percent.

@@ -292,7 +292,7 @@ constexpr const char* kMethodMain = R"(
   vec4 e = given(7);
   if (row == 0) result = vec4(facet_radiance(y, normalize(vec3(e.xy - 0.5, 1.0)), 0.9, vec3(1.0, e.z, 0.0), vec3(e.x, 0.0, e.y), l, v).key, 0.0);
   if (row == 1) result = vec4(facet_radiance(y, vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0, 1.0, 0.0), vec3(0.0), l, v).diffuse, 0.0);
-  if (row == 2) result = vec4(system_radiance(y, e, vec2(0.5 + e.x, 0.5 + e.y), e.z, d, l, v).key, 0.0);
+  if (row == 2) result = vec4(system_radiance(y, e, 0.5 + e.x, e.z, d, l, v).key, 0.0);
   if (row == 3) result = vec4(response_coord(v), half_slopes(l, v));
   if (row == 4) {
     EngineMaterial m = EngineMaterial(color, data.tint.w, color * e.x, 0.1 + e.y, vec2(0.1 + e.z, 0.1 + e.w), vec3(0.5 + e.x, 0.4 + e.y, 0.3), 0.9 - 0.5 * e.y, e.x);
@@ -329,7 +329,7 @@ vec4 method_on_cpu(const MethodCase& given, int row) {
     case 1:
       return {facet_radiance(y, vec3(0, 0, 1), 1, vec3(0, 1, 0), vec3(0), l, v).diffuse, 0};
     case 2:
-      return {system_radiance(y, e, {0.5f + e.x, 0.5f + e.y}, e.z, given[5], l, v).key, 0};
+      return {system_radiance(y, e, 0.5f + e.x, e.z, given[5], l, v).key, 0};
     case 3:
       return {response_coord(v), half_slopes(l, v)};
     case 4: {

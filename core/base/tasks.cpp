@@ -34,11 +34,17 @@ TaskRunner::~TaskRunner() {
     if (state_->running && state_->running->task.may_be_left) leave_running();
   }
   if (thread_.joinable()) thread_.join();
-  // Results hold what belongs to their taker, and wake() may not be there any more.
-  std::deque<Result> dropped;
+  // Results hold what belongs to their taker, and wake() may not be there any more. One by one, without the lock and
+  // without another list, which would take memory.
   std::unique_lock lock(state_->mutex);
   state_->changed.wait(lock, [this] { return state_->waking == 0; });
-  dropped.swap(state_->results);
+  while (!state_->results.empty()) {
+    Result dropped = std::move(state_->results.front());
+    state_->results.pop_front();
+    lock.unlock();
+    dropped = {};
+    lock.lock();
+  }
 }
 
 void TaskRunner::start(Task task) {

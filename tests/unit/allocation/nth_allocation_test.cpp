@@ -9,11 +9,13 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 
 #include "../scarce_memory.h"
 #include "../scratch_fixture.h"
 #include "base/caught.h"
 #include "base/json.h"
+#include "base/tasks.h"
 #include "cloth/cloth.h"
 #include "cloth/maps.h"
 #include "design/edits.h"
@@ -224,6 +226,28 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
     nothing_beside(n);
   }
   EXPECT_GT(failures, kFailures / 2) << "what fails at an allocation that is not needed may go on";
+}
+
+// A destructor that throws ends the program.
+TEST(NthAllocation, ARunnerOfTasksEndsWithoutMemory) {
+  int dropped = 0;
+  {
+    auto runner = std::make_unique<base::TaskRunner>();
+    const std::shared_ptr<int> held(new int(1), [&dropped](const int* one) {
+      delete one;
+      ++dropped;
+    });
+    base::Task task;
+    task.work = [held](const base::RunningTask& running) {
+      for (int i = 0; i < 3; ++i) running.deliver([held] {});
+    };
+    runner->start(std::move(task));
+    runner->wait();
+    const NthFails fails(1);
+    runner.reset();
+    EXPECT_FALSE(NthFails::failed()) << "it asked for memory";
+  }
+  EXPECT_EQ(dropped, 1) << "results hold it no longer";
 }
 
 }  // namespace

@@ -228,6 +228,12 @@ MaybeEdit draw_optics(Panel& c, Yarn& yarn, Rgb colour) {
   const float width = ImGui::GetContentRegionAvail().x;
   // The plot is drawn last, so that it shows the new values of the sliders.
   ImGui::Dummy({width, lobes_plot_height(c, width) + ImGui::GetStyle().ItemSpacing.y});
+  ImGui::BeginDisabled(yarn.lobes.metallic);
+  if (text_button(c, "yarn.optics_from_fibres", tr("Trace the fibres"),
+                  tr("Traces the fibres of this yarn and fits roughness across, fibre layers, internal scattering and "
+                     "the diffuse part to them; takes about a minute, in which you can go on")))
+    c.wanted.add_action("yarns.optics_from_fibres");
+  ImGui::EndDisabled();
   MaybeEdit edit;
   for (const YarnField<Yarn>& field : kYarnFields)
     if (field.facts.optics && draw_field(c, field, yarn)) edit = changed(c.view.yarn, yarn, field.facts.label);
@@ -237,12 +243,6 @@ MaybeEdit draw_optics(Panel& c, Yarn& yarn, Rgb colour) {
       tr("For Lurex and metal threads: the highlight has the colour of the thread, and there is no diffuse body"));
   if (ImGui::Checkbox("##metallic", &yarn.lobes.metallic)) edit = changed(c.view.yarn, yarn, mark("Metallic"));
   c.map.add_item("yarn.metallic");
-  ImGui::BeginDisabled(yarn.lobes.metallic);
-  if (text_button(c, "yarn.optics_from_fibres", tr("Trace the fibres"),
-                  tr("Traces the fibres of this yarn and fits roughness across, fibre layers, internal scattering and "
-                     "the diffuse part to them; takes about a minute, in which you can go on")))
-    c.wanted.add_action("yarns.optics_from_fibres");
-  ImGui::EndDisabled();
   const ImVec2 after = ImGui::GetCursorPos();
   ImGui::SetCursorPos(plot);
   draw_lobes_plot(c, yarn.lobes, colour);

@@ -107,7 +107,7 @@ TEST(EngineFit, ARoundHighlightSendsAsMuchAsTheBandOfASatin) {
   const Measured m = measured(shining_satin());
   // A round highlight cannot be a band: that is most of the error.
   expect_no_worse(m, {formulas::kSheenNone, 1, false, false}, {0.098, 0.368, 0.145, 0.471}, "satin, Unity HDRP");
-  expect_no_worse(m, kModels[3], {0.073, 0.378, 0.090, 0.482}, "satin, Unreal");
+  expect_no_worse(m, kModels[3], {0.090, 0.378, 0.113, 0.482}, "satin, Unreal");
 }
 
 TEST(EngineFit, WhatAnEngineCannotSetStays) {

@@ -110,10 +110,9 @@ Design linen_plain() {
 Design crepe_de_chine() {
   const Rgb gold = dye(0.23f, 0.243f, 0.0039f);
   Yarn warp = boiled_off(fitted("Silk", "Raw silk", "66 den", 0.092f, 0.35f, 67));
-  warp.lobes.along_width = 0.082f, warp.lobes.across_width = 0.155f, warp.lobes.layers = 9.4f, warp.lobes.inner = 0.48f;
+  warp.lobes.along_width = 0.077f, warp.lobes.across_width = 0.08f, warp.lobes.layers = 8.2f, warp.lobes.inner = 0.51f;
   Yarn weft = boiled_off(fitted("Silk", "Crepe silk", "66 den", 0.09f, 0.99f, 1075));
-  weft.lobes.along_width = 0.244f, weft.lobes.across_width = 0.171f, weft.lobes.layers = 4.7f,
-  weft.lobes.inner = 0.164f;
+  weft.lobes.along_width = 0.23f, weft.lobes.across_width = 0.3f, weft.lobes.layers = 5, weft.lobes.inner = 0.25f;
   return titled(worn(measured(plain({16, 16}), gold, gold, warp, weft, 0.13f, 0.28f), "skirt", 15, 12),
                 "Silk crepe de chine, measured",
                 {"Plain weave, flat warp over hard-twisted weft, 77 by 36 a centimetre (Sadeghi and others 2013)."});

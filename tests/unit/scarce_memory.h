@@ -16,6 +16,8 @@ class Scarce {
   Scarce& operator=(const Scarce&) = delete;
 };
 
+// Calls from within tinygltf never fail and are not counted by the two below: see scarce_memory.cpp.
+
 /// While it stands, the nth call of operator new by this thread from here on fails; n counts from 1.
 class NthFails {
  public:

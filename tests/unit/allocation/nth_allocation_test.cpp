@@ -229,7 +229,7 @@ TEST_F(NthAllocation, AnExportFailsOrIsWhole) {
 }
 
 // A destructor that throws ends the program.
-TEST(NthAllocation, ARunnerOfTasksEndsWithoutMemory) {
+TEST_F(NthAllocation, ARunnerOfTasksEndsWithoutMemory) {
   int dropped = 0;
   {
     auto runner = std::make_unique<base::TaskRunner>();

@@ -31,8 +31,8 @@ constexpr float kDark = 1e-4f;           // radiance below which the gradient is
 constexpr float kEvenWeave = 0.02f;      // relative variance of the coverage around below which it says nothing
 constexpr int kTransmissionSamples = 4;  // for each reflection sample: few of them are both visible and lit
 constexpr size_t kCoarseTexels = 16, kMinCoarse = 128, kMaxCoarse = 768;  // across a thread, along a side
-constexpr size_t kMaxSlopeSamples = 4096;
-constexpr int kMeanTexels = 512;  // texels a side of the map, for plain means
+constexpr size_t kMaxSlopeSamples = 4096;                                 // at most, of those seen from above
+constexpr int kMeanTexels = 512;                                          // texels a side of the map, for plain means
 
 using PerView = std::array<float, kV>;
 using PerLight = std::array<float, kL>;

@@ -189,9 +189,8 @@ TEST_F(FarFields, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
   }
 }
 
-// From every side, between the nodes: root mean square of the relative error. With independent slopes along x and y and
-// linear interpolation it was a fifth more (docs/decisions/highlights-between-nodes.md). Satin's weft is seen in slits
-// only, and turns with every degree of the light.
+// From every side: root mean square of the relative error (docs/decisions/highlights-between-nodes.md). Satin's weft is
+// seen in slits only, and turns with every degree of the light.
 TEST_F(FarFields, HoldsInManyDirections) {
   const std::map<std::string, double> limits{{"satin_8", 0.17}, {"twill_damask", 0.053}, {"denim", 0.072}};
   constexpr int kRays = 9;

@@ -4,14 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "design/edits.h"
+#include "design/fibre.h"
 #include "design/yarn_fields.h"
 #include "lines.h"
 #include "wif/wif.h"
 
 namespace weftlight::wif {
 
-using design::Design, design::Yarn, design::kLobeFields, design::kPliesFacts, design::kYarnFields,
-    design::with_threading;
+using design::CrossSection, design::Design, design::Fibre, design::Yarn, design::kLobeFields, design::kPliesFacts,
+    design::kYarnFields, design::with_cross_section, design::with_fibre, design::with_threading;
 
 namespace {
 
@@ -78,6 +79,39 @@ TEST(Defaults, APresetLeavesThemOut) {
             "[PRIVATE WEFTLIGHT SCENE]\r\nMesh=skirt\r\nView Distance=2\r\n");
   EXPECT_EQ(opened(bytes).design, design);
   expect_every_key(write_new_wif(opened(bytes).design), 2);
+}
+
+/// Without the lines that have this key.
+std::string without(std::string bytes, const std::string& key) {
+  for (size_t at = bytes.find(key + "="); at != std::string::npos; at = bytes.find(key + "=")) {
+    const size_t begin = bytes.rfind('\n', at) + 1;
+    bytes.erase(begin, bytes.find('\n', at) + 1 - begin);
+  }
+  return bytes;
+}
+
+TEST(Defaults, AYarnKeepsItsFibreWhateverItsOpticsAre) {
+  Design design = opened(fixture("twill.wif")).design;
+  Yarn linen = with_fibre(Yarn{}, Fibre::kLinen);
+  linen.lobes = with_fibre(Yarn{}, Fibre::kSilk).lobes;
+  design.yarns = {linen};
+  EXPECT_EQ(opened(write_new_wif(design)).design.yarns, design.yarns);
+  EXPECT_EQ(opened(write_preset_wif(design)).design.yarns, design.yarns);
+}
+
+TEST(Defaults, AFileThatNamesNoFibreIsRecognisedByItsOptics) {
+  Design design = opened(fixture("twill.wif")).design;
+  design.yarns = {with_cross_section(with_fibre(Yarn{}, Fibre::kSilk), CrossSection::kRound)};
+  const std::string named = write_new_wif(design), unnamed = without(without(named, "Made Of"), "Cross-section");
+  ASSERT_EQ(unnamed.find("Made Of"), std::string::npos);
+  EXPECT_EQ(opened(unnamed).design.yarns, design.yarns);
+  EXPECT_EQ(opened(without(named, "Cross-section")).design.yarns, design.yarns);
+  std::string odd = named;
+  odd.replace(odd.find("Made Of=Silk"), 12, "Made Of=Moss");
+  const WifRead read = read_wif(odd);
+  ASSERT_TRUE(read.file);
+  EXPECT_EQ(read.file->design.yarns, design.yarns);
+  EXPECT_FALSE(read.diagnostics.empty()) << "it says so";
 }
 
 }  // namespace

@@ -177,6 +177,7 @@ Lobes best_of(Search& search, const FibreFit& fit) {
 Result<FibreLobes> lobes_of_fibres(const Yarn& yarn, const FibreFit& fit, const TaskProgress& progress) {
   if (yarn.lobes.metallic)
     return failure(ErrorKind::kInput, tr("metallic yarn has no dye; its lobes are those of the metal"));
+  if (progress.stopped()) return failure(ErrorKind::kCancelled, tr("stopped"));
   Search search{clamped(yarn), {}, fitted_directions(), &progress};
   // As even as the yarn is on the mean, so that a swatch of a few threads is like any other.
   search.yarn.irregularity = search.yarn.unevenness = search.yarn.melange = 0;

@@ -11,6 +11,9 @@ namespace {
 constexpr int kSureFibres = 6;      // met before roulette may end a path
 constexpr float kFaint = 2e-3f;     // light from the lamp below this is looked for more rarely, at its full value
 constexpr float kLongestExit = 12;  // radii, along a ray that hardly leaves the fibre
+// Chosen with 64 samples of worsted, silk satin and linen damask: means within 1 % of those of 384 and more.
+constexpr float kSpread64 = 0.3f;
+constexpr int kWhollySpread = 12;  // fibres, after which the light is spread as far as it will be
 
 /// A point on a fibre in its own frame: x along it, y towards the side that the light leaves to.
 struct Meeting {
@@ -46,14 +49,22 @@ struct Meeting {
   }
 };
 
+/// As it scatters light to further fibres: spread by this much along it.
+formulas::FibreOptics spread(formulas::FibreOptics optics, float along) {
+  constexpr float kAroundToAlong = 3;
+  optics.along = std::min(std::hypot(optics.along, along), formulas::kMaxFibreWidth);
+  optics.across = std::hypot(optics.across, kAroundToAlong * along);
+  return optics;
+}
+
 float largest(glm::vec3 v) { return std::max({v.x, v.y, v.z}); }
 
-/// Light from the lamp by way of one fibre.
-glm::vec3 from_lamp(const FibreScene& fibres, const Meeting& at, const Surroundings& around, glm::vec3 weight,
-                    RandomStream& random) {
+/// Light from the lamp by way of one fibre of these optics.
+glm::vec3 from_lamp(const FibreScene& fibres, const Meeting& at, const formulas::FibreOptics& optics,
+                    const Surroundings& around, glm::vec3 weight, RandomStream& random) {
   const glm::vec3 towards = in_disc(around.light_towards, around.light_radius_rad, random);
-  glm::vec3 light = formulas::fibre_scatter(at.hit.optics, at.hit.offset, at.local(towards), at.out) *
-                    around.light_irradiance * weight;
+  glm::vec3 light =
+      formulas::fibre_scatter(optics, at.hit.offset, at.local(towards), at.out) * around.light_irradiance * weight;
   const float most = largest(light);
   if (!(most > 0)) return glm::vec3(0);
   if (most < kFaint) {
@@ -67,6 +78,10 @@ glm::vec3 from_lamp(const FibreScene& fibres, const Meeting& at, const Surroundi
 }
 
 }  // namespace
+
+float lamp_spread(int samples) {
+  return kSpread64 * std::pow(64.0f / static_cast<float>(std::max(samples, 1)), 1 / 6.0f);
+}
 
 bool FibreTracer::meet(glm::vec3 origin, glm::vec3 direction, float t_min, FibreHit& hit) const {
   if (!fibres_.intersect(origin, direction, t_min, hit)) return false;
@@ -84,7 +99,10 @@ PathSample FibreTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min
   glm::vec3 weight(1);
   for (int met = 0; met < kMaxFibres; ++met) {
     const Meeting at(hit, direction);
-    if (lamp) traced.radiance += from_lamp(fibres_, at, around, weight, random);
+    if (lamp) {
+      const float further = spread_ * static_cast<float>(std::min(met, kWhollySpread)) / kWhollySpread;
+      traced.radiance += from_lamp(fibres_, at, spread(hit.optics, further), around, weight, random);
+    }
     const float a = random.next(), b = random.next(), c = random.next();
     const glm::vec3 in = formulas::fibre_sample(hit.optics, hit.offset, at.out, {a, b, c, random.next()});
     const float density = in == glm::vec3(0) ? 0 : formulas::fibre_density(hit.optics, hit.offset, in, at.out);

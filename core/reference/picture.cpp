@@ -228,7 +228,7 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
 
 TracedImage trace_drape(const FibreScene& fibres, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress) {
-  const FibreTracer tracer(fibres);
+  const FibreTracer tracer(fibres, {}, lamp_spread(picture.first_sample + picture.spp));
   const TraceRay trace_ray = ray_among(tracer);
   return trace_pixels({trace_ray, cloth, body, picture, fibres.thickness_mm(), pixel_angle(picture)}, picture,
                       progress);

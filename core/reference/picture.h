@@ -51,7 +51,8 @@ struct DrapePicture {
 TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress);
 
-/// The same with the cloth's fibres, without a limit on bounces (fibre_trace.h).
+/// The same with the cloth's fibres, without a limit on bounces; the lamp's light is spread as lamp_spread() says
+/// (fibre_trace.h).
 TracedImage trace_drape(const FibreScene& fibres, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress);
 

@@ -148,6 +148,40 @@ TEST(FibreScene, ClearFibresInAWhiteFurnaceAreWhite) {
   EXPECT_NEAR(light / met, 1, 0.01);
 }
 
+struct Seen {
+  double mean = 0, variance = 0;
+};
+Seen seen_from_above(const FibreTracer& tracer, float width_mm) {
+  constexpr int kRays = 12'000;
+  Surroundings lamp;
+  lamp.light_towards = direction(0.5, 0.7);
+  lamp.light_radius_rad = 0.03f;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kRays; ++i) {
+    RandomStream random(static_cast<uint64_t>(i));  // so that tracers meet the same fibres
+    const glm::vec3 from(width_mm * random.next(), width_mm * random.next(), 10);
+    const auto light = static_cast<double>(tracer.trace(from, {0, 0, -1}, 0, lamp, random).radiance.g);
+    sum += light, squares += light * light;
+  }
+  const double mean = sum / kRays;
+  return {mean, squares / kRays - mean * mean};
+}
+
+TEST(FibreScene, SpreadLampsLeaveTheMeanAndHalveTheGrain) {
+  double variances = 0;
+  for (const size_t preset : {kLinen, kSilk}) {
+    const Cloth cloth = plain(yarn_presets()[preset]);
+    const auto scene = fibres_of(cloth, whole(cloth));
+    const Seen truth = seen_from_above(FibreTracer(*scene), cloth.width_mm),
+               spread = seen_from_above(FibreTracer(*scene, {}, lamp_spread(64)), cloth.width_mm);
+    EXPECT_NEAR(spread.mean / truth.mean, 1, 0.05) << cloth.yarns[0].name;
+    variances += spread.variance / truth.variance / 2;
+  }
+  EXPECT_LT(variances, 0.55);
+  EXPECT_LT(lamp_spread(4096), 0.51f * lamp_spread(64));
+  EXPECT_EQ(lamp_spread(0), lamp_spread(1));
+}
+
 TEST(FibreScene, FibresLieInTheThreadsOfTheTubes) {
   for (const size_t preset : {kCotton, kPolyester}) {
     Yarn yarn = yarn_presets()[preset];

@@ -66,7 +66,7 @@ class CrashReportTest : public testing::Test {
   fs::path root_, folder_;
 };
 
-volatile int* nowhere = nullptr;
+volatile int* volatile nowhere = nullptr;
 void touch_nothing() { *nowhere = 1; }
 
 int run_over(int depth) {

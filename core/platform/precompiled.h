@@ -1,6 +1,6 @@
 #pragma once
-// What most files include from other libraries, read once for many files (weftlight_precompile). A file still names what it
-// uses: without WEFTLIGHT_PRECOMPILE, as for Windows, nothing else brings it.
+// What most files include from other libraries, read once for many files (weftlight_precompile). A file still names
+// what it uses: without WEFTLIGHT_PRECOMPILE, as for Windows, nothing else brings it.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -18,7 +18,7 @@ namespace weftlight::reference {
 inline constexpr int kMaxFibres = 512;
 
 /// How far the lamp's light is spread in a picture of so many samples a pixel, radians: the mean error of a picture is
-/// no larger for it, the grain is half, and with more samples it becomes the truth.
+/// no larger for it, its variance is about half, and with more samples it becomes the truth.
 float lamp_spread(int samples);
 
 class FibreTracer {

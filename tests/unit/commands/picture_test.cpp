@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -202,6 +203,8 @@ TEST_F(Pictures, every_lighting_preset_looks_different) {
     const Image image = setup.renderer->read_back(true);
     std::array<double, 2> mean{};
     for (size_t i = 0; i + 3 < image.texels.size(); i += 4) {
+      for (size_t c = 0; c < 4; ++c)
+        ASSERT_TRUE(std::isfinite(image.texels[i + c])) << lights.id << ", pixel " << i / 4 << ", channel " << c;
       mean[0] += static_cast<double>(image.texels[i]), mean[1] += static_cast<double>(image.texels[i + 2]);
     }
     for (double& m : mean) m /= static_cast<double>(o.width * o.height);

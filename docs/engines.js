@@ -1,5 +1,5 @@
 // node engines.js WEFTLIGHT THREE_FOLDER CHROMIUM BLENDER DRAFT OUT, for docs/make_engines.sh. Renders the cloth of a draft over a
-// ball in the preview, the reference, three.js and Blender, each as a .png in OUT, with the same mesh, view, light and sky.
+// ball in the preview, the reference, three.js, Cycles and EEVEE, each as a .png in OUT, with the same mesh, view, light and sky.
 'use strict';
 const fs = require('fs');
 const path = require('path');
@@ -55,7 +55,7 @@ async function main([weftlight, three, chromium, blender, draft, out]) {
   const look = ['--mesh', kMesh, '--view', String(kView), '--environment', environment, '--surroundings', '--exposure', '0', '--size', `${kWidth}x${kHeight}`];
   run('render', draft, '-o', path.join(work, 'preview.png'), ...look);
   run('reference', draft, '-o', path.join(work, 'reference.png'), ...look, '--spp', '96');
-  run('export', draft, '--target', 'gltf,blender', '--mesh', kMesh, '--size', '512', '--name', '{target}', '-o', work);
+  run('export', draft, '--target', 'gltf,blender,eevee', '--mesh', kMesh, '--size', '512', '--name', '{target}', '-o', work);
   const picture = frame_of(path.join(work, 'gltf', `${name}.gltf`));
   fs.writeFileSync(path.join(work, 'query.json'), JSON.stringify({ picture }));
   const tests = path.join(__dirname, '..', 'tests', 'engines');
@@ -63,9 +63,12 @@ async function main([weftlight, three, chromium, blender, draft, out]) {
     : url === '/cloth.glb' ? path.join(work, 'gltf', `${name}.glb`) : url === '/query.json' ? path.join(work, 'query.json') : path.join(tests, path.basename(url));
   const seen = await shown(chromium, folders, path.join(work, 'profile'));
   fs.writeFileSync(path.join(work, 'three_js.png'), Buffer.from(seen.png.split(',')[1], 'base64'));
-  const set = path.join(work, 'blender');
-  fs.writeFileSync(path.join(work, 'query.json'), JSON.stringify({ glb: path.join(set, `${name}.glb`), script: path.join(set, `${name}.py`), samples: 48, picture, out: path.join(work, 'blender.png') }));
-  spawnSync(blender, ['-b', '--factory-startup', '-P', path.join(tests, 'blender.py'), '--', path.join(work, 'query.json')], { env: { ...process.env, PATH: `/usr/bin:/bin:${process.env.PATH}` } });
+  for (const [target, engine, screen] of [['blender', 'CYCLES', []], ['eevee', 'BLENDER_EEVEE', ['xvfb-run', '-a']]]) {
+    const set = path.join(work, target), query = path.join(work, `${target}.json`);
+    fs.writeFileSync(query, JSON.stringify({ glb: path.join(set, `${name}.glb`), script: path.join(set, `${name}.py`), engine, samples: 48, picture, out: path.join(work, `${target}.png`) }));
+    const [program, ...rest] = [...screen, blender, '-b', '--factory-startup', '-P', path.join(tests, 'blender.py'), '--', query];
+    spawnSync(program, rest, { env: { ...process.env, PATH: `/usr/bin:/bin:${process.env.PATH}` } });
+  }
 }
 
 main(process.argv.slice(2)).catch((e) => { console.error(e); process.exit(1); });

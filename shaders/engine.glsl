@@ -18,6 +18,7 @@ const int kSheenZeltner = 2;
 const int kSheenInverseGgx = 3;
 const int kSheenDisney = 4;
 const int kSheenNoneDisney = 5;          // none, over Disney's body
+const int kSheenNoneAdded = 6;           // none; the body loses nothing to round highlights that lean (EEVEE)
 
 const float kEngineF0 = 0.04f;          // of dielectrics, in every engine
 const float kMinEngineAlpha = 0.002f;  // roughness 0.045
@@ -107,6 +108,13 @@ FORMULA float disney_body(float nl, float nv, float lh, float roughness) {
   return (1.0f - 0.5f * l5) * (1.0f - 0.5f * v5) + back * (l5 + v5 + l5 * v5 * (back - 1.0f));
 }
 
+// Cosine for Fresnel's law where round lobes with normals that lean along x make up the lobe, and know of the view and their
+// own normal alone: of the lean that is most likely for the half vector, whose remaining part is the width of a round lobe.
+FORMULA float leaning_cosine(vec3 h, vec3 wo, float ax, float ay) {
+  float lean = h.x / max(h.z, 1.0e-3f) * max(1.0f - ay * ay / (ax * ax), 0.0f);
+  return dot(normalize(vec3(lean, 0.0f, 1.0f)), wo);
+}
+
 FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
   EngineParts p;
   p.body = vec3(0.0f);
@@ -125,7 +133,8 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float g_o = nl * length(vec3(ax * wo.x, ay * wo.y, nv));
   float g_i = nv * length(vec3(ax * wi.x, ay * wi.y, nl));
   float shine = d * 0.5f / max(g_o + g_i, 1.0e-6f);
-  float k = 1.0f - clamp(dot(wo, h), 0.0f, 1.0f);
+  float cosine = sheen == kSheenNoneAdded ? leaning_cosine(h, wo, ax, ay) : dot(wo, h);
+  float k = 1.0f - clamp(cosine, 0.0f, 1.0f);
   float k5 = k * k * k * k * k;
   // Only glTF's kind compensates the loss of rough lobes.
   float loss = sheen == kSheenCharlie ? engine_loss(nv, sqrt(min(ax, ay))) : 0.0f;
@@ -133,6 +142,7 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   vec3 body = (1.0f - dielectric) * ((1.0f - m.metal) / kPi);
   if (sheen == kSheenDisney || sheen == kSheenNoneDisney)
     body = vec3(1.0f - m.metal) * disney_body(nl, nv, 1.0f - k, sqrt(sqrt(ax * ay))) / kPi;
+  if (sheen == kSheenNoneAdded) body = vec3((1.0f - m.metal) / kPi);
   vec3 metal = (m.base + (1.0f - m.base) * k5) * (1.0f + m.base * loss) * (m.metal * shine);
   p.body = (m.base * body + metal) * nl;
   vec3 mirrored = (1.0f + m.f0 * loss) * ((1.0f - m.metal) * shine * nl);

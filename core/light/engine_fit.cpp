@@ -100,7 +100,8 @@ struct Layout {
 };
 
 bool has_sheen(const EngineModel& model) {
-  return model.sheen != formulas::kSheenNone && model.sheen != formulas::kSheenNoneDisney;
+  return model.sheen == formulas::kSheenCharlie || model.sheen == formulas::kSheenZeltner ||
+         model.sheen == formulas::kSheenInverseGgx || model.sheen == formulas::kSheenDisney;
 }
 
 Layout layout_of(const EngineModel& model) {

@@ -46,6 +46,7 @@ bool needs_alphas(Channel channel) {
   switch (channel) {
     case kOpenPbrRoughness:
     case kOpenPbrAnisotropy:
+    case kLean:
     case kWideAngle:
     case kDetailSmoothness:
     case kRoughness:
@@ -74,6 +75,8 @@ float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, boo
       return openpbr_roughness(alphas);
     case kOpenPbrAnisotropy:
       return alphas.wide > 0 ? 1 - alphas.narrow / alphas.wide : 0.0f;
+    case kLean:
+      return std::sqrt(std::max(alphas.wide * alphas.wide - alphas.narrow * alphas.narrow, 0.0f));
     case kWideAngle:
       return axis_turn(alphas.wide_axis, surface.first_turn);
     case kHeightNormalized:
@@ -191,6 +194,8 @@ const char* channel_description(Channel channel) {
       return mark("roughness (OpenPBR's with its anisotropy)");
     case kOpenPbrAnisotropy:
       return mark("anisotropy (OpenPBR: narrow / wide = 1 - a)");
+    case kLean:
+      return mark("lean of the normals along the wider axis");
     case kWideAngle:
       return mark("direction of the wider axis, whole turns from right to up");
     case kHeightNormalized:

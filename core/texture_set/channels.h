@@ -41,6 +41,7 @@ enum class Channel {
   kAspectAnisotropy,   // of Godot, Blender and U3M: narrow / wide = 1 - 0.9 a
   kOpenPbrRoughness,   // wide^2 + narrow^2 = 2 r^4
   kOpenPbrAnisotropy,  // narrow / wide = 1 - a
+  kLean,               // sqrt(wide^2 - narrow^2): slopes by which round lobes lean along the wider axis
   kWideAngle,          // angle of the wider axis from right to up, in turns from the face's axis_cut()
   kSheenR,
   kSheenG,

@@ -11,14 +11,14 @@
 namespace weftlight::texture_set {
 namespace targets {
 
-extern const ExportTarget kGltf, kBlender, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kMaterialX, kU3m, kRaw;
+extern const ExportTarget kGltf, kBlender, kEevee, kUnreal, kUnityHdrp, kUnityUrp, kGodot, kMaterialX, kU3m, kRaw;
 
 }  // namespace targets
 
 /// In the order in which lists show them.
-inline constexpr std::array kTargets{&targets::kGltf,      &targets::kBlender,  &targets::kUnreal,
-                                     &targets::kUnityHdrp, &targets::kUnityUrp, &targets::kGodot,
-                                     &targets::kMaterialX, &targets::kU3m,      &targets::kRaw};
+inline constexpr std::array kTargets{&targets::kGltf,      &targets::kBlender,   &targets::kEevee,    &targets::kUnreal,
+                                     &targets::kMaterialX, &targets::kUnityHdrp, &targets::kUnityUrp, &targets::kGodot,
+                                     &targets::kU3m,       &targets::kRaw};
 
 /// A table of targets: kTargets, or a longer one.
 using TargetTable = std::span<const ExportTarget* const>;

@@ -1,6 +1,6 @@
-"""blender -b -P blender.py -- QUERY: renders the mesh of a set in Cycles, flat, under one sun, and writes the mean radiance
-for each pair of directions (RGBA). QUERY (.json): glb, script ("" for the material of the importer), window_m, pixels (a pair may have its own), samples,
-pairs, out; or picture instead of pairs, and out (.png)."""
+"""blender -b -P blender.py -- QUERY: renders the mesh of a set, flat, under one sun, and writes the mean radiance for each pair
+of directions (RGBA). QUERY (.json): glb, script ("" for the material of the importer), engine (CYCLES or BLENDER_EEVEE, which
+needs a display), window_m, pixels (a pair may have its own), samples, pairs, out; or picture instead of pairs, and out (.png)."""
 import json
 import os
 import sys
@@ -17,11 +17,13 @@ cloth = [thing for thing in bpy.context.scene.objects if thing.type == "MESH"]
 if query["script"]:
     for thing in cloth:
         thing.select_set(True)
+    bpy.context.scene.render.engine = query.get("engine", "CYCLES")
     text = bpy.data.texts.load(query["script"])  # like the Scripting tab, with a file name that does not exist
     shown = os.path.join(bpy.data.filepath or "untitled.blend", text.name)
     exec(compile(text.as_string(), shown, "exec"), {"__name__": "__main__", "__file__": shown})
 scene = bpy.context.scene
-scene.render.engine = "CYCLES"
+scene.render.engine = query.get("engine", "CYCLES")
+scene.eevee.taa_render_samples = query["samples"]
 scene.cycles.samples = query["samples"]
 scene.cycles.use_denoising = False
 scene.cycles.max_bounces = 0
@@ -37,6 +39,7 @@ corners = [thing.matrix_world @ Vector(corner) for thing in cloth for corner in 
 middle = sum(corners, Vector()) / len(corners)
 sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
 sun.data.energy, sun.data.angle = 1, 0
+sun.data.use_shadow = scene.render.engine == "CYCLES"  # maps of shadows darken flat cloth at a slant
 eye = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
 eye.data.type, eye.data.clip_start, eye.data.clip_end = "ORTHO", 0.001, 10
 scene.collection.objects.link(sun)
@@ -95,6 +98,8 @@ def picture(of):
     scene.world = world
     scene.render.film_transparent = False
     scene.cycles.max_bounces = 1
+    sun.data.use_shadow = scene.eevee.use_gtao = True
+    scene.eevee.gtao_distance = 0.5  # metres
     look_along(sun, of_gltf(of["towards"]), Vector((0.3, 0.2, 0.9)))
     sun.data.energy = of["irradiance"]
     where, back = of_gltf(of["eye"]), of_gltf(of["eye"]) - of_gltf(of["target"])

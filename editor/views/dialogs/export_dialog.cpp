@@ -65,14 +65,21 @@ std::string figure(float v) {
 void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
   row_label(c, tr("Targets"),
             tr("Programs to export for. File names, channel packing and normals follow each one's rules"));
+  // Column by column: the longer titles come first.
   ImGui::BeginGroup();
-  int at = 0;
-  for (const ExportTarget* target : kTargets) {
-    if (at++ % 2) ImGui::SameLine(width * 0.56f);
+  ImGui::BeginGroup();
+  for (size_t at = 0; at < kTargets.size(); ++at) {
+    const ExportTarget* target = kTargets[at];
+    if (at == (kTargets.size() + 1) / 2) {
+      ImGui::EndGroup();
+      ImGui::SameLine(width * 0.56f);
+      ImGui::BeginGroup();
+    }
     bool on = has(*p.plan, target);
     if (ImGui::Checkbox(tr(target->title), &on)) toggle(*p.plan, target);
     c.map.add_item(std::string("export.for:") + target->id);
   }
+  ImGui::EndGroup();
   ImGui::EndGroup();
   p.target = std::min(p.target, p.plan->targets.size() - 1);
 }

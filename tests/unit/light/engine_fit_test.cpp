@@ -69,7 +69,8 @@ void expect_no_worse(const Measured& m, const EngineModel& model, const Misses& 
 constexpr EngineModel kModels[] = {
     {formulas::kSheenCharlie, 1, true, true},     {formulas::kSheenZeltner, 0.08f, false, true},
     {formulas::kSheenNone, 0.16f, false, true},   {formulas::kSheenInverseGgx, 0.08f, false, false},
-    {formulas::kSheenDisney, 0.08f, false, true}, {formulas::kSheenNoneDisney, 0.5f, false, true}};
+    {formulas::kSheenDisney, 0.08f, false, true}, {formulas::kSheenNoneDisney, 0.5f, false, true},
+    {formulas::kSheenNoneAdded, 1, true, true}};
 
 // Beside each model: plain weave, then a 3/1 twill.
 constexpr Misses kMatt[][2] = {{{0.044, 0.222, 0.019, 0.224}, {0.034, 0.199, 0.044, 0.203}},
@@ -77,7 +78,8 @@ constexpr Misses kMatt[][2] = {{{0.044, 0.222, 0.019, 0.224}, {0.034, 0.199, 0.0
                                {{0.021, 0.286, 0.047, 0.306}, {0.019, 0.221, 0.054, 0.228}},
                                {{0.038, 0.269, 0.030, 0.294}, {0.024, 0.218, 0.054, 0.230}},
                                {{0.037, 0.267, 0.011, 0.251}, {0.057, 0.205, 0.007, 0.182}},
-                               {{0.037, 0.267, 0.011, 0.251}, {0.057, 0.205, 0.007, 0.182}}};
+                               {{0.037, 0.267, 0.011, 0.251}, {0.057, 0.205, 0.007, 0.182}},
+                               {{0.035, 0.291, 0.051, 0.318}, {0.017, 0.222, 0.047, 0.231}}};
 
 TEST(EngineFit, MattClothsAreNoFurtherOffThanKnown) {
   const Measured cloths[] = {measured(plain({2, 2})), measured(twill({3, 1}, Lean::kRight, {4, 4}))};

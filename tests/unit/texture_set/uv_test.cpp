@@ -58,6 +58,7 @@ const Place kPlaces[] = {
     {targets::kUnityUrp, "sample.mat", "m_Scale:", "m_Offset:", 1},
     {targets::kUnreal, "sample_import.py", "NAME = \"sample\"\nTILING = ", "OFFSET = ", -1},
     {targets::kBlender, "sample.py", "NAME = \"sample\"\nTILING = ", "OFFSET = ", 1},
+    {targets::kEevee, "sample.py", "NAME = \"sample\"\nTILING = ", "OFFSET = ", 1},
     {targets::kMaterialX, "sample.mtlx", "nodename=\"uv_cm\" />\n      <input name=\"in2\" type=\"vector",
      "nodename=\"uv_scaled\" />\n      <input name=\"in2\" type=\"vector", 1},
     {targets::kMaterialX, "sample.usda", "inputs:scale = ", "inputs:translation = ", 1},

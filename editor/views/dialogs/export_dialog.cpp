@@ -36,7 +36,7 @@ bool ExportStage::poll() {
 namespace {
 
 // Pixels at 96 dpi.
-constexpr float kColumn = 360, kLabels = 104, kStageWidth = 520, kHeight = 532, kFoot = 44, kAround = 150;
+constexpr float kColumn = 360, kLabels = 104, kStageWidth = 520, kHeight = 564, kFoot = 44, kAround = 150;
 constexpr int kThumbnail = 84, kSwatchHeight = 150;
 
 /// Sizes of the parts of the dialog, limited by the window.

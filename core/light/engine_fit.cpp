@@ -20,6 +20,7 @@ using formulas::EngineMaterial;
 using formulas::EngineParts;
 
 constexpr int kRounds = 3;  // rounds of least squares, for the coupling between the parts
+constexpr int kTintRounds = 4;
 constexpr float kMinBase = 0.25f, kMaxBase = 8, kMaxSheen = 40;  // factors of the colours
 constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;            // of the descent, in logarithms
 constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;      // factors of the variances, at footprint weight 1
@@ -85,6 +86,7 @@ std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Engin
       out[i].grazing += p.grazing * (p.kept * t.weight);
     }
   }
+  for (size_t i = 0; i < out.size(); ++i) out[i].body *= fit.tint.at(directions.views[directions.pairs[i].view]);
   return out;
 }
 
@@ -241,6 +243,42 @@ void solve(EngineFit& fit, const Problem& p, int rounds) {
   }
 }
 
+/// Moves base colour and its tint by the view to what the means of views lack, by least squares in logarithms.
+void tint(EngineFit& fit, const Problem& p) {
+  constexpr float kMostChange = 1.2f, kMostTint = 3, kRidge = 0.01f;  // logarithms
+  const std::vector<PairRadiance> radiance = texel_radiance(p.texels, p.directions, p.model, fit);
+  for (int c = 0; c < 3; ++c) {
+    glm::mat3 a(0);
+    glm::vec3 b(0);
+    for (const EngineView& view : p.directions.means) {
+      float wanted = 0, body = 0, rest = 0, brightest = 1e-4f;
+      for (int k = 0; k < 3; ++k) {
+        float sum = 0;
+        for (size_t i = view.first; i < view.first + view.count; ++i)
+          sum += p.directions.pairs[i].fraction * p.directions.pairs[i].wanted[k];
+        brightest = std::max(brightest, sum);
+        if (k == c) wanted = sum;
+      }
+      for (size_t i = view.first; i < view.first + view.count; ++i) {
+        const float part = p.directions.pairs[i].fraction, of_body = (radiance[i].body * fit.base)[c];
+        body += part * of_body, rest += part * (whole(radiance[i], fit)[c] - of_body);
+      }
+      if (body <= 1e-6f) continue;
+      const glm::vec3 row(1, ViewTint::slant(p.directions.views[view.view]));
+      const float change = std::log(std::max((wanted - rest) / body, std::exp(-kMostChange)));
+      const float part = body / std::max(wanted, kDarkChannel * brightest), weight = view.weight * part * part;
+      a += weight * glm::outerProduct(row, row), b += weight * std::min(change, kMostChange) * row;
+    }
+    const float ridge = kRidge * a[0][0];
+    a[1][1] += ridge, a[2][2] += ridge;
+    if (!(glm::determinant(a) > 0)) continue;
+    const glm::vec3 moved = glm::inverse(a) * b;
+    fit.base[c] = std::clamp(fit.base[c] * std::exp(moved.x), kMinBase, kMaxBase);
+    fit.tint.weft[c] = std::clamp(fit.tint.weft[c] + moved.y, -kMostTint, kMostTint);
+    fit.tint.warp[c] = std::clamp(fit.tint.warp[c] + moved.z, -kMostTint, kMostTint);
+  }
+}
+
 /// Searched parameters, each with its bounds.
 struct Searched {
   float* value;
@@ -305,6 +343,7 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
   }
   best = descend(best, p, 0.5f * kFirstStep, kLastStep);
   solve(best, p, kRounds);
+  for (int round = 0; model.view_tinted && round < kTintRounds; ++round) tint(best, p), solve(best, p, 1);
   return best;
 }
 

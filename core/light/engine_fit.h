@@ -28,14 +28,25 @@ struct EngineModel {
   // Weight of the means in the planes along warp and weft, over that of the shape of the response. More brings these
   // nearer at some cost of the shape, for models that can tell the planes apart.
   float planes = 0.3f;
+  bool view_tinted = false;  // the base colour can change with the view
 };
 
 /// Of glTF, which method `engine` shows.
 inline constexpr EngineModel kGltfModel{
     .sheen = formulas::kSheenCharlie, .most_f0 = 1, .grazing = true, .anisotropic = true, .tinted = true, .planes = 20};
 
+/// A factor of the base colour by the view: cloth shows more of one system of threads at a slant along the other, which
+/// no engine knows. Logarithms for a flat view along the weft (x) and along the warp (y); they come in by 1 - cosine.
+struct ViewTint {
+  glm::vec3 weft{0}, warp{0};
+  /// x^2 and y^2 over 1 + z of the unit vector to the viewer: together 1 - z.
+  static glm::vec2 slant(const glm::vec3& view) { return glm::vec2(view.x * view.x, view.y * view.y) / (1 + view.z); }
+  glm::vec3 at(const glm::vec3& view) const { return glm::exp(weft * slant(view).x + warp * slant(view).y); }
+};
+
 struct EngineFit {
   glm::vec3 base{1};  // factors of the base colour
+  ViewTint tint;
   glm::vec3 f0{formulas::kEngineF0};
   float f90 = 1;
   glm::vec3 sheen{1};  // factors of the sheen's colour

@@ -67,6 +67,43 @@ def number(value):
     node.outputs[0].default_value = value
     return node.outputs[0]
 
+def vector(operation, first, second=None):
+    """Each a socket or a number."""
+    node = nodes.new("ShaderNodeVectorMath")
+    node.operation = operation
+    links.new(first, node.inputs[0])
+    socket = node.inputs["Scale"] if operation == "SCALE" else node.inputs[1]
+    if isinstance(second, float):
+        socket.default_value = second
+    elif second is not None:
+        links.new(second, socket)
+    return node.outputs["Value" if operation == "DOT_PRODUCT" else "Vector"]
+
+def math(operation, first, second=None):
+    """Each a socket or a number."""
+    node = nodes.new("ShaderNodeMath")
+    node.operation = operation
+    for socket, given in zip(node.inputs, (first, second)):
+        if isinstance(given, (int, float)):
+            socket.default_value = given
+        elif given is not None:
+            links.new(given, socket)
+    return node.outputs[0]
+
+def by_view(colour, weft, warp):
+    """The colour times exp((weft x^2 + warp y^2) / (1 + z)) of the view: a slant shows more of one system of threads."""
+    geometry, along = nodes.new("ShaderNodeNewGeometry"), nodes.new("ShaderNodeTangent")
+    along.direction_type = "UV_MAP"
+    x = vector("DOT_PRODUCT", geometry.outputs["Incoming"], along.outputs["Tangent"])
+    z = vector("DOT_PRODUCT", geometry.outputs["Incoming"], geometry.outputs["Normal"])
+    along_weft = math("DIVIDE", math("MULTIPLY", x, x), math("ADD", z, 1))
+    along_warp = math("MAXIMUM", math("SUBTRACT", math("SUBTRACT", 1, z), along_weft), 0)
+    factor = nodes.new("ShaderNodeCombineXYZ")
+    for socket, of_weft, of_warp in zip(factor.inputs, weft, warp):
+        power = math("ADD", math("MULTIPLY", along_weft, of_weft), math("MULTIPLY", along_warp, of_warp))
+        links.new(math("POWER", 2.718281828, power), socket)
+    return times(colour, factor.outputs[0])
+
 def normal_map(suffix):
     node = nodes.new("ShaderNodeNormalMap")
     links.new(image(suffix), node.inputs["Color"])
@@ -142,6 +179,11 @@ base::Result<void> write_script(const SetFacts& set, const BlenderRenderer& rend
 }
 
 }  // namespace
+
+std::string python_colour(const glm::vec3& colour) {
+  const auto text = [](float v) { return number(static_cast<double>(v)); };
+  return "(" + text(colour.r) + ", " + text(colour.g) + ", " + text(colour.b) + ")";
+}
 
 /// The images belong to the script; the mesh is a .glb with images of its own.
 base::Result<void> write_blender_material(const SetFacts& set, const BlenderRenderer& renderer) {

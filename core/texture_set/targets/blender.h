@@ -2,6 +2,7 @@
 // What the targets of Blender share: a .glb with the mesh, and a script that builds a material for both faces of it.
 // Cycles and EEVEE have a target each, since they show different highlights. Based on: the manual of Blender 3.4 and 4.
 
+#include <glm/glm.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,9 @@ struct BlenderRenderer {
   const char* face;                                         // Python: face(side), the shader of a face
   std::vector<std::pair<std::string, std::string>> values;  // for {KEY} in both
 };
+
+/// A tuple of three numbers.
+std::string python_colour(const glm::vec3& colour);
 
 base::Result<void> write_blender_material(const SetFacts& set, const BlenderRenderer& renderer);
 

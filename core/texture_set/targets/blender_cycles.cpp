@@ -28,12 +28,13 @@ constexpr ImageRow kImages[] = {
 
 // Version 4.0 reduces the diffuse part by the specular reflectance, and renamed sockets.
 constexpr const char* kFacts =
-    R"(OLDER = bpy.app.version < (4, 0, 0)  # their diffuse part is brighter: factor on the colour, Specular
-FACES = {"": ({OLDER_FRONT}) if OLDER else ((1, 1, 1), {SPECULAR}),
-         "_back": ({OLDER_BACK}) if OLDER else ((1, 1, 1), {BACK_SPECULAR})})";
+    R"(OLDER = bpy.app.version < (4, 0, 0)  # their diffuse part is brighter
+# Factor on the colour, Specular, and logarithms of by_view() for the weft and the warp.
+FACES = {"": ({OLDER_FRONT}) if OLDER else ({FRONT}),
+         "_back": ({OLDER_BACK}) if OLDER else ({BACK})})";
 
 constexpr const char* kFace = R"(def face(side):
-    tint, specular = FACES[side]
+    tint, specular, weft, warp = FACES[side]
     shader = nodes.new("ShaderNodeBsdfPrincipled")
     colour = times(image(side + "_basecolor.png", True), image(side + "_occlusion.png"))
     if OLDER:
@@ -41,7 +42,7 @@ constexpr const char* kFace = R"(def face(side):
         for socket, part in zip(shift.inputs, tint):
             socket.default_value = part
         colour = times(colour, shift.outputs["Image"])
-    feed(shader, colour, "Base Color")
+    feed(shader, by_view(colour, weft, warp), "Base Color")
     if "{BLEND}" != "OPAQUE":
         feed(shader, image(side + "_alpha.png"), "Alpha")
     feed(shader, image(side + "_roughness.png"), "Roughness")
@@ -62,28 +63,23 @@ constexpr const char* kFace = R"(def face(side):
     return both.outputs["Shader"]
 )";
 
-/// Tint and Specular for Blender 3, as Python text.
-std::string older_of(const FaceSource& face) {
-  const EngineFit& older = face.older_fit();
-  const glm::vec3 tint = older.base / face.fit().base;
-  const auto text = [](float v) { return number(static_cast<double>(v)); };
-  return fill_template(
-      "({R}, {G}, {B}), {SPECULAR}",
-      {{"R", text(tint.r)}, {"G", text(tint.g)}, {"B", text(tint.b)}, {"SPECULAR", text(older.specular())}});
+/// The numbers of a face for a fit, as Python text; the images have the colours of the face's own.
+std::string face_of(const FaceSource& face, const EngineFit& fit) {
+  return python_colour(fit.base / face.fit().base) + ", " + number(static_cast<double>(fit.specular())) + ", " +
+         python_colour(fit.tint.weft) + ", " + python_colour(fit.tint.warp);
 }
 
 base::Result<void> write_material(const SetFacts& set) {
-  const EngineFit &front = set.front.fit(), &back = set.back.fit();
   return write_blender_material(set, {.name = "Cycles",
                                       .other = "EEVEE",
                                       .other_target = "eevee",
                                       .eevee = false,
                                       .facts = kFacts,
                                       .face = kFace,
-                                      .values = {{"OLDER_FRONT", older_of(set.front)},
-                                                 {"OLDER_BACK", older_of(set.back)},
-                                                 {"SPECULAR", number(static_cast<double>(front.specular()))},
-                                                 {"BACK_SPECULAR", number(static_cast<double>(back.specular()))}}});
+                                      .values = {{"OLDER_FRONT", face_of(set.front, set.front.older_fit())},
+                                                 {"OLDER_BACK", face_of(set.back, set.back.older_fit())},
+                                                 {"FRONT", face_of(set.front, set.front.fit())},
+                                                 {"BACK", face_of(set.back, set.back.fit())}}});
 }
 
 }  // namespace
@@ -92,9 +88,18 @@ const ExportTarget targets::kBlender{
     .id = "blender",
     .title = "Blender Cycles",
     .images = kImages,
-    .model = {.sheen = formulas::kSheenNone, .most_f0 = 0.5f, .grazing = false, .anisotropic = true},
-    .older_model =
-        EngineModel{.sheen = formulas::kSheenNoneDisney, .most_f0 = 0.5f, .grazing = false, .anisotropic = true},
+    .model = {.sheen = formulas::kSheenNone,
+              .most_f0 = 0.5f,
+              .grazing = false,
+              .anisotropic = true,
+              .planes = 20,
+              .view_tinted = true},
+    .older_model = EngineModel{.sheen = formulas::kSheenNoneDisney,
+                               .most_f0 = 0.5f,
+                               .grazing = false,
+                               .anisotropic = true,
+                               .planes = 20,
+                               .view_tinted = true},
     .highlight =
         "principled, Specular as a node (beyond 1), each texel by itself; colour and Specular for Blender 3 "
         "and for 4",

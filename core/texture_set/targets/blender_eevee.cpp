@@ -37,7 +37,8 @@ constexpr ImageRow kImages[] = {
 constexpr int kLobes = 9;  // as noisy with 16 samples as 5 with 64, at half the cost
 
 constexpr const char* kFacts =
-    R"(SHINE = {"": ({FRONT_SHINE}), "_back": ({BACK_SHINE})}  # its reflectance at normal view and at grazing, linear
+    R"(# Reflectance at normal view and at grazing, linear; logarithms of by_view() for the weft and the warp.
+FACES = {"": ({FRONT}), "_back": ({BACK})}
 LOBES = {LOBES}  # round highlights side by side
 GLOSSY = "ShaderNodeBsdfGlossy" if hasattr(bpy.types, "ShaderNodeBsdfGlossy") else "ShaderNodeBsdfAnisotropic"  # 4: renamed)";
 
@@ -52,18 +53,6 @@ constexpr const char* kFace = R"(def between(factor, first, second):
             links.new(colour, socket)
     return node.outputs["Color"]
 
-def vector(operation, first, second=None):
-    """Each a socket or a number."""
-    node = nodes.new("ShaderNodeVectorMath")
-    node.operation = operation
-    links.new(first, node.inputs[0])
-    socket = node.inputs["Scale"] if operation == "SCALE" else node.inputs[1]
-    if isinstance(second, float):
-        socket.default_value = second
-    elif second is not None:
-        links.new(second, socket)
-    return node.outputs["Value" if operation == "DOT_PRODUCT" else "Vector"]
-
 def added(shaders):
     both = shaders[0].outputs[0]
     for other in shaders[1:]:
@@ -72,17 +61,6 @@ def added(shaders):
         links.new(other.outputs[0], node.inputs[1])
         both = node.outputs[0]
     return both
-
-def math(operation, first, second=None):
-    """Each a socket or a number."""
-    node = nodes.new("ShaderNodeMath")
-    node.operation = operation
-    for socket, given in zip(node.inputs, (first, second)):
-        if isinstance(given, (int, float)):
-            socket.default_value = given
-        elif given is not None:
-            links.new(given, socket)
-    return node.outputs[0]
 
 def highlights(side, at_normal, at_grazing, normal):
     """Round ones, from normals that lean along the wider axis: by chance, each within its part of the distribution."""
@@ -117,11 +95,11 @@ def highlights(side, at_normal, at_grazing, normal):
 def face(side):
     colour = times(image(side + "_basecolor.png", True), image(side + "_occlusion.png"))
     metal, normal = image(side + "_metallic.png"), normal_map(side + "_normal.png")
-    body = nodes.new("ShaderNodeBsdfDiffuse")
-    links.new(between(metal, colour, (0, 0, 0)), body.inputs["Color"])
+    at_normal, at_grazing, weft, warp = FACES[side]
+    body, tinted = nodes.new("ShaderNodeBsdfDiffuse"), by_view(colour, weft, warp)
+    links.new(between(metal, tinted, (0, 0, 0)), body.inputs["Color"])
     links.new(normal, body.inputs["Normal"])
-    at_normal, at_grazing = SHINE[side]
-    parts = [body, *highlights(side, between(metal, at_normal, colour), between(metal, at_grazing, (1, 1, 1)), normal)]
+    parts = [body, *highlights(side, between(metal, at_normal, tinted), between(metal, at_grazing, (1, 1, 1)), normal)]
     if THROUGH != 0:  # Transmission through the threads, from a light behind them.
         parts.append(nodes.new("ShaderNodeBsdfTranslucent"))
         links.new(times(colour, number(THROUGH)), parts[-1].inputs["Color"])
@@ -134,25 +112,21 @@ def face(side):
     return gaps.outputs[0]
 )";
 
-/// The reflectance of a face at normal view and at grazing, as Python text.
-std::string shine_of(const FaceSource& face) {
-  const auto colour = [](const glm::vec3& c) {
-    return "(" + number(static_cast<double>(c.r)) + ", " + number(static_cast<double>(c.g)) + ", " +
-           number(static_cast<double>(c.b)) + ")";
-  };
-  return colour(face.fit().f0) + ", " + colour(glm::vec3(face.fit().f90));
+/// The numbers of a face as Python text.
+std::string face_of(const FaceSource& face) {
+  return python_colour(face.fit().f0) + ", " + python_colour(glm::vec3(face.fit().f90)) + ", " +
+         python_colour(face.fit().tint.weft) + ", " + python_colour(face.fit().tint.warp);
 }
 
 base::Result<void> write_material(const SetFacts& set) {
-  return write_blender_material(set, {.name = "EEVEE",
-                                      .other = "Cycles",
-                                      .other_target = "blender",
-                                      .eevee = true,
-                                      .facts = kFacts,
-                                      .face = kFace,
-                                      .values = {{"LOBES", std::to_string(kLobes)},
-                                                 {"FRONT_SHINE", shine_of(set.front)},
-                                                 {"BACK_SHINE", shine_of(set.back)}}});
+  return write_blender_material(
+      set, {.name = "EEVEE",
+            .other = "Cycles",
+            .other_target = "blender",
+            .eevee = true,
+            .facts = kFacts,
+            .face = kFace,
+            .values = {{"LOBES", std::to_string(kLobes)}, {"FRONT", face_of(set.front)}, {"BACK", face_of(set.back)}}});
 }
 
 }  // namespace
@@ -161,7 +135,13 @@ const ExportTarget targets::kEevee{
     .id = "eevee",
     .title = "Blender EEVEE",
     .images = kImages,
-    .model = {.sheen = formulas::kSheenNoneAdded, .most_f0 = 1, .grazing = true, .anisotropic = true, .tinted = true},
+    .model = {.sheen = formulas::kSheenNoneAdded,
+              .most_f0 = 1,
+              .grazing = true,
+              .anisotropic = true,
+              .tinted = true,
+              .planes = 20,
+              .view_tinted = true},
     .highlight = "anisotropic GGX of nine round ones, whose normals lean by chance; added to the diffuse part",
     .sheen = "none",
     .open = Alpha::kHashed,

@@ -46,39 +46,54 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedCloths, testing::ValuesIn(shipped_cloths())
 struct PlaneMisses {
   float near = 0, slanted = 0;
 };
-const std::map<std::string, PlaneMisses> kPlaneMisses = {{"chambray", {0.09f, 0.28f}},
-                                                         {"chintz", {0.12f, 0.23f}},
-                                                         {"cotton_denim", {0.07f, 0.05f}},
-                                                         {"cotton_twill", {0.07f, 0.16f}},
-                                                         {"damask", {0.10f, 0.19f}},
-                                                         {"denim", {0.14f, 0.16f}},
-                                                         {"flannel", {0.01f, 0.02f}},
-                                                         {"gabardine", {0.09f, 0.13f}},
-                                                         {"linen", {0.03f, 0.06f}},
-                                                         {"linen_plain", {0.02f, 0.04f}},
-                                                         {"organza", {0.03f, 0.04f}},
-                                                         {"ottoman", {0.25f, 0.37f}},
-                                                         {"oxford", {0.14f, 0.35f}},
-                                                         {"polyester_satin_charmeuse", {0.36f, 0.33f}},
-                                                         {"shot_taffeta", {0.12f, 0.14f}},
-                                                         {"silk_charmeuse", {0.23f, 0.55f}},
-                                                         {"silk_crepe_de_chine", {0.19f, 0.14f}},
-                                                         {"silk_satin", {0.11f, 0.29f}},
-                                                         {"tweed", {0.12f, 0.21f}}};
+struct KnownMisses {
+  PlaneMisses gltf, cycles, eevee;
+};
+const std::map<std::string, KnownMisses> kPlaneMisses = {
+    {"chambray", {{0.09f, 0.28f}, {0.11f, 0.12f}, {0.09f, 0.12f}}},
+    {"chintz", {{0.12f, 0.23f}, {0.14f, 0.22f}, {0.08f, 0.23f}}},
+    {"cotton_denim", {{0.07f, 0.05f}, {0.10f, 0.15f}, {0.11f, 0.10f}}},
+    {"cotton_twill", {{0.07f, 0.16f}, {0.12f, 0.17f}, {0.14f, 0.14f}}},
+    {"damask", {{0.10f, 0.19f}, {0.06f, 0.03f}, {0.06f, 0.03f}}},
+    {"denim", {{0.14f, 0.16f}, {0.18f, 0.21f}, {0.05f, 0.06f}}},
+    {"flannel", {{0.01f, 0.02f}, {0.01f, 0.03f}, {0.02f, 0.02f}}},
+    {"gabardine", {{0.09f, 0.13f}, {0.17f, 0.20f}, {0.07f, 0.14f}}},
+    {"linen", {{0.03f, 0.06f}, {0.07f, 0.03f}, {0.06f, 0.04f}}},
+    {"linen_plain", {{0.02f, 0.04f}, {0.02f, 0.04f}, {0.03f, 0.03f}}},
+    {"organza", {{0.03f, 0.04f}, {0.11f, 0.12f}, {0.03f, 0.06f}}},
+    {"ottoman", {{0.25f, 0.37f}, {0.10f, 0.06f}, {0.14f, 0.11f}}},
+    {"oxford", {{0.14f, 0.35f}, {0.13f, 0.13f}, {0.08f, 0.13f}}},
+    {"polyester_satin_charmeuse", {{0.36f, 0.33f}, {0.24f, 0.23f}, {0.33f, 0.28f}}},
+    {"shot_taffeta", {{0.12f, 0.14f}, {0.20f, 0.23f}, {0.13f, 0.21f}}},
+    {"silk_charmeuse", {{0.23f, 0.55f}, {0.12f, 0.36f}, {0.10f, 0.27f}}},
+    {"silk_crepe_de_chine", {{0.19f, 0.14f}, {0.19f, 0.07f}, {0.20f, 0.07f}}},
+    {"silk_satin", {{0.11f, 0.29f}, {0.31f, 0.36f}, {0.14f, 0.13f}}},
+    {"tweed", {{0.12f, 0.21f}, {0.08f, 0.04f}, {0.03f, 0.04f}}}};
 
-TEST_P(ShippedCloths, AreNoFurtherOffInAPlaneThanKnown) {
-  const FaceSource face = face_at(shipped(GetParam()), Face::kFront, TextureSetOptions{}, 64);
+PlaneMisses misses_for(const ExportTarget& target, const Design& cloth) {
+  TextureSetOptions options;
+  options.target = &target;
+  const FaceSource face = face_at(cloth, Face::kFront, options, 64);
   PlaneMisses most;
   for (const std::vector<EngineScore>& plane : face.plane_scores()) {
-    ASSERT_EQ(plane.size(), 4u);
     for (const EngineScore& s : plane) {
       float& worst = s.view_deg < 65 ? most.near : most.slanted;
       worst = std::max(worst, std::abs(s.mean - 1));
     }
   }
-  const PlaneMisses& known = kPlaneMisses.at(GetParam().stem().string());
-  EXPECT_LE(most.near, 1.1f * known.near + 0.03f);
-  EXPECT_LE(most.slanted, 1.1f * known.slanted + 0.03f);
+  return most;
+}
+
+TEST_P(ShippedCloths, AreNoFurtherOffInAPlaneThanKnown) {
+  const Design cloth = shipped(GetParam());
+  const KnownMisses& known = kPlaneMisses.at(GetParam().stem().string());
+  for (const auto& [target, misses] :
+       {std::pair(&targets::kGltf, known.gltf), std::pair(&targets::kBlender, known.cycles),
+        std::pair(&targets::kEevee, known.eevee)}) {
+    const PlaneMisses most = misses_for(*target, cloth);
+    EXPECT_LE(most.near, 1.1f * misses.near + 0.03f) << target->id;
+    EXPECT_LE(most.slanted, 1.1f * misses.slanted + 0.03f) << target->id;
+  }
 }
 
 // A round highlight cannot be a satin's band, too bright in one plane and too dim in the other: as bright on the mean.
@@ -103,19 +118,25 @@ TEST(ShippedCloth, OrganzaHasAHighlight) {
   EXPECT_GT(face.fit().f0.g, 0.015f);
 }
 
+// Red over blue of all views at an elevation: the warp is blue, the weft red. In the cloth it falls to 0.43 of what it
+// is at normal view.
 TEST(ShippedCloth, ShotTaffetaChangesHueWithTheView) {
-  const FaceSource face =
-      face_at(shipped(WEFTLIGHT_SOURCE_DIR "/presets/cloths/shot_taffeta.wif"), Face::kFront, TextureSetOptions{}, 64);
-  // Red over blue of all views at an elevation.
-  const auto hue = [&face](float from_deg, float to_deg) {
-    glm::vec3 sum(0);
-    for (const light::EngineCheck& c : face.checks()) {
-      const float deg = std::acos(std::min(c.view.z, 1.0f)) * 57.29578f;
-      if (deg >= from_deg && deg <= to_deg) sum += c.engine;
-    }
-    return sum.r / sum.b;
-  };
-  EXPECT_LT(hue(70, 80), 0.9f * hue(0, 1)) << "the warp is blue, the weft red";
+  for (const auto& [target, most] :
+       {std::pair(&targets::kGltf, 0.9f), std::pair(&targets::kBlender, 0.5f), std::pair(&targets::kEevee, 0.5f)}) {
+    TextureSetOptions options;
+    options.target = target;
+    const FaceSource face =
+        face_at(shipped(WEFTLIGHT_SOURCE_DIR "/presets/cloths/shot_taffeta.wif"), Face::kFront, options, 64);
+    const auto hue = [&face](float from_deg, float to_deg) {
+      glm::vec3 sum(0);
+      for (const light::EngineCheck& c : face.checks()) {
+        const float deg = std::acos(std::min(c.view.z, 1.0f)) * 57.29578f;
+        if (deg >= from_deg && deg <= to_deg) sum += c.engine;
+      }
+      return sum.r / sum.b;
+    };
+    EXPECT_LT(hue(70, 80), most * hue(0, 1)) << target->id;
+  }
 }
 
 }  // namespace

@@ -109,6 +109,10 @@ void Process::kill_now() {
   if (id_ != 0) kill(id_, SIGKILL);
 }
 
+void Process::send(int signal) {
+  if (id_ != 0) kill(id_, signal);
+}
+
 int Process::wait() {
   comes_true([this] { return !is_running(); });
   return status_;

@@ -32,6 +32,7 @@ class Process {
   bool is_running();
   /// Like kill -9.
   void kill_now();
+  void send(int signal);
   pid_t id() const { return id_; }
   /// Waits for it to exit. Returns the exit status, or -1 if it was killed or does not exit.
   int wait();

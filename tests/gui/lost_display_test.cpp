@@ -2,6 +2,7 @@
 // and ends, and all unsaved work is offered at the next start.
 
 #include <algorithm>
+#include <csignal>
 
 #include "on_display.h"
 
@@ -19,6 +20,7 @@ TEST_F(LostDisplayTest, AllUnsavedWorkIsBack) {
     ASSERT_TRUE(lost.is_up());
     Window w(lost, folder_, draft_, without_dialogs(), errors);
     ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    w.process().send(SIGPIPE);  // what a write to a server that has gone sends, if it comes before a read
     for (int end = 1; end <= 8; end += 2) {
       const std::string before = w.live();
       lost.click(w.cell("threading", end, 3));

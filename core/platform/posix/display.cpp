@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -84,6 +85,8 @@ void when_display_lost(std::function<void()> lost) {
     const std::lock_guard lock(lost_display().mutex);
     lost_display().handler = std::move(lost);
   }
+  // A write to a server that has gone would end the program before its handler is called.
+  std::signal(SIGPIPE, SIG_IGN);
   if (set != nullptr) set(x_lost);
   std::call_once(watched, watch_compositor);
 }

@@ -76,6 +76,7 @@ PlaneMisses misses_for(const ExportTarget& target, const Design& cloth) {
   const FaceSource face = face_at(cloth, Face::kFront, options, 64);
   PlaneMisses most;
   for (const std::vector<EngineScore>& plane : face.plane_scores()) {
+    EXPECT_EQ(plane.size(), 4u);
     for (const EngineScore& s : plane) {
       float& worst = s.view_deg < 65 ? most.near : most.slanted;
       worst = std::max(worst, std::abs(s.mean - 1));

@@ -21,6 +21,7 @@ using formulas::EngineParts;
 
 constexpr int kRounds = 3;  // rounds of least squares, for the coupling between the parts
 constexpr int kTintRounds = 4;
+constexpr size_t kSearchedTexels = 64;                           // for the descent
 constexpr float kMinBase = 0.25f, kMaxBase = 8, kMaxSheen = 40;  // factors of the colours
 constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;            // of the descent, in logarithms
 constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;      // factors of the variances, at footprint weight 1
@@ -221,7 +222,7 @@ Normal normal_of(const EngineDirections& directions, const std::vector<PairRadia
 /// All that one fit needs.
 struct Problem {
   const EngineTexels& texels;
-  const EngineDirections directions;
+  const EngineDirections& directions;
   const EngineModel& model;
   Layout layout;
   UnknownBounds bounds;
@@ -322,13 +323,23 @@ EngineFit descend(EngineFit best, const Problem& p, float first_step, float last
   return best;
 }
 
+/// Enough pixels to find the widths of the lobe.
+EngineTexels some_of(const EngineTexels& all) {
+  const size_t step = std::max<size_t>(all.texels.size() / kSearchedTexels, 1);
+  EngineTexels out{{}, all.lean, all.footprint_weight};
+  for (size_t i = 0; i < all.texels.size(); i += step) out.texels.push_back(all.texels[i]);
+  return out;
+}
+
 }  // namespace
 
 EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                      const EngineModel& model) {
   if (texels.texels.empty()) return {};
-  const Problem p{texels, fit_directions({cloth, response}, model.planes, model.anisotropic ? 0 : kRoundWeight), model,
-                  layout_of(model), bounds_of(texels, model)};
+  const EngineDirections directions =
+      fit_directions({cloth, response}, model.planes, model.anisotropic ? 0 : kRoundWeight);
+  const EngineTexels few = some_of(texels);
+  const Problem p{few, directions, model, layout_of(model), bounds_of(texels, model)};
   EngineFit best;
   best.error = std::numeric_limits<float>::max();
   for (const auto& [lobe, weft] : kStarts) {
@@ -342,8 +353,9 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
     if (start.error < best.error) best = start;
   }
   best = descend(best, p, 0.5f * kFirstStep, kLastStep);
-  solve(best, p, kRounds);
-  for (int round = 0; model.view_tinted && round < kTintRounds; ++round) tint(best, p), solve(best, p, 1);
+  const Problem all{texels, directions, model, p.layout, p.bounds};
+  solve(best, all, kRounds);
+  for (int round = 0; model.view_tinted && round < kTintRounds; ++round) tint(best, all), solve(best, all, 1);
   return best;
 }
 

@@ -27,6 +27,10 @@ constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;            // of the desce
 constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;      // factors of the variances, at footprint weight 1
 // Starts of the descent: factors along the fibres and across, and along the weft. There are several minima.
 constexpr std::array<float, 2> kStarts[] = {{0.15f, 1}, {1, 1}};
+// Half vectors of the fit are 5 degrees (0.087) apart. Without this limit organza had a highlight of 0.034 and 0.004 of
+// reflectance, which no light of the fit met.
+constexpr float kLeastAlpha = 0.08f;
+constexpr float kFlattest = 0.3f;  // factor of the slopes of normals
 constexpr float kSmoothestSheen = 0.2f, kRoughestSheen = 1.0f;
 // Weight of the pair itself in the scale of an error; the rest is the mean of the view.
 constexpr float kHighlightWeight = 0.2f;
@@ -61,7 +65,7 @@ std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model,
     m.sheen = glm::min(m.sheen * fit.sheen, glm::vec3(1));
     m.sheen_roughness = fit.sheen_roughness, m.f0 = fit.f0, m.f90 = fit.f90;
     m.alpha = model.anisotropic ? lobe.alpha() : glm::vec2(std::sqrt(lobe.alpha().x * lobe.alpha().y));
-    out.push_back({m, formulas::lobe_frame(t.normal, {lobe.axis, 0}), t.weight / total});
+    out.push_back({m, formulas::lobe_frame(flattened(t.normal, fit.relief), {lobe.axis, 0}), t.weight / total});
   }
   return out;
 }
@@ -280,20 +284,37 @@ void tint(EngineFit& fit, const Problem& p) {
   }
 }
 
+/// How far the widths of the highlight may change, 0..1: of close views they are the yarns' own.
+float freedom(const Problem& p) { return p.model.each_texel ? 1 : p.texels.footprint_weight; }
+
 /// Searched parameters, each with its bounds.
 struct Searched {
   float* value;
   float least, most;
 };
 std::vector<Searched> searched(EngineFit& fit, const Problem& p) {
-  const float weight = p.texels.footprint_weight;
-  const float narrowest = std::pow(kNarrowestLobe, weight), widest = std::pow(kWidestLobe, weight);
+  const float narrowest = std::pow(kNarrowestLobe, freedom(p)), widest = std::pow(kWidestLobe, freedom(p));
   std::vector<Searched> out{{&fit.lobe.fibre.x, narrowest, widest}, {&fit.lobe.fibre.y, narrowest, widest}};
   if (p.model.anisotropic) out.push_back({&fit.lobe.weft, narrowest, 1 / narrowest});
   // Only these models have a sheen roughness of their own.
   if (p.model.sheen == formulas::kSheenCharlie || p.model.sheen == formulas::kSheenZeltner)
     out.push_back({&fit.sheen_roughness, kSmoothestSheen, kRoughestSheen});
+  if (p.model.each_texel) out.push_back({&fit.relief.x, kFlattest, 1}), out.push_back({&fit.relief.y, kFlattest, 1});
   return out;
+}
+
+float narrowest_alpha(const EngineFit& fit, const Problem& p) {
+  float out = 1;
+  for (const EngineTexel& t : p.texels.texels)
+    out = std::min(out, engine_lobe(t, fit.lobe, p.texels.footprint_weight).alpha().y);
+  return out;
+}
+
+/// Whether highlights of pixels become so narrow that the directions of the fit miss them.
+bool falls_between_directions(const EngineFit& fit, const EngineFit& before, const Problem& p) {
+  if (p.model.each_texel) return false;
+  const float alpha = narrowest_alpha(fit, p);
+  return alpha < kLeastAlpha && alpha < narrowest_alpha(before, p);
 }
 
 /// Moves one parameter if that is better.
@@ -302,7 +323,7 @@ bool improve(EngineFit& best, const Problem& p, size_t which, float by) {
   const Searched at = searched(other, p)[which];
   const float before = *at.value;
   *at.value = std::clamp(before * std::exp(which < 3 ? 2 * by : by), at.least, at.most);
-  if (*at.value == before) return false;
+  if (*at.value == before || falls_between_directions(other, best, p)) return false;
   solve(other, p, 1);
   if (other.error >= best.error) return false;
   best = other;
@@ -323,6 +344,17 @@ EngineFit descend(EngineFit best, const Problem& p, float first_step, float last
   return best;
 }
 
+/// With the colours that belong to its widths.
+EngineFit finished(EngineFit fit, const Problem& p) {
+  solve(fit, p, kRounds);
+  for (int round = 0; p.model.view_tinted && round < kTintRounds; ++round) tint(fit, p), solve(fit, p, 1);
+  return fit;
+}
+
+EngineDirections directions_for(const FarRadiance& cloth, const EngineModel& model) {
+  return fit_directions(cloth, model.planes, model.anisotropic ? 0 : kRoundWeight);
+}
+
 /// Enough pixels to find the widths of the lobe.
 EngineTexels some_of(const EngineTexels& all) {
   const size_t step = std::max<size_t>(all.texels.size() / kSearchedTexels, 1);
@@ -336,8 +368,7 @@ EngineTexels some_of(const EngineTexels& all) {
 EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                      const EngineModel& model) {
   if (texels.texels.empty()) return {};
-  const EngineDirections directions =
-      fit_directions({cloth, response}, model.planes, model.anisotropic ? 0 : kRoundWeight);
+  const EngineDirections directions = directions_for({cloth, response}, model);
   const EngineTexels few = some_of(texels);
   const Problem p{few, directions, model, layout_of(model), bounds_of(texels, model)};
   EngineFit best;
@@ -345,18 +376,26 @@ EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const Cloth
   for (const auto& [lobe, weft] : kStarts) {
     if (!model.anisotropic && weft != 1) continue;
     EngineFit start;
-    start.lobe.fibre = glm::vec2(std::pow(lobe, texels.footprint_weight));
-    start.lobe.weft = std::pow(weft, texels.footprint_weight);
+    start.lobe.fibre = glm::vec2(std::pow(lobe, freedom(p)));
+    start.lobe.weft = std::pow(weft, freedom(p));
+    if (falls_between_directions(start, {}, p)) continue;
     if (!has_sheen(model)) start.sheen = glm::vec3(0);
     solve(start, p, kRounds);
     start = descend(start, p, kFirstStep, 0.5f * kFirstStep);
     if (start.error < best.error) best = start;
   }
   best = descend(best, p, 0.5f * kFirstStep, kLastStep);
-  const Problem all{texels, directions, model, p.layout, p.bounds};
-  solve(best, all, kRounds);
-  for (int round = 0; model.view_tinted && round < kTintRounds; ++round) tint(best, all), solve(best, all, 1);
-  return best;
+  return finished(best, {texels, directions, model, p.layout, p.bounds});
+}
+
+EngineFit refit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                       const EngineModel& model, const EngineFit& fitted) {
+  if (texels.texels.empty()) return {};
+  const EngineDirections directions = directions_for({cloth, response}, model);
+  EngineFit start;
+  start.lobe = fitted.lobe, start.relief = fitted.relief;
+  if (!has_sheen(model)) start.sheen = glm::vec3(0);
+  return finished(start, {texels, directions, model, layout_of(model), bounds_of(texels, model)});
 }
 
 std::vector<EngineCheck> check_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,

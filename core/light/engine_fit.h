@@ -28,6 +28,9 @@ struct EngineModel {
   // Weight of the means in the planes along warp and weft, over that of the shape of the response. More brings these
   // nearer at some cost of the shape, for models that can tell the planes apart.
   float planes = 0.3f;
+  // The engine averages the light of texels instead of texels: widths of the highlight and relief of the normals are
+  // fitted for each texel.
+  bool each_texel = false;
   bool view_tinted = false;  // the base colour can change with the view
 };
 
@@ -52,6 +55,7 @@ struct EngineFit {
   glm::vec3 sheen{1};  // factors of the sheen's colour
   float sheen_roughness = 0.5f;
   LobeScale lobe;
+  glm::vec2 relief{1};  // factors of the slopes of the normals along weft and warp, for models that light each texel
   bool has_sheen() const { return sheen.r > 0 || sheen.g > 0 || sheen.b > 0; }
   /// For engines whose Specular of 1/2 is the usual reflectance and of 1 twice that.
   float specular() const { return 0.5f * f0.g / formulas::kEngineF0; }
@@ -86,5 +90,8 @@ std::vector<EngineScore> score_plane(const EngineTexels& texels, const Cloth& cl
 /// Deterministic.
 EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                      const EngineModel& model);
+/// For another model that reads the same images: with the widths of the highlight and the relief of a fit.
+EngineFit refit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                       const EngineModel& model, const EngineFit& fitted);
 
 }  // namespace weftlight::light

@@ -83,7 +83,7 @@ Sample sample(const Cloth& cloth, const Maps& maps, int x, int y) {
   out.material.sheen = glm::sqrt(dye) * lobes.fuzz;
   out.material.occlusion = maps.occlusion.at(x, y);
   out.facet.covariance = facet_covariance(out.normal, along, lobes);
-  out.grain = grain_of(along);
+  out.grain = out.facet.grain = grain_of(along);
   out.facet.weft = maps.system.at(x, y) != 0;
   out.facet.weight = maps.coverage.at(x, y);
   return out;
@@ -226,6 +226,10 @@ glm::vec3 straightened(const glm::vec3& normal, const glm::vec2& lean) {
   return glm::normalize(glm::vec3(glm::vec2(normal) - normal.z * lean, normal.z));
 }
 
+glm::vec3 flattened(const glm::vec3& normal, const glm::vec2& relief) {
+  return glm::normalize(glm::vec3(glm::vec2(normal) * relief, normal.z));
+}
+
 glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
   const Axes axes = axes_over(normal);
   const float x = glm::dot(fibre, axes.t), y = glm::dot(fibre, axes.b);
@@ -296,7 +300,10 @@ EngineLobe engine_lobe(const EngineTexel& texel, const LobeScale& scale, float f
   };
   const glm::vec3 whole = scaled_covariance(texel.lobe, scale);
   if (texel.facets.empty()) add(whole, false, 1);
-  for (const EngineFacet& f : texel.facets) add(glm::mix(f.covariance, whole, footprint_weight), f.weft, f.weight);
+  for (const EngineFacet& f : texel.facets) {
+    const glm::vec3 own = footprint_weight > 0 ? f.covariance : scaled_covariance({f.covariance, f.grain}, scale);
+    add(glm::mix(own, whole, footprint_weight), f.weft, f.weight);
+  }
   out.roughness /= total, out.strength /= total;
   out.axis = glm::dot(out.axis, out.axis) > 1e-12f ? glm::normalize(out.axis) : glm::vec2(1, 0);
   return out;

@@ -49,6 +49,7 @@ FacetAlphas facet_alphas(const glm::vec3& covariance);
 /// One texel of the finest level.
 struct EngineFacet {
   glm::vec3 covariance{0};
+  glm::vec2 grain{0.5f};
   bool weft = false;
   float weight = 1;  // coverage
 };
@@ -89,6 +90,8 @@ struct EngineTexels {
 /// The normal with its slope less that of the mean. Floats lean all the same way in a satin, so that the mean of their
 /// normals leans, while the cloth's highlight does not.
 glm::vec3 straightened(const glm::vec3& normal, const glm::vec2& lean);
+/// The normal with its slopes times these factors.
+glm::vec3 flattened(const glm::vec3& normal, const glm::vec2& relief);
 inline constexpr int kFitPixels = 4;
 /// footprint_mm: a pixel's width; 0: one texel of the maps. `pixels`: a side.
 EngineTexels engine_texels(const Cloth& cloth, const Maps& maps, float footprint_mm, int pixels = kFitPixels);

@@ -11,9 +11,9 @@ namespace weftlight::texture_set {
 using base::for_each_job;
 using cloth::MapsSize, cloth::bake, cloth::bake_horizons;
 using light::ClothResponse, light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart,
-    light::check_engine, light::engine_texels, light::fit_engine, light::footprint_lobe, light::grain_of,
-    light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
-    light::score_plane, light::straightened, light::thread_spacing_mm;
+    light::check_engine, light::engine_texels, light::fit_engine, light::refit_engine, light::footprint_lobe,
+    light::grain_of, light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance,
+    light::score_engine, light::score_plane, light::flattened, light::straightened, light::thread_spacing_mm;
 
 namespace {
 
@@ -265,7 +265,7 @@ void FaceSource::measure(const Cloth& cloth, const Maps& maps) {
   const EngineTexels texels = engine_texels(cloth, maps, options_.footprint_mm);
   const ClothResponse response = measure_response(cloth, maps, kFitSamples);
   fit_ = fit_engine(texels, cloth, response, options_.model);
-  older_fit_ = options_.older ? fit_engine(texels, cloth, response, *options_.older) : fit_;
+  older_fit_ = options_.older ? refit_engine(texels, cloth, response, *options_.older, fit_) : fit_;
   weight_ = texels.footprint_weight;
   checks_ = check_engine(texels, cloth, response, options_.model, fit_);
   scores_ = score_engine(texels, cloth, response, options_.model, fit_);
@@ -382,7 +382,8 @@ void FaceSource::finish(SurfaceTexels& surface, int y0, int level_height, int th
       SurfaceTexel& t = row[x];
       t.base = times(t.base, fit_.base);
       t.sheen = times(t.sheen, fit_.sheen);
-      t.normal = straightened(t.normal, lean_);
+      if (options_.model.each_texel) t.slope_cov = scaled_covariance({t.slope_cov, grain_of(t.fibre)}, fit_.lobe);
+      t.normal = flattened(straightened(t.normal, lean_), fit_.relief);
       t.sheen_roughness = fit_.sheen_roughness;
       t.occlusion = std::min(t.occlusion * occlusion_gain_, 1.0f);
       leave_out_threads(t);

@@ -95,6 +95,7 @@ json fit_json(const FaceSource& face) {
   return {{"base_color", {f.base.r, f.base.g, f.base.b}},
           {"reflectance", {{"normal", numbers(f.f0)}, {"grazing", f.f90}}},
           {"highlight", {{"along", f.lobe.fibre.x}, {"across", f.lobe.fibre.y}, {"weft", f.lobe.weft}}},
+          {"relief", {f.relief.x, f.relief.y}},
           {"view_tint", {{"weft", numbers(f.tint.weft)}, {"warp", numbers(f.tint.warp)}}},
           {"sheen", numbers(f.sheen)},
           {"sheen_roughness", f.sheen_roughness},

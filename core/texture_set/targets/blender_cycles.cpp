@@ -93,12 +93,14 @@ const ExportTarget targets::kBlender{
               .grazing = false,
               .anisotropic = true,
               .planes = 20,
+              .each_texel = true,
               .view_tinted = true},
     .older_model = EngineModel{.sheen = formulas::kSheenNoneDisney,
                                .most_f0 = 0.5f,
                                .grazing = false,
                                .anisotropic = true,
                                .planes = 20,
+                               .each_texel = true,
                                .view_tinted = true},
     .highlight =
         "principled, Specular as a node (beyond 1), each texel by itself; colour and Specular for Blender 3 "

@@ -77,8 +77,8 @@ constexpr Misses kMatt[][2] = {{{0.044, 0.222, 0.019, 0.224}, {0.034, 0.199, 0.0
                                {{0.022, 0.276, 0.043, 0.294}, {0.019, 0.220, 0.053, 0.227}},
                                {{0.021, 0.286, 0.047, 0.306}, {0.019, 0.221, 0.054, 0.228}},
                                {{0.038, 0.269, 0.030, 0.294}, {0.024, 0.218, 0.054, 0.230}},
-                               {{0.037, 0.267, 0.011, 0.251}, {0.057, 0.205, 0.007, 0.182}},
-                               {{0.037, 0.267, 0.011, 0.251}, {0.057, 0.205, 0.007, 0.182}},
+                               {{0.037, 0.267, 0.021, 0.251}, {0.057, 0.205, 0.007, 0.182}},
+                               {{0.037, 0.267, 0.021, 0.251}, {0.057, 0.205, 0.007, 0.182}},
                                {{0.035, 0.291, 0.051, 0.318}, {0.017, 0.222, 0.047, 0.231}}};
 
 TEST(EngineFit, MattClothsAreNoFurtherOffThanKnown) {
@@ -128,6 +128,19 @@ TEST(EngineFit, CloseViewsKeepTheYarnsOwnLobes) {
   const EngineFit fit = fit_engine(texels, m.cloth, m.response, {});
   EXPECT_EQ(fit.lobe.fibre, glm::vec2(1, 1));
   EXPECT_EQ(fit.lobe.weft, 1);
+}
+
+TEST(EngineFit, APixelOfManyThreadsIsFlat) {
+  // Its repeat is far smaller than the pixel.
+  Design fine = satin(8, 3, Face::kFront, {8, 8});
+  for (auto* threads : {&fine.draft.warp, &fine.draft.weft}) {
+    std::fill(threads->spacing_mm.begin(), threads->spacing_mm.end(), 0.1f);
+    std::fill(threads->thickness_mm.begin(), threads->thickness_mm.end(), 0.1f);
+  }
+  const Measured m = measured(fine);
+  ASSERT_LT(m.cloth.width_mm, kFootprintMmAtOneMetre);
+  for (const EngineTexel& t : engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre).texels)
+    EXPECT_LT(glm::length(glm::vec2(t.normal)), 0.02f);
 }
 
 TEST(EngineFit, AFootprintIsScaledAlongItsFibres) {

@@ -164,6 +164,14 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   return p;
 }
 
+// Of an even sky, what GGX of a roughness reflects with a reflectance of 1 at normal view (x) and at grazing view (y).
+// Karis 2014, "Physically based shading on mobile".
+FORMULA vec2 ggx_albedos(float mu, float roughness) {
+  float r = 1.0f - roughness;
+  float a = min(r * r, exp2(-9.28f * mu)) * r + 0.0425f - 0.0275f * roughness;
+  return 1.04f * vec2(-a, a) + vec2(1.04f - 0.572f * roughness, 0.022f * roughness - 0.04f);
+}
+
 // Towards wo; f: frame of the material's normal. diffuse and glossy: fractions of the sky, with ambient occlusion as
 // engines apply it.
 FORMULA Reflected engine_radiance(EngineMaterial m, LobeFrame f, vec3 l, vec3 v) {
@@ -173,7 +181,15 @@ FORMULA Reflected engine_radiance(EngineMaterial m, LobeFrame f, vec3 l, vec3 v)
   float kept = 1.0f - max(max(m.sheen.x, m.sheen.y), m.sheen.z) * fuzz;
   Reflected a;
   a.key = (p.body + p.gloss * m.f0 + p.grazing * m.f90) * p.kept + p.fuzz;
-  a.diffuse = (m.base * ((1.0f - m.metal) * kept) + m.sheen * fuzz) * m.occlusion;
-  a.glossy = mix(m.f0, m.base, m.metal) * (kept * m.occlusion);
+  // Fdez-Aguera 2019: what leaves the facets at once, and after more than one.
+  vec2 by = ggx_albedos(clamp(wo.z, 0.0f, 1.0f), sqrt(min(m.alpha.x, m.alpha.y)));
+  vec3 f0 = mix(m.f0, m.base, m.metal);
+  vec3 once = f0 * by.x + mix(m.f90, 1.0f, m.metal) * by.y;
+  vec3 each = f0 + (1.0f - f0) / 21.0f;
+  vec3 more = once * each * (1.0f - by.x - by.y) / (1.0f - (1.0f - by.x - by.y) * each);
+  vec3 both = once + more;
+  float enters = (1.0f - max(max(both.x, both.y), both.z)) * (1.0f - m.metal);
+  a.diffuse = ((m.base * enters + more) * kept + m.sheen * fuzz) * m.occlusion;
+  a.glossy = once * (kept * m.occlusion);
   return a;
 }

@@ -184,5 +184,39 @@ TEST(EngineFit, SheenGivesBackNoMoreThanItGets) {
   }
 }
 
+/// Light that a material sends to a view from an even sky of 1: from its lights one by one.
+glm::vec3 from_all_lights(const formulas::EngineMaterial& m, const formulas::LobeFrame& frame, const glm::vec3& view) {
+  constexpr int kRings = 64, kAround = 96;
+  glm::vec3 sum(0);
+  for (int i = 0; i < kRings; ++i) {
+    const float z = (static_cast<float>(i) + 0.5f) / kRings, r = std::sqrt(1 - z * z);
+    for (int k = 0; k < kAround; ++k) {
+      const float a = (static_cast<float>(k) + 0.5f) * 6.2831853f / kAround;
+      sum += formulas::engine_radiance(m, frame, {r * std::cos(a), r * std::sin(a), z}, view).key;
+    }
+  }
+  return sum * (6.2831853f / (kRings * kAround));
+}
+
+// The body kept all its light and rough highlights theirs: plain weave was half as bright again under an even sky.
+TEST(EngineMethod, AnEvenSkyIsTheSumOfItsLights) {
+  const formulas::LobeFrame frame = formulas::lobe_frame({0, 0, 1}, {1, 0, 0});
+  const auto material = [](float base, float sheen, glm::vec2 alpha, float f0, float f90) {
+    return formulas::EngineMaterial{glm::vec3(base), 0, glm::vec3(sheen), 0.9f, alpha, glm::vec3(f0), f90, 1};
+  };
+  const formulas::EngineMaterial materials[] = {
+      material(0.3f, 0.3f, {0.7f, 0.7f}, 0.25f, 1), material(0.1f, 0, {0.5f, 0.2f}, 0.14f, 1),
+      material(0.6f, 0, {0.8f, 0.8f}, 0.04f, 1), material(0.3f, 0.2f, {0.4f, 0.4f}, 0.02f, 0.1f)};
+  for (size_t i = 0; i < std::size(materials); ++i) {
+    for (const float degrees : {0.0f, 30.0f, 60.0f}) {
+      const float t = degrees * 0.01745329f;
+      const glm::vec3 view{0.7f * std::sin(t), std::sqrt(0.51f) * std::sin(t), std::cos(t)};
+      const formulas::Reflected sky = formulas::engine_radiance(materials[i], frame, {0, 0, 1}, view);
+      const float lights = from_all_lights(materials[i], frame, view).g;
+      EXPECT_NEAR(sky.diffuse.g + sky.glossy.g, lights, 0.1f * lights) << "material " << i << ", " << degrees;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace weftlight::light

@@ -102,9 +102,9 @@ int columns_for(size_t entries) {
 
 }  // namespace
 
-Image thumbnail(const Image& image) {
+Image thumbnail(const Image& image, bool stretched) {
   const auto [least, most] = std::minmax_element(image.texels.begin(), image.texels.end());
-  const bool stretch = *least < 0 || *most > 1 || image.channels > 4;
+  const bool stretch = stretched || *least < 0 || *most > 1 || image.channels > 4;
   const float low = stretch ? *least : 0, scale = stretch ? 1 / std::max(*most - *least, 1e-6f) : 1;
   const int channels = image.channels;
   return shrink_to_tile(image, [=](const float* t) -> glm::vec3 {

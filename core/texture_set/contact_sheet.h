@@ -17,8 +17,8 @@ struct SheetEntry {
 };
 
 /// A small sRGB-encoded RGB picture of an image, in its proportions. One channel becomes grey, a range beyond 0..1 is
-/// mapped to 0..1, alpha is dropped.
-Image thumbnail(const Image& image);
+/// mapped to 0..1 (of `stretched` any range), alpha is dropped.
+Image thumbnail(const Image& image, bool stretched = false);
 /// The same for thread indices (thread low, thread high, system), each in a different colour.
 Image thread_thumbnail(const Image& image);
 

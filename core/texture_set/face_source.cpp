@@ -168,7 +168,10 @@ void FaceSource::make_raw() {
   const int width = options_.size.width, height = options_.size.height;
   const int shrink = coarsening(cloth, options_.size, factor_, true);
   const int coarse_x = std::max(width * factor_ / shrink, 1), coarse_y = std::max(height * factor_ / shrink, 1);
-  const int small_x = std::min({width, kSmallSide, coarse_x}), small_y = std::min({height, kSmallSide, coarse_y});
+  horizon_size_ = {std::min({width, kSmallSide, coarse_x}), std::min({height, kSmallSide, coarse_y})};
+  // The whole face takes 100 MB at 1024, which is worth it only where its rows are those of the images.
+  const int part = std::max(width, height) > kSmallSide ? 2 : 1;
+  const int small_x = std::max(horizon_size_.width / part, 1), small_y = std::max(horizon_size_.height / part, 1);
   Maps sky = bake_horizons(cloth, {coarse_x, coarse_y, kAzimuths});
   horizons_ = std::move(sky.horizon);
   small_ = {cloth.width_mm, cloth.depth_mm, Plane<SurfaceTexel>(small_x, small_y)};

@@ -82,7 +82,9 @@ class FaceSource {
   TextureSize size() const { return options_.size; }
   /// Of the whole face, as in Maps, at most 2^22 texels each; size of an image of them.
   const std::vector<Plane<uint8_t>>& horizons() const { return horizons_; }
-  TextureSize horizon_size() const { return {small_.texels.width, small_.texels.height}; }
+  TextureSize horizon_size() const { return horizon_size_; }
+  /// Frees the horizons alone, which take as much as the texels.
+  void release_horizons() { horizons_ = {}; }
   /// Frees all texels: from here on there are no rows, no horizons and no texels in small(). All else stays.
   void release();
 
@@ -108,6 +110,7 @@ class FaceSource {
   int factor_ = 1, band_ = 1;
   SurfaceTexels small_, whole_;  // whole_: empty where the face is too large for one piece
   std::vector<Plane<uint8_t>> horizons_;
+  TextureSize horizon_size_{};
   // Of the coarse maps, or the mean of a part's repeats; empty: each piece computes its own, or has sharp_occlusion_.
   Plane<float> occlusion_, sharp_occlusion_;
   int occlusion_across_ = 1, occlusion_up_ = 1;  // repetitions of it in the face

@@ -173,15 +173,16 @@ base::Result<void> write_horizon(SetImages& set, const FaceSource& source, bool 
   auto out = ImageRows::open(set.folder + "/" + file, size.width, size.height, count, PixelType::kHalf, names);
   if (!out) return failed(out);
   constexpr int kBandRows = 64;
-  Image all{size.width, size.height, count, {}};  // for the thumbnail
-  all.texels.reserve(static_cast<size_t>(size.width) * static_cast<size_t>(size.height) * names.size());
+  Image few{size.width, size.height, 3, {}};  // azimuths, for the thumbnail
+  few.texels.reserve(static_cast<size_t>(size.width) * static_cast<size_t>(size.height) * 3);
   for (int y = 0; y < size.height; y += kBandRows) {
     const Image band = horizon_band(source, spread, y, std::min(y + kBandRows, size.height));
     if (base::Result<void> added = (*out)->add(band); !added) return added;
-    all.texels.insert(all.texels.end(), band.texels.begin(), band.texels.end());
+    for (auto at = band.texels.begin(); at != band.texels.end(); at += count)
+      few.texels.insert(few.texels.end(), at, at + 3);
   }
   record(set, file, face, false, PixelType::kHalf, size, std::move(channels));
-  set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(all)});
+  set.sheet.push_back({"horizon_" + what + face_suffix(set.target, face), thumbnail(few, true)});
   return (*out)->close();
 }
 
@@ -328,7 +329,10 @@ void record_mips(SetImages& set, const MipImages& own, TextureSize size, Face fa
 
 }  // namespace
 
-base::Result<void> write_face(SetImages& set, const FaceSource& source, Face face) {
+base::Result<void> write_face(SetImages& set, FaceSource& source, Face face) {
+  for (const bool spread : {false, true})
+    if (base::Result<void> done = write_horizon(set, source, spread, face); !done) return done;
+  source.release_horizons();
   const TextureSize size = source.size();
   RawMips mips(size);
   if (set.target.raw)
@@ -346,10 +350,7 @@ base::Result<void> write_face(SetImages& set, const FaceSource& source, Face fac
     set.sheet.push_back(
         {std::string(row.suffix + 1) + face_suffix(set.target, face), thumbnail_of(row, source.small())});
   }
-  base::Result<void> done = write_horizon(set, source, false, face);
-  if (done) done = write_horizon(set, source, true, face);
-  if (done && mips.wanted()) done = mips.close(set, face);
-  return done;
+  return mips.wanted() ? mips.close(set, face) : base::Result<void>();
 }
 
 }  // namespace weftlight::texture_set

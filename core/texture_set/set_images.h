@@ -33,7 +33,7 @@ struct SetImages {
   std::array<EmbeddedImages, 2> embedded{};  // by face, of targets that have them
 };
 
-/// Writes all images of a face. kCancelled if keep_going() stopped it.
-base::Result<void> write_face(SetImages& set, const FaceSource& source, Face face);
+/// Writes all images of a face, whose horizons are released. kCancelled if keep_going() stopped it.
+base::Result<void> write_face(SetImages& set, FaceSource& source, Face face);
 
 }  // namespace weftlight::texture_set

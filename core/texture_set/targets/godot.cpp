@@ -89,7 +89,11 @@ const ExportTarget targets::kGodot{
     .id = "godot",
     .title = "Godot",
     .images = kImages,
-    .model = {.sheen = formulas::kSheenNone, .most_f0 = 4 * formulas::kEngineF0, .grazing = false, .anisotropic = true},
+    .model = {.sheen = formulas::kSheenNone,
+              .most_f0 = 4 * formulas::kEngineF0,
+              .grazing = false,
+              .anisotropic = true,
+              .planes = 20},
     .highlight = "anisotropic GGX, specular to 1 (0.16)",
     .sheen = "none",
     // Its Compatibility renderer draws hashed transparency opaque; depth of the opaque parts first works in all three.

@@ -358,7 +358,7 @@ const ExportTarget targets::kMaterialX{
     .id = "materialx",
     .title = base::mark("MaterialX, USD"),
     .images = kImages,
-    .model = {.sheen = formulas::kSheenZeltner, .most_f0 = 0.25f, .grazing = false, .anisotropic = true},
+    .model = {.sheen = formulas::kSheenZeltner, .most_f0 = 0.25f, .grazing = false, .anisotropic = true, .planes = 20},
     .highlight = "OpenPBR, `specular_ior`",
     .sheen = "Zeltner 2022",
     .material = ".mtlx",

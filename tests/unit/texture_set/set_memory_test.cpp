@@ -33,8 +33,8 @@ int raw_set_takes(int size) {
   return static_cast<int>(taken.mb);
 }
 
-// They are 147 and 128 MB. The first was 287 when horizons, maps and texels of both faces were kept; the second 200 when
-// horizons were kept to the end and copied for the contact sheet, beside a face of 1024 texels.
+// They are 147 and 128 MB. The first was 287 when horizons, maps and texels of both faces were kept; the second 200
+// when horizons were kept to the end and copied for the contact sheet, beside a face of 1024 texels.
 TEST_F(SetMemory, OfARawSetIsThatOfOneFace) {
   EXPECT_LT(raw_set_takes(1024), 190);
   EXPECT_LT(raw_set_takes(2048), 165);

@@ -25,8 +25,18 @@ pid_t spawn(std::vector<std::string> words, const posix_spawn_file_actions_t* ac
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
+  // The window ignores broken pipes (display.cpp), which programs would inherit.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t usual;
+  sigemptyset(&usual);
+  sigaddset(&usual, SIGPIPE);
+  posix_spawnattr_setsigdefault(&attributes, &usual);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
-  return posix_spawnp(&child, argv[0], actions, nullptr, argv.data(), environ) == 0 ? child : 0;
+  const bool started = posix_spawnp(&child, argv[0], actions, &attributes, argv.data(), environ) == 0;
+  posix_spawnattr_destroy(&attributes);
+  return started ? child : 0;
 }
 
 constexpr size_t kMaxOutput = size_t{1} << 20;  // what is printed beyond it is dropped

@@ -50,6 +50,16 @@ TEST(ProcessTest, one_that_prints_without_end_is_not_hoarded) {
   EXPECT_LE(program.output().size(), size_t{1} << 20);
 }
 
+// The window ignores broken pipes: of a filter that a program starts, each would run on without a reader.
+TEST(ProcessTest, a_broken_pipe_ends_it) {
+  void (*const before)(int) = ::signal(SIGPIPE, SIG_IGN);
+  Process program({"sh", "-c", "kill -s PIPE $$; echo alive"});
+  wait_for_end(program);
+  ::signal(SIGPIPE, before);
+  EXPECT_FALSE(program.succeeded());
+  EXPECT_EQ(program.output(), "");
+}
+
 TEST(ProcessTest, a_program_that_is_not_there_does_not_start) {
   const std::vector<std::string> words = {"no-such-program-71"};
   Process program(words);

@@ -348,6 +348,7 @@ void FaceSource::measure_means() {
 void FaceSource::measure_mean_texel() {
   if (options_.detail == ThreadDetail::kAll || !options_.fitted) return;
   SurfaceTexels all = small_;
+  if (options_.model.each_texel) std::ranges::for_each(all.texels.at_, [this](SurfaceTexel& t) { fit_facets(t); });
   while (all.texels.at_.size() > 1) all = half_of(all);
   mean_texel_ = all.texels.at(0, 0);
   mean_texel_.normal = {0, 0, 1}, mean_texel_.fibre = {1, 0, 0};
@@ -385,13 +386,17 @@ void FaceSource::finish(SurfaceTexels& surface, int y0, int level_height, int th
       SurfaceTexel& t = row[x];
       t.base = times(t.base, fit_.base);
       t.sheen = times(t.sheen, fit_.sheen);
-      if (options_.model.each_texel) t.slope_cov = scaled_covariance({t.slope_cov, grain_of(t.fibre)}, fit_.lobe);
-      t.normal = flattened(straightened(t.normal, lean_), fit_.relief);
+      fit_facets(t);
       t.sheen_roughness = fit_.sheen_roughness;
       t.occlusion = std::min(t.occlusion * occlusion_gain_, 1.0f);
       leave_out_threads(t);
     }
   });
+}
+
+void FaceSource::fit_facets(SurfaceTexel& t) const {
+  if (options_.model.each_texel) t.slope_cov = scaled_covariance({t.slope_cov, grain_of(t.fibre)}, fit_.lobe);
+  t.normal = flattened(straightened(t.normal, lean_), fit_.relief);
 }
 
 void FaceSource::measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const {

@@ -97,6 +97,7 @@ class FaceSource {
   void measure_lean();
   void measure_footprints();
   void measure_footprint(SurfaceTexel& texel, const glm::vec3& lobe) const;
+  void fit_facets(SurfaceTexel& texel) const;
   void measure_means();
   void measure_range();
   void measure_mean_texel();

@@ -348,7 +348,8 @@ void FaceSource::measure_means() {
 void FaceSource::measure_mean_texel() {
   if (options_.detail == ThreadDetail::kAll || !options_.fitted) return;
   SurfaceTexels all = small_;
-  if (options_.model.each_texel) std::ranges::for_each(all.texels.at_, [this](SurfaceTexel& t) { fit_facets(t); });
+  if (options_.model.each_texel)
+    for (SurfaceTexel& t : all.texels.at_) fit_facets(t);
   while (all.texels.at_.size() > 1) all = half_of(all);
   mean_texel_ = all.texels.at(0, 0);
   mean_texel_.normal = {0, 0, 1}, mean_texel_.fibre = {1, 0, 0};

@@ -11,9 +11,9 @@ namespace weftlight::texture_set {
 using base::for_each_job;
 using cloth::MapsSize, cloth::bake, cloth::bake_horizons;
 using light::ClothResponse, light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart,
-    light::check_engine, light::engine_texels, light::fit_engine, light::refit_engine, light::footprint_lobe,
+    light::check_engine, light::engine_texels, light::fit_engine, light::flattened, light::footprint_lobe,
     light::grain_of, light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance,
-    light::score_engine, light::score_plane, light::flattened, light::straightened, light::thread_spacing_mm;
+    light::score_engine, light::refit_engine, light::score_plane, light::straightened, light::thread_spacing_mm;
 
 namespace {
 

@@ -63,6 +63,17 @@ constexpr const char* kFace = R"(def face(side):
     return both.outputs["Shader"]
 )";
 
+/// Versions 3 and 4 differ in the body alone.
+constexpr EngineModel model_over(int body) {
+  return {.sheen = body,
+          .most_f0 = 0.5f,
+          .grazing = false,
+          .anisotropic = true,
+          .planes = 20,
+          .each_texel = true,
+          .view_tinted = true};
+}
+
 /// The numbers of a face for a fit, as Python text; the images have the colours of the face's own.
 std::string face_of(const FaceSource& face, const EngineFit& fit) {
   return python_colour(fit.base / face.fit().base) + ", " + number(static_cast<double>(fit.specular())) + ", " +
@@ -88,20 +99,8 @@ const ExportTarget targets::kBlender{
     .id = "blender",
     .title = "Blender Cycles",
     .images = kImages,
-    .model = {.sheen = formulas::kSheenNone,
-              .most_f0 = 0.5f,
-              .grazing = false,
-              .anisotropic = true,
-              .planes = 20,
-              .each_texel = true,
-              .view_tinted = true},
-    .older_model = EngineModel{.sheen = formulas::kSheenNoneDisney,
-                               .most_f0 = 0.5f,
-                               .grazing = false,
-                               .anisotropic = true,
-                               .planes = 20,
-                               .each_texel = true,
-                               .view_tinted = true},
+    .model = model_over(formulas::kSheenNone),
+    .older_model = model_over(formulas::kSheenNoneDisney),
     .highlight =
         "principled, Specular as a node (beyond 1), each texel by itself; colour and Specular for Blender 3 "
         "and for 4",

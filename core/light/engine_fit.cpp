@@ -91,7 +91,10 @@ std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Engin
       out[i].grazing += p.grazing * (p.kept * t.weight);
     }
   }
-  for (size_t i = 0; i < out.size(); ++i) out[i].body *= fit.tint.at(directions.views[directions.pairs[i].view]);
+  for (size_t i = 0; i < out.size(); ++i) {
+    out[i].body *= fit.tint.at(directions.views[directions.pairs[i].view]);
+    if (model.light_tinted) out[i].body *= fit.tint.at(directions.lights[directions.pairs[i].light]);
+  }
   return out;
 }
 
@@ -264,12 +267,15 @@ void tint(EngineFit& fit, const Problem& p) {
         brightest = std::max(brightest, sum);
         if (k == c) wanted = sum;
       }
+      glm::vec2 slants(0);  // of the lights, weighted by their body light
       for (size_t i = view.first; i < view.first + view.count; ++i) {
-        const float part = p.directions.pairs[i].fraction, of_body = (radiance[i].body * fit.base)[c];
+        const EnginePair& pair = p.directions.pairs[i];
+        const float part = pair.fraction, of_body = (radiance[i].body * fit.base)[c];
         body += part * of_body, rest += part * (whole(radiance[i], fit)[c] - of_body);
+        if (p.model.light_tinted) slants += part * of_body * ViewTint::slant(p.directions.lights[pair.light]);
       }
       if (body <= 1e-6f) continue;
-      const glm::vec3 row(1, ViewTint::slant(p.directions.views[view.view]));
+      const glm::vec3 row(1, ViewTint::slant(p.directions.views[view.view]) + slants / body);
       const float change = std::log(std::max((wanted - rest) / body, std::exp(-kMostChange)));
       const float part = body / std::max(wanted, kDarkChannel * brightest), weight = view.weight * part * part;
       a += weight * glm::outerProduct(row, row), b += weight * std::min(change, kMostChange) * row;

@@ -31,7 +31,8 @@ struct EngineModel {
   // The engine averages the light of texels instead of texels: widths of the highlight and relief of the normals are
   // fitted for each texel.
   bool each_texel = false;
-  bool view_tinted = false;  // the base colour can change with the view
+  bool view_tinted = false;   // the base colour can change with the view
+  bool light_tinted = false;  // and with the light, in the same way: reciprocal
 };
 
 /// Of glTF, which method `engine` shows.

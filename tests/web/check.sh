@@ -25,7 +25,7 @@ chromium=$(command -v chromium || command -v chromium-browser || true)
 mkdir -p build/npm
 if [[ ! -d build/npm/node_modules/ws ]]; then
   cp third_party/package.json third_party/package-lock.json build/npm/
-  (cd build/npm && npm ci --silent --no-audit --no-fund) || { echo "skipped: npm brings no packages"; exit 77; }
+  (cd build/npm && npm ci --silent --no-audit --no-fund --ignore-scripts --legacy-peer-deps) || { echo "skipped: npm brings no packages"; exit 77; }
 fi
 made=$(mktemp -d)
 trap 'kill "${server:-}" 2>/dev/null || true; rm -rf "$made"' EXIT

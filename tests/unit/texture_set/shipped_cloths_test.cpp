@@ -50,25 +50,25 @@ struct KnownMisses {
   PlaneMisses gltf, cycles, eevee, godot;
 };
 const std::map<std::string, KnownMisses> kPlaneMisses = {
-    {"chambray", {{0.13f, 0.39f}, {0.11f, 0.08f}, {0.09f, 0.11f}, {0.23f, 0.34f}}},
-    {"chintz", {{0.09f, 0.24f}, {0.04f, 0.13f}, {0.09f, 0.23f}, {0.14f, 0.25f}}},
-    {"cotton_denim", {{0.07f, 0.05f}, {0.10f, 0.12f}, {0.10f, 0.14f}, {0.13f, 0.14f}}},
-    {"cotton_twill", {{0.08f, 0.05f}, {0.06f, 0.11f}, {0.13f, 0.13f}, {0.15f, 0.06f}}},
-    {"damask", {{0.09f, 0.17f}, {0.04f, 0.05f}, {0.06f, 0.03f}, {0.09f, 0.08f}}},
-    {"denim", {{0.10f, 0.02f}, {0.06f, 0.08f}, {0.06f, 0.05f}, {0.13f, 0.04f}}},
-    {"flannel", {{0.01f, 0.02f}, {0.02f, 0.02f}, {0.01f, 0.01f}, {0.01f, 0.04f}}},
-    {"gabardine", {{0.08f, 0.13f}, {0.09f, 0.15f}, {0.07f, 0.14f}, {0.12f, 0.15f}}},
-    {"linen", {{0.04f, 0.05f}, {0.06f, 0.01f}, {0.04f, 0.00f}, {0.12f, 0.12f}}},
-    {"linen_plain", {{0.03f, 0.04f}, {0.03f, 0.03f}, {0.03f, 0.03f}, {0.09f, 0.09f}}},
-    {"organza", {{0.02f, 0.05f}, {0.09f, 0.10f}, {0.03f, 0.07f}, {0.09f, 0.10f}}},
-    {"ottoman", {{0.28f, 0.30f}, {0.05f, 0.04f}, {0.13f, 0.13f}, {0.33f, 0.47f}}},
-    {"oxford", {{0.12f, 0.34f}, {0.14f, 0.08f}, {0.08f, 0.11f}, {0.23f, 0.35f}}},
-    {"polyester_satin_charmeuse", {{0.44f, 0.40f}, {0.29f, 0.21f}, {0.37f, 0.34f}, {0.44f, 0.38f}}},
-    {"shot_taffeta", {{0.16f, 0.17f}, {0.13f, 0.17f}, {0.12f, 0.21f}, {0.23f, 0.33f}}},
-    {"silk_charmeuse", {{0.25f, 0.36f}, {0.10f, 0.31f}, {0.23f, 0.37f}, {0.25f, 0.35f}}},
-    {"silk_crepe_de_chine", {{0.22f, 0.12f}, {0.09f, 0.04f}, {0.19f, 0.07f}, {0.25f, 0.24f}}},
-    {"silk_satin", {{0.11f, 0.10f}, {0.22f, 0.26f}, {0.11f, 0.11f}, {0.21f, 0.23f}}},
-    {"tweed", {{0.13f, 0.23f}, {0.08f, 0.05f}, {0.03f, 0.04f}, {0.13f, 0.28f}}}};
+    {"chambray", {{0.13f, 0.39f}, {0.11f, 0.08f}, {0.09f, 0.11f}, {0.05f, 0.11f}}},
+    {"chintz", {{0.09f, 0.24f}, {0.04f, 0.13f}, {0.09f, 0.23f}, {0.08f, 0.23f}}},
+    {"cotton_denim", {{0.07f, 0.05f}, {0.10f, 0.12f}, {0.10f, 0.14f}, {0.08f, 0.14f}}},
+    {"cotton_twill", {{0.08f, 0.05f}, {0.06f, 0.11f}, {0.13f, 0.13f}, {0.05f, 0.07f}}},
+    {"damask", {{0.09f, 0.17f}, {0.04f, 0.05f}, {0.06f, 0.03f}, {0.07f, 0.10f}}},
+    {"denim", {{0.10f, 0.02f}, {0.06f, 0.08f}, {0.06f, 0.05f}, {0.04f, 0.07f}}},
+    {"flannel", {{0.01f, 0.02f}, {0.02f, 0.02f}, {0.01f, 0.01f}, {0.02f, 0.01f}}},
+    {"gabardine", {{0.08f, 0.13f}, {0.09f, 0.15f}, {0.07f, 0.14f}, {0.08f, 0.14f}}},
+    {"linen", {{0.04f, 0.05f}, {0.06f, 0.01f}, {0.04f, 0.00f}, {0.07f, 0.04f}}},
+    {"linen_plain", {{0.03f, 0.04f}, {0.03f, 0.03f}, {0.03f, 0.03f}, {0.03f, 0.04f}}},
+    {"organza", {{0.02f, 0.05f}, {0.09f, 0.10f}, {0.03f, 0.07f}, {0.03f, 0.06f}}},
+    {"ottoman", {{0.28f, 0.30f}, {0.05f, 0.04f}, {0.13f, 0.13f}, {0.11f, 0.02f}}},
+    {"oxford", {{0.12f, 0.34f}, {0.14f, 0.08f}, {0.08f, 0.11f}, {0.06f, 0.11f}}},
+    {"polyester_satin_charmeuse", {{0.44f, 0.40f}, {0.29f, 0.21f}, {0.37f, 0.34f}, {0.18f, 0.22f}}},
+    {"shot_taffeta", {{0.16f, 0.17f}, {0.13f, 0.17f}, {0.12f, 0.21f}, {0.09f, 0.20f}}},
+    {"silk_charmeuse", {{0.25f, 0.36f}, {0.10f, 0.31f}, {0.23f, 0.37f}, {0.06f, 0.32f}}},
+    {"silk_crepe_de_chine", {{0.22f, 0.12f}, {0.09f, 0.04f}, {0.19f, 0.07f}, {0.19f, 0.10f}}},
+    {"silk_satin", {{0.11f, 0.10f}, {0.22f, 0.26f}, {0.11f, 0.11f}, {0.11f, 0.12f}}},
+    {"tweed", {{0.13f, 0.23f}, {0.08f, 0.05f}, {0.03f, 0.04f}, {0.04f, 0.04f}}}};
 
 PlaneMisses misses_for(const ExportTarget& target, const Design& cloth) {
   TextureSetOptions options;
@@ -147,8 +147,8 @@ TEST(ShippedCloth, OrganzaHasAHighlight) {
 // Red over blue of all views at an elevation: the warp is blue, the weft red. In the cloth it falls to 0.43 of what it
 // is at normal view.
 TEST(ShippedCloth, ShotTaffetaChangesHueWithTheView) {
-  for (const auto& [target, most] :
-       {std::pair(&targets::kGltf, 0.9f), std::pair(&targets::kBlender, 0.5f), std::pair(&targets::kEevee, 0.5f)}) {
+  for (const auto& [target, most] : {std::pair(&targets::kGltf, 0.9f), std::pair(&targets::kBlender, 0.5f),
+                                     std::pair(&targets::kEevee, 0.5f), std::pair(&targets::kGodot, 0.5f)}) {
     TextureSetOptions options;
     options.target = target;
     const FaceSource face =

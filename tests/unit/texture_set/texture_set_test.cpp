@@ -252,7 +252,7 @@ TEST(TextureSet, EveryTargetHasTheSameScale) {
     const std::string all{std::istreambuf_iterator<char>(in), {}};
     EXPECT_NE(all.find(text), std::string::npos) << file << " lacks " << text;
   };
-  holds(targets::kGodot, "sample.tres", "uv1_scale = Vector3(" + scale);
+  holds(targets::kGodot, "sample.tres", "uv_scale = Vector2(" + scale);
   holds(targets::kUnityUrp, "sample.mat", "m_Scale: {x: " + scale);
   holds(targets::kUnreal, "sample_import.py", "TILING = (" + scale);
   holds(targets::kBlender, "sample.py", "TILING = (" + scale);
@@ -284,7 +284,9 @@ TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
     options.alpha = alpha;
     ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
     const std::string material = text_of(scratch / "set/sample.tres");
-    EXPECT_NE(material.find("transparency = 4\n"), std::string::npos) << material;
+    const std::string shader = text_of(scratch / "set/sample.gdshader");
+    EXPECT_NE(shader.find("depth_prepass_alpha;"), std::string::npos) << shader;
+    EXPECT_NE(shader.find("ALPHA = albedo.a;"), std::string::npos) << shader;
     EXPECT_NE(material.find("path=\"sample_albedo.dds\""), std::string::npos) << material;
     EXPECT_NE(material.find("path=\"sample_orm.png\""), std::string::npos) << material;
     EXPECT_TRUE(fs::exists(scratch / "set/sample_albedo.dds"));
@@ -292,7 +294,7 @@ TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
   TextureSetOptions all = options_for(targets::kGodot, 32);
   all.mips = MipFormat::kDds;
   ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), all)), "");
-  EXPECT_NE(text_of(scratch / "set/sample_back.tres").find("path=\"sample_back_normal.dds\""), std::string::npos);
+  EXPECT_NE(text_of(scratch / "set/sample.tres").find("path=\"sample_back_normal.dds\""), std::string::npos);
 }
 
 TEST(TextureSet, UnityMaterialsNameTheMipsThatTheSetHas) {

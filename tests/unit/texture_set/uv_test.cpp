@@ -54,7 +54,7 @@ struct Place {
 };
 const Place kPlaces[] = {
     {targets::kGltf, "sample.gltf", "\"scale\"", "\"offset\"", -1},
-    {targets::kGodot, "sample.tres", "uv1_scale = Vector3", "uv1_offset = Vector3", -1},
+    {targets::kGodot, "sample.tres", "uv_scale = Vector2", "uv_offset = Vector2", -1},
     {targets::kUnityUrp, "sample.mat", "m_Scale:", "m_Offset:", 1},
     {targets::kUnreal, "sample_import.py", "NAME = \"sample\"\nTILING = ", "OFFSET = ", -1},
     {targets::kBlender, "sample.py", "NAME = \"sample\"\nTILING = ", "OFFSET = ", 1},

@@ -21,9 +21,11 @@ constexpr int kMinSide = 16;
 constexpr int kAzimuths = 16;                           // of the horizon that gives the occlusion
 constexpr int64_t kMaxCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
 constexpr int64_t kMaxRawTexels = int64_t{1} << 22;     // with the horizons of raw sets
-constexpr int64_t kMaxPieceTexels = int64_t{1} << 16;   // of the maps; about 5 MB
-constexpr int kMaxPieceSide = 16384;                    // of a window of the maps
-constexpr int64_t kMaxBandTexels = int64_t{1} << 18;    // of the maps of a raw set, made on all cores; about 14 MB
+// Of the maps; about 3 MB. Memory of larger pieces went back to the system each time, and new pages cost more than
+// filling them.
+constexpr int64_t kMaxPieceTexels = int64_t{1} << 14;
+constexpr int kMaxPieceSide = 16384;                  // of a window of the maps
+constexpr int64_t kMaxBandTexels = int64_t{1} << 18;  // of the maps of a raw set, made on all cores; about 14 MB
 constexpr int kSmallSide = 1024;
 constexpr int kSamplesPerThread = 4;
 // Texels per thread above which one sample per texel is enough, since samples hold the coverage of their thread. Error
@@ -424,16 +426,18 @@ SurfaceTexels FaceSource::finished(SurfaceTexels raw, int y0, int level_height) 
 }
 
 SurfaceTexels FaceSource::raw_rows(int y0, int y1) const {
-  const int width = options_.size.width;
-  SurfaceTexels out = blank_like(small_, width, y1 - y0);
+  const int width = options_.size.width, height = y1 - y0;
+  SurfaceTexels out = blank_like(small_, 0, 0);
   if (const SurfaceTexels* all = whole()) {
-    std::copy_n(all->texels.row(y0), out.texels.at_.size(), out.texels.at_.begin());
+    out.texels.width = width, out.texels.height = height;
+    out.texels.at_.assign(all->texels.row(y0), all->texels.row(y0) + static_cast<ptrdiff_t>(width) * height);
     return out;
   }
   const int step = std::min(width, kMaxPieceSide / factor_);
-  for (int x = 0; x < width; x += step) {
+  out.texels = step == width ? piece(0, width, y0, y1).texels : Plane<SurfaceTexel>(width, height);
+  for (int x = 0; step < width && x < width; x += step) {
     const SurfaceTexels part = piece(x, x + step, y0, y1);
-    for (int y = 0; y < y1 - y0; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
+    for (int y = 0; y < height; ++y) std::copy_n(part.texels.row(y), step, out.texels.row(y) + x);
   }
   set_occlusion(out, y0, options_.size.height);
   return out;

@@ -60,9 +60,7 @@ func picture(wanted: Dictionary, material: Material) -> void:
 			mesh.set_surface_override_material(surface, hidden() if back else material)
 	var light := DirectionalLight3D.new()
 	light.light_energy = wanted.irradiance / PI
-	light.shadow_enabled = true
-	light.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
-	light.directional_shadow_max_distance = 4.0
+	light.shadow_enabled = false  # this renderer adds lights with shadows as encoded values
 	var camera := Camera3D.new()
 	camera.fov = wanted.fov
 	camera.near = 0.05
@@ -118,7 +116,8 @@ func new_stage() -> SubViewport:
 func even_sky(radiance: float) -> Sky:
 	var sky := Sky.new()
 	var shader := Shader.new()
-	shader.code = "shader_type sky;\nvoid sky() { COLOR = vec3(%f); }\n" % radiance
+	var encoded := Color(radiance, radiance, radiance).linear_to_srgb().r  # this renderer decodes it
+	shader.code = "shader_type sky;\nvoid sky() { COLOR = vec3(%f); }\n" % encoded
 	sky.sky_material = ShaderMaterial.new()
 	sky.sky_material.shader = shader
 	return sky

@@ -38,7 +38,7 @@ enum class Channel {
   kWideX,
   kWideY,              // direction of the wider axis, likewise
   kGltfAnisotropy,     // strength s of KHR_materials_anisotropy: alpha_t = mix(alpha, 1, s^2)
-  kAspectAnisotropy,   // of Godot, Blender and U3M: narrow / wide = 1 - 0.9 a
+  kAspectAnisotropy,   // of Blender and U3M: narrow / wide = 1 - 0.9 a
   kOpenPbrRoughness,   // wide^2 + narrow^2 = 2 r^4
   kOpenPbrAnisotropy,  // narrow / wide = 1 - a
   kLean,               // sqrt(wide^2 - narrow^2): slopes by which round lobes lean along the wider axis

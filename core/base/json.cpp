@@ -93,6 +93,11 @@ JsonExtent json_extent(std::string_view text) {
   return extent;
 }
 
+bool is_text(const nlohmann::json& value, std::string_view text) {
+  const auto* own = value.get_ptr<const std::string*>();
+  return own != nullptr && *own == text;
+}
+
 nlohmann::json read_json(std::string_view text) {
   const JsonExtent extent = json_extent(text);
   if (extent.depth > kMaxJsonDepth || extent.values > kMaxJsonValues) return nlohmann::json::value_t::discarded;

@@ -25,6 +25,10 @@ JsonExtent json_extent(std::string_view text);
 inline constexpr int kMaxJsonDepth = 64;
 inline constexpr size_t kMaxJsonValues = 500'000;  // up to 200 bytes of memory each
 
+/// Whether it is this text. The library's own comparison with a pointer makes a value within noexcept, so that the
+/// program ends where there is no memory for it.
+bool is_text(const nlohmann::json& value, std::string_view text);
+
 /// The value; discarded where the text is no JSON, nested deeper than kMaxJsonDepth, or of more than kMaxJsonValues.
 nlohmann::json read_json(std::string_view text);
 

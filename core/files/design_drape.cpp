@@ -25,6 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 constexpr size_t kMaxCached = 48;  // files of half a megabyte
 
+bool is_shipped_drape(const Design& design) {
+  const auto& shipped = drape_names();
+  return std::find(shipped.begin(), shipped.end(), design.scene.mesh) != shipped.end();
+}
+
 /// Name, without extension, of the shipped version for the fabric.
 std::string shipped_file(const Design& design) {
   return drape_file(design.scene.mesh, drape_stiffness_of(analysis::cloth_handle(design).bending_length_mm));
@@ -49,9 +54,9 @@ Result<Mesh> load_cached(const Design& design) {
   Result<Mesh> cached = read_mesh(path);
   if (!cached) return cached;
   const Result<Mesh> shipped = load_drape(design.scene.mesh);
+  if (!shipped) return shipped;
   const auto near = [](Vec2 a, Vec2 b) { return glm::distance(a, b) < 0.01f; };
-  const bool same =
-      shipped && cached->index == shipped->index && std::ranges::equal(cached->uv_mm, shipped->uv_mm, near);
+  const bool same = cached->index == shipped->index && std::ranges::equal(cached->uv_mm, shipped->uv_mm, near);
   if (!same) return failure(ErrorKind::kInput, tr("is not a mesh of this drape; it is simulated again"), path);
   return cached;
 }
@@ -73,10 +78,7 @@ FabricPhysics fabric_physics(const Design& design) {
           handle.bending_length_mm, fabric.thread_n_per_m, fabric.bias_n_per_m};
 }
 
-bool can_drape(const Design& design) {
-  const auto& shipped = drape_names();
-  return design.scene.mesh != "plane" && std::find(shipped.begin(), shipped.end(), design.scene.mesh) != shipped.end();
-}
+bool can_drape(const Design& design) { return design.scene.mesh != "plane" && is_shipped_drape(design); }
 
 std::string kept_drape_path(const Design& design) {
   if (!can_drape(design)) return {};
@@ -119,8 +121,11 @@ std::string drape_key(const Design& design) {
 }
 
 Result<Mesh> load_design_drape(const Design& design) {
+  // Where only memory is missing, the file is as good as ever, and the next reading is sooner there than a simulation.
+  const auto is_bad = [](const Result<Mesh>& read) { return !read && read.error().kind != ErrorKind::kMemory; };
   Result<Mesh> read = design.scene.simulated_drape ? load_cached(design) : load_shipped(design);
-  if (!read) read = load_shipped(design);
+  if (design.scene.simulated_drape && is_bad(read)) read = load_shipped(design);
+  if (is_bad(read) && is_shipped_drape(design)) read = simulate_drape(design.scene.mesh);
   // The name selects the body, which does not depend on the stiffness.
   if (read && can_drape(design)) read->name = design.scene.mesh;
   return read;

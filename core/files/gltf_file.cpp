@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <new>
 
 #include "base/json.h"
 #include "base/text.h"
@@ -10,7 +11,7 @@
 
 namespace weftlight::files {
 
-using base::arg, base::fill, base::kMaxJsonDepth, base::message, base::read_file, base::tr;
+using base::arg, base::fill, base::is_text, base::kMaxJsonDepth, base::message, base::read_file, base::tr;
 
 namespace {
 
@@ -149,12 +150,13 @@ struct Needed {
 Needed reduced(const json& root) {
   Needed out;
   const json asset = root.value("asset", json::object());
-  if (!asset.is_object() || asset.value("version", json()) != "2.0") refuse(tr("not glTF 2.0; export it as glTF 2.0"));
+  if (!asset.is_object() || !is_text(asset.value("version", json()), "2.0"))
+    refuse(tr("not glTF 2.0; export it as glTF 2.0"));
   const json extras = asset.value("extras", json());
   out.uv_mm = extras.is_object() && extras.value("weftlight_uv_mm", json()) == true;
   for (const json& extension : root.value("extensionsRequired", json::array())) {
     for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
-      if (extension == packed)
+      if (is_text(extension, packed))
         refuse(fill(tr("compressed with {extension}; export it without compression"), arg("extension", packed)));
     }
   }
@@ -207,6 +209,8 @@ tinygltf::Model load(const Needed& needed, std::string_view binary, const std::s
                                        static_cast<unsigned>(glb.size()), folder);
   }
   if (!good) {
+    // tinygltf takes every exception of its parser for a mistake in the text.
+    if (error.find(std::bad_alloc().what()) != std::string::npos) throw std::bad_alloc();
     std::replace(error.begin(), error.end(), '\n', ' ');
     refuse(fill(tr("{problem}; export it again as .glb"),
                 arg("problem", error.empty() ? tr("its parts do not fit together") : error)));

@@ -43,8 +43,10 @@ void StageKeys::run_stage(const Stage& stage, StageWork& work, Change input, boo
   state.key.clear();
   for (const Node n : stage.inputs) state.key.push_back(at(n).version);
   state.made = outcome.transform([](const Outcome&) {});
-  // What failed in a quick update is tried again by the next full one. Once it succeeds, all of it has changed.
-  const Outcome made = outcome.value_or(Outcome{Change::kAll, quick});
+  // What failed in a quick update, or where there was no memory, is tried again by the next full one. Once it succeeds,
+  // all of it has changed.
+  const bool again = quick || (!outcome && outcome.error().kind == base::ErrorKind::kMemory);
+  const Outcome made = outcome.value_or(Outcome{Change::kAll, again});
   state.rough = made.rough || (quick && state.rough);
   if (made.change != Change::kNone || state.version == 0) ++state.version;
   if (made.change == Change::kAll || state.whole == 0) state.whole = state.version;

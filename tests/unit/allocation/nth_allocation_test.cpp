@@ -21,6 +21,7 @@
 #include "design/edits.h"
 #include "draft/drawdown.h"
 #include "draft/factor.h"
+#include "files/design_drape.h"
 #include "platform/files_below.h"
 #include "texture_set/targets.h"
 #include "texture_set/texture_set.h"
@@ -134,6 +135,29 @@ TEST_F(NthAllocation, EditsAndFactorsFailOrAreRight) {
                   }
                 }),
             2);
+}
+
+// A drape that cannot be read is simulated, but not where only memory is missing.
+TEST_F(NthAllocation, AShippedDrapeIsReadOrNot) {
+  design::Design design = sample();
+  design.scene.mesh = "sphere";
+  const drape::Mesh whole = files::load_design_drape(design).value();
+  base::Result<drape::Mesh> read;
+  int errors = 0;
+  at_each_allocation(
+      [&] {
+        read = base::failure(base::ErrorKind::kMemory, "");
+        read = files::load_design_drape(design);
+      },
+      [&](int n) {
+        if (read) {
+          EXPECT_TRUE(read->position_mm == whole.position_mm) << n;  // and not simulated
+        } else {
+          EXPECT_EQ(read.error().kind, base::ErrorKind::kMemory) << n << ": " << message(read.error());
+          ++errors;
+        }
+      });
+  EXPECT_GT(errors, 20);
 }
 
 TEST_F(NthAllocation, MapsFailOrAreWhole) {

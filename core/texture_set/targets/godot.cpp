@@ -66,7 +66,7 @@ vec3 encoded(vec3 color) {
 	return mix(1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, 12.92 * color, lessThanEqual(color, vec3(0.0031308)));
 }
 
-void fragment() {
+{HASH}void fragment() {
 	vec2 at = UV * uv_scale + uv_offset;
 	vec4 albedo;
 	vec3 orm;
@@ -124,6 +124,20 @@ void light() {
 }
 )";
 
+// Godot's own hashed transparency is opaque in its Compatibility renderer.
+constexpr const char* kHash =
+    R"(// 0 to 1, evenly distributed: a pixel is there where more is covered. The pattern stays on the cloth and is as fine as the
+// pixels, as in Wyman and McGuire 2017, "Hashed alpha testing"; interleaved gradient noise (Jimenez 2014) has the least grain.
+float threshold(vec2 at) {
+	vec2 right = dFdx(at);
+	vec2 down = dFdy(at);
+	float pixel = sqrt(max(abs(right.x * down.y - right.y * down.x), 1e-12));
+	vec2 cell = floor(at * exp2(round(-log2(pixel))));
+	return fract(52.9829189 * fract(dot(cell, vec2(0.06711056, 0.00583715))));
+}
+
+)";
+
 constexpr const char* kUniforms =
     R"(uniform sampler2D {SIDE}_albedo : source_color, filter_linear_mipmap_anisotropic, repeat_enable;
 uniform sampler2D {SIDE}_orm : filter_linear_mipmap_anisotropic, repeat_enable;
@@ -164,6 +178,7 @@ std::string of_side(const char* text, Face face) { return fill_template(text, {{
 /// What the pixel does with coverage. Blended cloth has a depth pass of its opaque parts (render_mode).
 std::string coverage_lines(Alpha alpha) {
   if (alpha == Alpha::kOpaque) return {};
+  if (alpha == Alpha::kHashed) return "\tif (albedo.a < threshold(UV)) {\n\t\tdiscard;\n\t}\n";
   const std::string covered = "\tALPHA = albedo.a;\n";
   return alpha == Alpha::kMask ? covered + "\tALPHA_SCISSOR_THRESHOLD = 0.5;\n" : covered;
 }
@@ -177,6 +192,7 @@ base::Result<void> write_shader(const SetFacts& set) {
                               {"BACK", of_side(kUniforms, Face::kBack)},
                               {"FETCH_FRONT", of_side(kFetch, Face::kFront)},
                               {"FETCH_BACK", of_side(kFetch, Face::kBack)},
+                              {"HASH", set.alpha == Alpha::kHashed ? kHash : ""},
                               {"COVERAGE", coverage_lines(set.alpha)}}));
 }
 
@@ -236,8 +252,7 @@ const ExportTarget targets::kGodot{
               .light_tinted = true},
     .highlight = "anisotropic GGX, its own shader",
     .sheen = "none",
-    // Its Compatibility renderer draws hashed transparency opaque; depth of the opaque parts first works in all three.
-    .open = Alpha::kBlend,
+    .open = Alpha::kHashed,
     .color_mips = MipFormat::kDds,
     .names_dds = true,
     .material = ".tres",

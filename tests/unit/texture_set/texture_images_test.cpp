@@ -217,6 +217,8 @@ TEST(TextureSet, PinholesStayOpaque) {
   EXPECT_EQ(alpha_for(targets::kGltf, Alpha::kAuto, 0.96f), Alpha::kOpaque) << "its folds would show through";
   EXPECT_EQ(alpha_for(targets::kGltf, Alpha::kAuto, 0.57f), Alpha::kBlend);
   EXPECT_EQ(alpha_for(targets::kBlender, Alpha::kAuto, 0.57f), Alpha::kHashed);
+  EXPECT_EQ(alpha_for(targets::kGodot, Alpha::kAuto, 0.57f), Alpha::kHashed);
+  EXPECT_EQ(alpha_for(targets::kGodot, Alpha::kBlend, 0.57f), Alpha::kBlend);
   EXPECT_EQ(alpha_for(targets::kGltf, Alpha::kHashed, 0.57f), Alpha::kBlend);
   EXPECT_EQ(alpha_for(targets::kGltf, Alpha::kMask, 0.99f), Alpha::kMask);
 }

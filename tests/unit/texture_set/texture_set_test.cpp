@@ -285,8 +285,10 @@ TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
     ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
     const std::string material = text_of(scratch / "set/sample.tres");
     const std::string shader = text_of(scratch / "set/sample.gdshader");
-    EXPECT_NE(shader.find("depth_prepass_alpha;"), std::string::npos) << shader;
-    EXPECT_NE(shader.find("ALPHA = albedo.a;"), std::string::npos) << shader;
+    const bool blended = alpha == Alpha::kBlend;
+    EXPECT_EQ(shader.find("depth_prepass_alpha;") != std::string::npos, blended) << shader;
+    EXPECT_EQ(shader.find("ALPHA = albedo.a;") != std::string::npos, blended) << shader;
+    EXPECT_EQ(shader.find("discard;") != std::string::npos, !blended) << shader;
     EXPECT_NE(material.find("path=\"sample_albedo.dds\""), std::string::npos) << material;
     EXPECT_NE(material.find("path=\"sample_orm.png\""), std::string::npos) << material;
     EXPECT_TRUE(fs::exists(scratch / "set/sample_albedo.dds"));

@@ -121,7 +121,7 @@ std::string drape_key(const Design& design) {
 }
 
 Result<Mesh> load_design_drape(const Design& design) {
-  // Where only memory is missing, the file is as good as ever, and the next reading is sooner there than a simulation.
+  // A file for which there was no memory is not bad: it can be read again later.
   const auto is_bad = [](const Result<Mesh>& read) { return !read && read.error().kind != ErrorKind::kMemory; };
   Result<Mesh> read = design.scene.simulated_drape ? load_cached(design) : load_shipped(design);
   if (design.scene.simulated_drape && is_bad(read)) read = load_shipped(design);

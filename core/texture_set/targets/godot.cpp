@@ -127,7 +127,8 @@ void light() {
 // Godot's own hashed transparency is opaque in its Compatibility renderer.
 constexpr const char* kHash =
     R"(// 0 to 1, evenly distributed: a pixel is there where more is covered. The pattern stays on the cloth and is as fine as the
-// pixels, as in Wyman and McGuire 2017, "Hashed alpha testing"; interleaved gradient noise (Jimenez 2014) has the least grain.
+// pixels, as in Wyman and McGuire 2017, "Hashed alpha testing". Interleaved gradient noise (Jimenez 2014) has less grain than
+// white noise.
 float threshold(vec2 at) {
 	vec2 right = dFdx(at);
 	vec2 down = dFdy(at);

@@ -279,6 +279,32 @@ TEST(Stages, AfterAStopALargeEditIsStillPreviewed) {
   EXPECT_TRUE(same_textures(stages.packed(), fresh.packed()));
 }
 
+// Memory may be there again, a wrong file is not right because it is read again.
+TEST(Stages, WhatLackedMemoryIsTriedAgainWithoutAChange) {
+  static base::ErrorKind kind;
+  static int runs;
+  const auto fails_once = [](StageWork&, Change) -> base::Result<Outcome> {
+    if (++runs == 1) return base::failure(kind, "it failed");
+    return Outcome{};
+  };
+  const Stage stage{Node::kMesh, "mesh", {Node::kDrape}, fails_once};
+  const StageInput input;
+  StageData data;
+  StageResult result;
+  StageWork work{input, Effort::kFull, data, result};
+  for (const base::ErrorKind why : {base::ErrorKind::kMemory, base::ErrorKind::kInput}) {
+    StageKeys keys;
+    kind = why, runs = 0;
+    const auto update = [&] { return keys.run({&stage, 1}, work, Effort::kFull, {}); };
+    update();
+    EXPECT_FALSE(keys.made({&stage, 1}));
+    update();
+    EXPECT_EQ(keys.made({&stage, 1}).has_value(), why == base::ErrorKind::kMemory);
+    update();
+    EXPECT_EQ(runs, why == base::ErrorKind::kMemory ? 2 : 1);
+  }
+}
+
 TEST(Stages, ADraftWithoutThreadsIsAProblemUntilItHasSome) {
   Stages stages(kCoarse);
   const Design good = satin();

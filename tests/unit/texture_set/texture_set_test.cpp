@@ -275,8 +275,7 @@ TEST(TextureSet, UnityImportSettingsMatchTheMaps) {
   }
 }
 
-/// HDRP maps smoothness and normal from 0..1 to -1..1 and adds them to those of the base material.
-// Godot averages encoded colours and draws hashed transparency opaque in its Compatibility renderer.
+// Godot averages encoded colours and draws its own hashed transparency opaque in its Compatibility renderer.
 TEST(TextureSet, GodotGetsItsMipsAndATransparencyThatAllItsRenderersHave) {
   const Scratch scratch("godot");
   for (const Alpha alpha : {Alpha::kBlend, Alpha::kHashed}) {
@@ -377,6 +376,7 @@ TEST(TextureSet, FarLevelsOfDetailHaveTheSameColoursAndOneMaterial) {
   EXPECT_NEAR(first.metal, at_hand.means().metal, 0.02) << "of 16 ends two are of metal, on a part of the face";
 }
 
+// HDRP maps smoothness and normal from 0..1 to -1..1 and adds them to those of the base material.
 TEST(TextureSet, HdrpThreadMapIsNeutralOnAverage) {
   const Scratch scratch("thread-map");
   ASSERT_EQ(problem_of(write_texture_set(scratch / "h", sample_design(), {}, options_for(targets::kUnityHdrp, 128))),

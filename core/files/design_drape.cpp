@@ -53,7 +53,7 @@ Result<Mesh> load_cached(const Design& design) {
   if (path.empty() || !fs::exists(path, ec)) return failure(ErrorKind::kInput, tr("no such file"), path);
   Result<Mesh> cached = read_mesh(path);
   if (!cached) return cached;
-  const Result<Mesh> shipped = load_drape(design.scene.mesh);
+  Result<Mesh> shipped = load_drape(design.scene.mesh);
   if (!shipped) return shipped;
   const auto near = [](Vec2 a, Vec2 b) { return glm::distance(a, b) < 0.01f; };
   const bool same = cached->index == shipped->index && std::ranges::equal(cached->uv_mm, shipped->uv_mm, near);

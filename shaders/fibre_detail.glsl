@@ -8,7 +8,8 @@
 //   ply_light(frame, pattern, d, ...)                                                 plies shade each other
 //
 // Fibres run in lanes, parallel to the twist of their ply. Each has an offset and a depth of its own that change along
-// it, so that neighbours overlap, dive and come up again; of three lanes the highest fibre is seen. What a sample
+// it, so that neighbours overlap, dive and come up again; of three lanes the highest fibre is seen. Those that lie side
+// by side wave together, the more the fibre is crimped. What a sample
 // cannot resolve fades to its mean, and its slopes stay in the widths of the lobes: far away nothing is left of it.
 //
 // Based on: Zhao, Luan, Bala 2016 (migration of fibres in plies); Olano, Baker 2010, "LEAN mapping" (variance of the
@@ -22,6 +23,8 @@ const float kFibreSpan = 0.64f;      // radius of a fibre in lanes: neighbours o
 const float kSteepestFibre = 0.88f;  // sine of the steepest side of a fibre
 const float kFibreDrift = 0.6f;      // lateral offset at disorder 1, in lanes
 const float kFibreDive = 1.0f;       // depth to which a fibre dives at disorder 1, in lanes
+const float kCrimp = 9.0f;           // lateral way of fibres that wave together, in lanes at disorder 1
+const float kCrimpLanes = 14.0f;     // of which there are so many
 const float kConvolutions = 3.0f;    // of a fibre, for each node of the pattern along
 const float kBundleShift = 0.34f;    // of the border between two bundles, in bundles
 const float kBundleSlope = 0.6f;     // at that border
@@ -32,7 +35,7 @@ const float kSamplesOfPly = 5.0f;    // so many times finer are the samples that
 const float kPlyFurrow = 1.2f;       // twice the depth between plies over half their distance
 const float kFibreGain = 0.72f;      // fitted: the mean over a thread stays
 const float kPlyGain = 0.03f;
-const float kTuftSpread = 2.0f;      // of the single fibres of a tuft, in bundles
+const float kTuftSpread = 5.0f;      // of the single fibres of a tuft, in bundles
 const float kAcrossFibres = 0.28f;   // variance of the slopes across the fibres that are seen, at disorder 0.4
 
 // What fibre_detail() found.
@@ -131,6 +134,40 @@ FORMULA Lanes lanes_at(ThreadTexture x, TexturePoint p, float along, float turn)
     l.next_ply = uint(wrapped(int(ply) - x.ply_advance, x.plies)) * 0x9E3779B1u;
   }
   return l;
+}
+
+// Of four corners, smooth in both directions.
+FORMULA float crimp_value(ThreadTexture x, Lanes l, int group, int node, int advance) {
+  bool wraps = node == x.nodes;
+  return unit_of(mix_bits((x.seed ^ 0x68E31DA4u) + uint(wraps ? group - advance : group) * 0x632BE5ABu + (wraps ? l.next_ply : l.ply), uint(wraps ? 0 : node))) - 0.5f;
+}
+
+// Crimped fibres wave, those that lie side by side together: the lanes of a point, moved.
+FORMULA Lanes crimped(ThreadTexture x, Lanes l, float along) {
+  float most = kCrimp * x.disorder * x.disorder;
+  int advance = int(floor(float(x.lane_advance) / kCrimpLanes + 0.5f));
+  float at = (l.at - float(x.lane_advance) * along) / kCrimpLanes + float(advance) * along;
+  int group = int(floor(at));
+  float a = at - float(group);
+  float node_at = along * float(x.nodes);
+  int node = min(int(node_at), x.nodes - 1);
+  float b = clamp(node_at - float(node), 0.0f, 1.0f);
+  float smooth_a = a * a * (3.0f - 2.0f * a);
+  float smooth_b = b * b * (3.0f - 2.0f * b);
+  float v00 = crimp_value(x, l, group, node, advance);
+  float v10 = crimp_value(x, l, group + 1, node, advance);
+  float v01 = crimp_value(x, l, group, node + 1, advance);
+  float v11 = crimp_value(x, l, group + 1, node + 1, advance);
+  float here = v00 + smooth_a * (v10 - v00);
+  float next = v01 + smooth_a * (v11 - v01);
+  float by_group = mix(v10 - v00, v11 - v01, smooth_b) * 6.0f * a * (1.0f - a);
+  Lanes moved = l;
+  moved.at += most * (here + smooth_b * (next - here));
+  float stretched = 1.0f + most * by_group / kCrimpLanes;
+  moved.around *= stretched;
+  moved.along += most * ((next - here) * 6.0f * b * (1.0f - b) * float(x.nodes)
+                         + by_group * ((l.along - float(x.lane_advance)) / kCrimpLanes + float(advance)));
+  return moved;
 }
 
 // The highest of three fibres at a point.
@@ -271,7 +308,7 @@ FORMULA FibreDetail fibre_detail(ThreadTexture x, float along, float turn, vec2 
     vec2 slope = normalize(bundle_gradient) * steep;
     float variance = bound * bound * x.bundling * x.bundling * kBundleSlope * kBundleSlope / 7.0f;
     if (d.fade > 0.0f) {
-      Lanes l = lanes_at(x, p, along, turn);
+      Lanes l = crimped(x, lanes_at(x, p, along, turn), along);
       SeenFibre f = seen_fibre(x, l, along);
       vec2 gradient = vec2(l.around * to_mm, (l.along - kFibreDrift * x.disorder * f.fibre.drift) / length_mm);
       float side = f.side;
@@ -295,12 +332,14 @@ FORMULA FibreDetail fibre_detail(ThreadTexture x, float along, float turn, vec2 
       d.resolved.x = d.fade * d.fade * 0.25f * x.convolution * x.convolution;
       d.texel.groove *= mix(1.0f, light, d.fade);
       p.turn += kTuftSpread * d.fade * tone_of;
-      d.texel.tone += d.fade * (0.06f + 0.1f * x.hairiness + 0.7f * x.melange) * tone_of;
+      d.texel.tone += d.fade * (0.06f + 0.1f * x.hairiness + 0.5f * x.melange) * tone_of;
     }
     d.slope = slope;
     d.resolved.y = variance;
   }
   d.texel = finished_texel(x, p, d.texel);
+  // Single fibres of a colour stand out less than a tuft of them: light passes through them to their neighbours.
+  d.texel.hue *= 1.0f - 0.4f * d.fade;
   return d;
 }
 

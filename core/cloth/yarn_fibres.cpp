@@ -27,15 +27,17 @@ constexpr float kLongHairs = 0.1f;   // part of the hairs, of kLongHair times th
 constexpr float kLongHair = 3;
 constexpr float kLongestHair_mm = 6;
 constexpr float kLoop_mm = 0.55f;
-constexpr float kNapHair = 14;          // mm a mm that a raised finish pulls out
-constexpr int kMaxInAThread = 1 << 22;  // beyond, the memory limit has refused long since
+constexpr float kNapHair = 14;                                   // mm a mm that a raised finish pulls out
+constexpr float kDepthOfFibres = 0.05f, kDepthOfMelange = 0.7f;  // spread of the logarithm
+constexpr int kMaxInAThread = 1 << 22;                           // beyond, the memory limit has refused long since
 
 /// Random numbers of one thread, one stream a purpose.
 class Dice {
  public:
   Dice(uint32_t seed, uint32_t purpose) : seed_(thread_formulas::mix_bits(seed, purpose)) {}
   /// 0..1.
-  float next() { return thread_formulas::unit_of(thread_formulas::mix_bits(seed_, ++count_)); }
+  float next() { return thread_formulas::unit_of(bits()); }
+  uint32_t bits() { return thread_formulas::mix_bits(seed_, ++count_); }
   float between(float low, float high) { return low + (high - low) * next(); }
   float normal() {
     const float u = std::max(next(), 1e-7f);
@@ -46,6 +48,14 @@ class Dice {
  private:
   uint32_t seed_, count_ = 0;
 };
+
+FibreDye dye_of(const Yarn& yarn, Dice& dice) {
+  FibreDye dye;
+  dye.depth = std::exp((kDepthOfFibres + kDepthOfMelange * yarn.melange) * dice.normal());
+  if (yarn.melange > 0)
+    dye.hue = thread_formulas::kTuftHue * yarn.melange * thread_formulas::tuft_values(dice.bits(), 0, 0).y;
+  return dye;
+}
 
 float turns_per_mm(const Yarn& yarn, System system) {
   // As in thread_texture.cpp: Z runs to +across along an end, on the visible side.
@@ -168,7 +178,7 @@ void fill_ply(YarnFibres& yarn, int ply, int n, const FibreThread& thread, const
     fibre.radius_mm = usual * std::clamp(1 + facts.spread * dice.normal(), 0.4f, 1.8f);
     fibre.migration = 2 * kPi * dice.next();
     fibre.wander = {2 * kPi * dice.next(), 2 * kPi * dice.next()};
-    fibre.tone = std::max(1 + (0.05f + 0.9f * thread.yarn.melange) * dice.normal(), 0.15f);
+    fibre.dye = dye_of(thread.yarn, dice);
     yarn.fibres.push_back(fibre);
   }
 }
@@ -261,10 +271,22 @@ YarnFibres yarn_fibres(const FibreThread& thread) {
   for (int ply = 0; ply < yarn.plies; ++ply) fill_ply(yarn, ply, n, thread, facts);
   add_hairs(yarn, thread, facts);
   add_loops(yarn, thread, facts);
+  Dice dyes(thread.seed, 0xD1u);
+  for (StrayFibre& stray : yarn.strays) stray.dye = dye_of(thread.yarn, dyes);
   // Every thread begins at a place of its own in its twist.
   Dice dice(thread.seed, 0x42u);
   yarn.phase = 2 * kPi * dice.next();
   return yarn;
+}
+
+glm::vec3 FibreDye::tinted(glm::vec3 thread_colour) const {
+  thread_formulas::Texel texel{};
+  texel.tone = 1, texel.hue = hue;
+  return thread_formulas::fibre_colour(texel, thread_colour);
+}
+
+glm::vec3 FibreDye::on_surface(glm::vec3 thread_colour) const {
+  return glm::pow(tinted(thread_colour), glm::vec3(depth));
 }
 
 glm::vec2 fibre_place(const YarnFibres& yarn, const PlyFibre& fibre, float along_mm) {

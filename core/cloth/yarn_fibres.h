@@ -30,6 +30,17 @@ struct FibreThread {
   float raised = 0;  // finish: 0 to 1, more and longer hair
 };
 
+/// The dye of one fibre, which in a melange is not that of its neighbours.
+struct FibreDye {
+  float depth = 1;  // absorption, relative to the thread's
+  float hue = 0;    // warmer above 0, cooler below, as Texel::hue
+
+  /// A thread's colour with this hue; linear RGB, up to 1.
+  glm::vec3 tinted(glm::vec3 thread_colour) const;
+  /// What the fibre's own surface shows of it: that to the power of the depth (Bouguer).
+  glm::vec3 on_surface(glm::vec3 thread_colour) const;
+};
+
 /// One fibre within its ply.
 struct PlyFibre {
   int ply = 0;
@@ -37,7 +48,7 @@ struct PlyFibre {
   float radius_mm = 0;
   float migration = 0;  // phases of the waves
   glm::vec2 wander{0};
-  float tone = 1;  // of its dye, relative to the thread's
+  FibreDye dye;
 };
 
 /// A hair leaves the surface of the thread and ends outside it; a loop comes back.
@@ -49,7 +60,7 @@ struct StrayFibre {
   float reach_mm = 0;          // of a loop
   glm::vec3 lean{0}, bend{0};  // of a hair: its first direction (across, up, along) and how it curves, 1/mm
   float radius_mm = 0;
-  float tone = 1;
+  FibreDye dye;
 };
 
 struct YarnFibres {

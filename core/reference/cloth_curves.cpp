@@ -13,7 +13,8 @@
 namespace weftlight::reference {
 
 using base::ErrorKind, base::arg, base::failure, base::fill, base::tr;
-using cloth::Cloth, cloth::CurveGroup, cloth::Curves, cloth::Linear, cloth::fibre_count, cloth::stray_count;
+using cloth::Cloth, cloth::CurveGroup, cloth::Curves, cloth::FibreDye, cloth::Linear, cloth::fibre_count,
+    cloth::stray_count;
 using design::Twist, design::Yarn;
 
 namespace {
@@ -56,20 +57,20 @@ class ThreadWriter {
 
   void write(CurveDetail detail) {
     const int along = made_.plan->points;
-    if (detail == CurveDetail::kThreads) curves_.thread(add(along, 1));
+    if (detail == CurveDetail::kThreads) curves_.thread(add(along));
     if (detail == CurveDetail::kPlies)
-      for (int ply = 0; ply < made_.yarn.plies; ++ply) curves_.ply(ply, add(along, 1));
+      for (int ply = 0; ply < made_.yarn.plies; ++ply) curves_.ply(ply, add(along));
     if (detail != CurveDetail::kFibres) return;
-    for (const PlyFibre& fibre : made_.yarn.fibres) curves_.fibre(fibre, add(along, fibre.tone));
+    for (const PlyFibre& fibre : made_.yarn.fibres) curves_.fibre(fibre, add(along, fibre.dye));
     for (const PlacedStray& stray : made_.strays)
-      curves_.stray(stray, add(pieces_of(stray.fibre) + 1, stray.fibre.tone));
+      curves_.stray(stray, add(pieces_of(stray.fibre) + 1, stray.fibre.dye));
   }
 
  private:
-  glm::vec4* add(int points, float tone) {
-    const auto shade = [tone](float c) { return std::clamp(c * tone, 0.0f, 1.0f); };
+  glm::vec4* add(int points, const FibreDye& dye = {}) {
+    const glm::vec3 shown = dye.on_surface({colour_.r, colour_.g, colour_.b});
     group_.points_in.push_back(points);
-    group_.colour.push_back({shade(colour_.r), shade(colour_.g), shade(colour_.b)});
+    group_.colour.push_back({shown.r, shown.g, shown.b});
     group_.thread.push_back(made_.plan->thread + 1);
     const size_t first = group_.points.size();
     group_.points.resize(first + static_cast<size_t>(points));

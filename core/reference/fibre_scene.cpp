@@ -18,7 +18,7 @@
 namespace weftlight::reference {
 
 using base::ErrorKind, base::arg, base::failure, base::fill, base::for_each_job, base::tr;
-using cloth::PlyFibre;
+using cloth::FibreDye, cloth::PlyFibre;
 
 namespace {
 
@@ -29,6 +29,7 @@ struct Strand {
   uint32_t first_piece = 0;
   uint32_t yarn = 0;
   glm::vec3 dye{0};  // reflectance of its cloth, then the absorption for that; a metallic one has its own reflectance
+  float depth = 1;   // of the dye, relative to the cloth's
 };
 
 /// Bytes that Embree holds, now and at most.
@@ -94,7 +95,7 @@ struct FibreScene::Parts {
   void count(const std::vector<BuiltThread>& threads);
   bool make_scene(const std::vector<BuiltThread>& threads);
   void list_optics();
-  Strand strand_of(const PlannedThread& plan, size_t piece, float tone) const;
+  Strand strand_of(const PlannedThread& plan, size_t piece, const FibreDye& own) const;
   void dye(const std::vector<DyeCurve>& curves);
   void fill_thread(const BuiltThread& built, glm::vec4* vertices, uint32_t* indices, Heights& core, Heights& all);
   glm::vec3 tangent_at(uint32_t piece, float u) const;
@@ -132,20 +133,20 @@ void FibreScene::Parts::list_optics() {
   }
 }
 
-Strand FibreScene::Parts::strand_of(const PlannedThread& thread, size_t piece, float tone) const {
+Strand FibreScene::Parts::strand_of(const PlannedThread& thread, size_t piece, const FibreDye& own) const {
   const ThreadBody& body = paths.threads(thread.system)[static_cast<size_t>(thread.thread)];
   // A strand has one colour: that of its thread in the middle of the patch.
   const cloth::Linear& dye = colour_along(paths.cloth(), thread.system, thread.thread, plan.middle(thread.system));
-  const glm::vec3 colour = glm::clamp(glm::vec3(dye.r, dye.g, dye.b) * tone, 0.0f, 1.0f);
+  const glm::vec3 colour(dye.r, dye.g, dye.b);
   const bool metallic = optics[static_cast<size_t>(body.yarn)].metal.x > 0;
   return {static_cast<uint32_t>(piece), static_cast<uint32_t>(body.yarn),
-          metallic ? colour : reflectance->of(thread.system, body.yarn, colour)};
+          metallic ? own.on_surface(colour) : reflectance->of(thread.system, body.yarn, own.tinted(colour)), own.depth};
 }
 
 void FibreScene::Parts::dye(const std::vector<DyeCurve>& curves) {
   for (Strand& strand : strands) {
     if (optics[strand.yarn].metal.x > 0) continue;
-    for (int c = 0; c < 3; ++c) strand.dye[c] = curves[strand.yarn].absorption(strand.dye[c]);
+    for (int c = 0; c < 3; ++c) strand.dye[c] = strand.depth * curves[strand.yarn].absorption(strand.dye[c]);
   }
 }
 
@@ -155,20 +156,20 @@ void FibreScene::Parts::fill_thread(const BuiltThread& built, glm::vec4* vertex,
   const ThreadCurves curves(paths, plan, built.made);
   vertex += built.first_vertex, index += built.first_piece;
   size_t next_vertex = built.first_vertex, piece = built.first_piece, strand = built.first_strand;
-  const auto add = [&](int pieces, float tone, Heights& heights) {
-    strands[strand++] = strand_of(thread, piece, tone);
+  const auto add = [&](int pieces, const FibreDye& own, Heights& heights) {
+    strands[strand++] = strand_of(thread, piece, own);
     for (int k = 0; k < pieces; ++k) *index++ = static_cast<uint32_t>(next_vertex++);
     for (int k = 0; k <= pieces; ++k) heights.add(vertex[k].z, vertex[k].w);
     ++next_vertex, piece += static_cast<size_t>(pieces), vertex += pieces + 1;
   };
   for (const PlyFibre& fibre : built.made.yarn.fibres) {
     curves.fibre(fibre, vertex);
-    add(thread.points - 1, fibre.tone, core);
+    add(thread.points - 1, fibre.dye, core);
   }
   all.add(core);
   for (const PlacedStray& stray : built.made.strays) {
     curves.stray(stray, vertex);
-    add(pieces_of(stray.fibre), stray.fibre.tone, all);
+    add(pieces_of(stray.fibre), stray.fibre.dye, all);
   }
 }
 
@@ -256,6 +257,7 @@ void FibreScene::Parts::read_hit(const RTCRayHit& ray, glm::vec3 local, glm::vec
                       1;
   hit.yarn = strand->yarn;
   hit.optics = optics[strand->yarn];
+  hit.depth = strand->depth;
   (hit.optics.metal.x > 0 ? hit.optics.metal : hit.optics.absorption) = strand->dye;
 }
 

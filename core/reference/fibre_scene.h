@@ -21,6 +21,7 @@ struct FibreHit {
   glm::vec3 axis;    // unit
   float radius_mm = 0;
   uint32_t yarn = 0;
+  float depth = 1;   // of its dye, relative to the cloth's; optics has it
   float offset = 0;  // of the ray from the axis, in radii, towards cross(axis, -direction)
   formulas::FibreOptics optics;
 };

@@ -85,7 +85,7 @@ float lamp_spread(int samples) {
 
 bool FibreTracer::meet(glm::vec3 origin, glm::vec3 direction, float t_min, FibreHit& hit) const {
   if (!fibres_.intersect(origin, direction, t_min, hit)) return false;
-  if (dyed_alike_) hit.optics.absorption = *dyed_alike_;
+  if (dyed_alike_) hit.optics.absorption = *dyed_alike_ * hit.depth;
   return true;
 }
 

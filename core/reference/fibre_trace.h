@@ -23,9 +23,10 @@ float lamp_spread(int samples);
 
 class FibreTracer {
  public:
-  /// dyed_alike: absorption of every fibre instead of its own. spread: by how much more, radians, fibres that are not
-  /// seen themselves spread the lamp's light along them, after several; three times as much around them. 0: the truth,
-  /// of whose paths a few are far brighter than all others, since a fibre sends most of a lamp's light one way.
+  /// dyed_alike: absorption of every fibre of depth 1, instead of its own. spread: by how much more, radians, fibres
+  /// that are not seen themselves spread the lamp's light along them, after several; three times as much around them.
+  /// 0: the truth, of whose paths a few are far brighter than all others, since a fibre sends most of a lamp's light
+  /// one way.
   explicit FibreTracer(const FibreScene& fibres, std::optional<glm::vec3> dyed_alike = {}, float spread = 0)
       : fibres_(fibres), dyed_alike_(dyed_alike), spread_(spread) {}
   /// One sample of the radiance along a ray.

@@ -58,8 +58,11 @@ glm::vec3 traced_reflectance(const FibreScene& fibres, const Cloth& cloth) {
 
 // The dye of dense hair (Chiang et al. 2016), used before, knows nothing of how thick the cloth is.
 TEST(FibreDye, FibresAreAsBrightAsTheThreadsTheyAreIn) {
-  for (const size_t preset : {kCotton, kSilk, kWool}) {
-    const Cloth cloth = plain(design::yarn_presets()[preset], {0.5f, 0.25f, 0.08f});
+  design::Yarn melange = design::yarn_presets()[kWool];
+  melange.name = "Melange", melange.melange = 1;
+  for (const design::Yarn& yarn :
+       {design::yarn_presets()[kCotton], design::yarn_presets()[kSilk], design::yarn_presets()[kWool], melange}) {
+    const Cloth cloth = plain(yarn, {0.5f, 0.25f, 0.08f});
     const auto scene = FibreScene::build(cloth, whole(cloth));
     ASSERT_TRUE(scene) << base::problem_of(scene);
     const glm::vec3 wanted = ThreadReflectance(cloth).of(System::kWarp, 0, {0.5f, 0.25f, 0.08f});

@@ -124,10 +124,11 @@ void append_ring(Mesh& mesh, float x) {
 }
 
 void append_rod(Mesh& mesh) {
-  std::vector<Vec2> profile{{0, -kRodHalfLength - 34}};
-  append_round(profile, {4, -kRodHalfLength - 17}, 17, -1);
-  append_round(profile, {4, -kRodHalfLength - 17}, 17, 0);
-  profile.push_back({kRodRadius, -kRodHalfLength});
+  constexpr float kKnob = 14;
+  std::vector<Vec2> profile{{0, -kRodHalfLength - 2 * kKnob}};
+  for (const float from : {-1.0f, 0.0f}) append_round(profile, {kRodRadius, -kRodHalfLength - kKnob}, kKnob, from);
+  // The normals at the corner between knob and rod lean to both: a ring beside it keeps them off the rod's long faces.
+  profile.push_back({kRodRadius, -kRodHalfLength + 2});
   const size_t half = profile.size();
   for (size_t k = half; k-- > 0;) profile.push_back({profile[k][0], -profile[k][1]});
   append_revolved(mesh, profile, 40);

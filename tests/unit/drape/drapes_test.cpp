@@ -259,6 +259,15 @@ TEST(Drapes, BodiesAreClosedAndFaceOutwards) {
   }
 }
 
+TEST(Drapes, TheCurtainRodIsRound) {
+  const Mesh body = body_mesh("curtain");
+  for (size_t i = 0; i < body.position_mm.size(); ++i) {
+    const Vec3 p = body.position_mm[i], aside(0, p.y - kRodHeight, p.z);
+    if (std::abs(glm::length(aside) - kRodRadius) > 0.01f || std::abs(p.x) > kRodHalfLength - 1) continue;
+    EXPECT_GT(glm::dot(body.normal[i], glm::normalize(aside)), 0.99f) << p.x << " " << p.y << " " << p.z;
+  }
+}
+
 TEST(Drapes, LimpAndStiffDrapesHaveTheSamePattern) {
   for (const std::string& name : drape_names()) {
     for (const DrapeStiffness stiffness : {DrapeStiffness::kLimp, DrapeStiffness::kStiff}) {

@@ -15,14 +15,15 @@ int repeated(std::span<const int> sequence, int at, int period) {
 }
 
 struct Repeat {
-  int period = 0, covers = 0;  // whole repeats only, at least two; 0: there is none
+  int period = 0, covers = 0;  // at least two whole repeats; 0: there is none
 };
 
 Repeat best_repeat(std::span<const int> sequence, int at) {
   Repeat best;
   const int left = static_cast<int>(sequence.size()) - at;
   for (int period = 1; period <= std::min(kLongestRepeat, left / 2); ++period) {
-    const int covers = repeated(sequence, at, period) / period * period;
+    int covers = repeated(sequence, at, period);
+    if (covers < left) covers -= covers % period;  // only the end of the threads cuts a repeat off
     if (covers >= 2 * period && covers >= kMinGroup && covers > best.covers) best = {period, covers};
   }
   return best;

@@ -96,6 +96,17 @@ TEST(Repeats, GroupsAreWholeRepeats) {
   EXPECT_TRUE(groups_by_repeat({}).empty());
 }
 
+TEST(Repeats, TheLastRepeatIsOneGroupHoweverItIsCutOff) {
+  const std::vector<int> repeat{0, 1, 0, 1, 0, 1, 0, 1, 2, 3, 2, 3, 2, 3, 2, 3};
+  std::vector<int> sequence;
+  for (size_t i = 0; i < 3 * repeat.size() + 13; ++i) sequence.push_back(repeat[i % repeat.size()]);
+  const auto groups = groups_by_repeat(sequence);
+  ASSERT_EQ(groups.size(), 4u);
+  EXPECT_EQ(groups[3], (ThreadGroup{48, 13}));
+  sequence.insert(sequence.end(), {5, 6, 7, 5, 6, 7});
+  EXPECT_EQ(groups_by_repeat(sequence)[3], (ThreadGroup{48, 4})) << "another repeat follows: none is cut off";
+}
+
 TEST(Repeats, GroupsCoverEveryThreadOnce) {
   std::vector<int> sequence;
   uint32_t random = 7;

@@ -53,11 +53,17 @@ std::string bouts_text(const WarpingPlan& plan) {
 }
 
 std::string raddle_text(const WarpingPlan& plan) {
-  if (plan.raddle.size() == 1)
-    return fill(tr_n("{groups} groups of {ends} end", "{groups} groups of {ends} ends", plan.raddle.front()),
-                arg("groups", plan.raddle_groups), arg("ends", plan.raddle.front()));
-  return fill(tr("{groups} groups of {pattern} ends in turn"), arg("groups", plan.raddle_groups),
-              arg("pattern", sleying_text(plan.raddle)));
+  const int64_t groups = plan.raddle_groups, last = plan.ends_in_last_group;
+  if (groups == 1) return fill(tr_n("one group of {count} end", "one group of {count} ends", last), arg("count", last));
+  const size_t of_last = static_cast<size_t>(std::max<int64_t>(groups - 1, 0)) % plan.raddle.size();
+  const bool full = last == plan.raddle[of_last];
+  const char* in_turn = full ? tr("{groups} groups of {pattern} ends in turn")
+                             : tr("{groups} groups of {pattern} ends in turn, the last of {last}");
+  const char* alike = full
+                          ? tr_n("{groups} groups of {ends} end", "{groups} groups of {ends} ends", plan.raddle.front())
+                          : tr("{groups} groups of {ends} ends, the last of {last}");
+  return fill(plan.raddle.size() == 1 ? alike : in_turn, arg("groups", groups), arg("ends", plan.raddle.front()),
+              arg("pattern", sleying_text(plan.raddle)), arg("last", last));
 }
 
 std::string selvedges_text(const Selvedges& s) {

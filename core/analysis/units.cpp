@@ -48,6 +48,11 @@ std::optional<double> taken_number(std::string_view& text) {
 
 std::string shown(const char* pattern, double value) { return fill(pattern, arg("value", value)); }
 
+/// What is there is not said to be nothing: `least` below the least amount that the pattern can write.
+std::string amount(const char* pattern, double value, double least_value, const char* least) {
+  return value > 0 && value < least_value ? std::string(least) : shown(pattern, value);
+}
+
 /// Dents as they stand on the reed: without a fraction if there is none.
 std::string dents_text(float dents) {
   char text[32];
@@ -67,13 +72,15 @@ std::string warp_length_text(double mm, Units units) {
 }
 
 std::string yarn_length_text(double m, Units units) {
-  if (units == Units::kImperial) return shown(tr("{value:.0f} yd"), m / kYard_m);
-  return m < 5000 ? shown(tr("{value:.0f} m"), m) : shown(tr("{value:.1f} km"), m / 1000);
+  if (units == Units::kImperial) return amount(tr("{value:.0f} yd"), m / kYard_m, 1, tr("under 1 yd"));
+  return m < 5000 ? amount(tr("{value:.0f} m"), m, 1, tr("under 1 m")) : shown(tr("{value:.1f} km"), m / 1000);
 }
 
 std::string weight_text(double g, Units units) {
-  if (units == Units::kMetric) return g < 1000 ? shown(tr("{value:.0f} g"), g) : shown(tr("{value:.2f} kg"), g / 1000);
-  return g < kPound_g ? shown(tr("{value:.2f} oz"), g / kOunce_g) : shown(tr("{value:.2f} lb"), g / kPound_g);
+  if (units == Units::kMetric)
+    return g < 1000 ? amount(tr("{value:.0f} g"), g, 1, tr("under 1 g")) : shown(tr("{value:.2f} kg"), g / 1000);
+  return g < kPound_g ? amount(tr("{value:.2f} oz"), g / kOunce_g, 0.01, tr("under 0.01 oz"))
+                      : shown(tr("{value:.2f} lb"), g / kPound_g);
 }
 
 std::string area_weight_text(double g_per_m2, Units units) {

@@ -26,9 +26,9 @@ inline constexpr double kInch_mm = 25.4, kYard_m = 0.9144, kOunce_g = 28.3495231
 std::string width_text(double mm, Units units);
 /// Of a warp: "3.19 m", "3.49 yd".
 std::string warp_length_text(double mm, Units units);
-/// Of yarn: "312 m", "4.1 km"; "341 yd".
+/// Of yarn: "312 m", "4.1 km"; "341 yd"; "under 1 m".
 std::string yarn_length_text(double m, Units units);
-/// "24 g", "1.20 kg"; "0.85 oz", "2.65 lb".
+/// "24 g", "1.20 kg"; "0.85 oz", "2.65 lb"; "under 1 g".
 std::string weight_text(double g, Units units);
 /// "214 g/m2", "6.3 oz/yd2".
 std::string area_weight_text(double g_per_m2, Units units);

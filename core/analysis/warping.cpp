@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "analysis/reeds.h"
 
@@ -58,6 +60,13 @@ EdgeBinding binding(const BitMatrix& cells, int end, int first_turn) {
   return out;
 }
 
+/// Ends in the first `groups` groups.
+int64_t ends_in(const std::vector<int>& raddle, int64_t groups) {
+  const auto size = static_cast<int64_t>(raddle.size());
+  const auto sum = [&raddle](int64_t of) { return std::accumulate(raddle.begin(), raddle.begin() + of, int64_t{0}); };
+  return groups / size * sum(size) + sum(groups % size);
+}
+
 }  // namespace
 
 ThreadOrder thread_order(const Design& design, System system, int64_t threads) {
@@ -106,6 +115,7 @@ WarpingPlan warping_plan(const Design& design, const ClothMeasures& m) {
   const double in_group = std::clamp(ends_per_mm * static_cast<double>(design.plan.raddle_mm), 0.1, 1e6);
   out.raddle = even_numbers(in_group, kMaxGroups);
   out.raddle_groups = dents_for(m.ends, out.raddle);
+  if (out.raddle_groups > 0) out.ends_in_last_group = m.ends - ends_in(out.raddle, out.raddle_groups - 1);
   out.whole_repeats = m.ends / std::max(1, design.draft.ends());
   out.more_ends = m.ends % std::max(1, design.draft.ends());
   return out;

@@ -38,6 +38,7 @@ struct WarpingPlan {
   int64_t ends_in_last = 0;
   int64_t raddle_groups = 0;
   std::vector<int> raddle;                   // ends in each group, repeated
+  int64_t ends_in_last_group = 0;            // of the raddle
   int64_t whole_repeats = 0, more_ends = 0;  // of the draft across the cloth, and ends beyond them
 };
 WarpingPlan warping_plan(const Design& design, const ClothMeasures& measures);

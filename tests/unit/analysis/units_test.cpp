@@ -17,6 +17,11 @@ TEST(Units, MeasuresInBoth) {
   EXPECT_EQ(weight_text(453.59237, Units::kImperial), "1.00 lb");
   EXPECT_EQ(weight_text(28.349523125, Units::kImperial), "1.00 oz");
   EXPECT_EQ(weight_text(1200, Units::kMetric), "1.20 kg");
+  EXPECT_EQ(weight_text(0.3, Units::kMetric), "under 1 g") << "what is bought is not nothing";
+  EXPECT_EQ(weight_text(0.1, Units::kImperial), "under 0.01 oz");
+  EXPECT_EQ(weight_text(0, Units::kMetric), "0 g");
+  EXPECT_EQ(yarn_length_text(0.4, Units::kMetric), "under 1 m");
+  EXPECT_EQ(yarn_length_text(0.4, Units::kImperial), "under 1 yd");
   EXPECT_EQ(sett_text(10, System::kWarp, Units::kMetric), "10.0 ends per cm");
   EXPECT_EQ(sett_text(10, System::kWeft, Units::kImperial), "25.4 picks per inch");
   EXPECT_EQ(area_weight_text(33.9057, Units::kImperial), "1.0 oz/yd2");

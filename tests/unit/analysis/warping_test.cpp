@@ -109,5 +109,26 @@ TEST(Selvedges, AnOddNumberOfPicksTurnsAtBothEdges) {
   EXPECT_TRUE(selvedges({}, 0).any_direction()) << "nothing to bind";
 }
 
+TEST(Warping, TheLastRaddleGroupHoldsWhatIsLeft) {
+  WarpingPlan w;
+  w.raddle = {47}, w.raddle_groups = 2, w.ends_in_last_group = 13;
+  EXPECT_EQ(raddle_text(w), "2 groups of 47 ends, the last of 13");
+  w.ends_in_last_group = 47;
+  EXPECT_EQ(raddle_text(w), "2 groups of 47 ends");
+  w.raddle_groups = 1, w.ends_in_last_group = 20;
+  EXPECT_EQ(raddle_text(w), "one group of 20 ends");
+  Design d = plain_cloth(24, 4, 10.0f / 8.65f);
+  d.plan = bare_plan();
+  d.plan.raddle_mm = 10;
+  w = warping_plan(d, cloth_measures(d));
+  ASSERT_EQ(w.raddle, (std::vector<int>{8, 9, 9}));
+  EXPECT_EQ(w.ends_in_last_group, 7);
+  EXPECT_EQ(raddle_text(w), "3 groups of 8-9-9 ends in turn, the last of 7");
+  d.plan.width_mm = 520 / 8.65f;  // two such turns
+  w = warping_plan(d, cloth_measures(d));
+  EXPECT_EQ(w.ends, 52);
+  EXPECT_EQ(raddle_text(w), "6 groups of 8-9-9 ends in turn");
+}
+
 }  // namespace
 }  // namespace weftlight::analysis

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "design/loom.h"
+
 namespace weftlight::design {
 
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::Threads;
@@ -99,6 +101,15 @@ std::vector<Flips> flips_between(const Design& from, Design to) {
   return to == from ? flips : std::vector<Flips>();
 }
 
+/// The design where the weaver is at the place of `loom`.
+std::shared_ptr<const Design> at_place_of(const Loom& loom, std::shared_ptr<const Design> design) {
+  Loom there = with_place_of(loom, design->loom);
+  if (there == design->loom) return design;
+  auto out = std::make_shared<Design>(*design);
+  out->loom = there;
+  return out;
+}
+
 }  // namespace
 
 /// Between a step and the one before: the bits that it flips, or both designs.
@@ -110,9 +121,10 @@ struct History::Change {
 History::History(Design first) : now_(std::make_shared<const Design>(std::move(first))) {
   steps_.push_back({nullptr, {}, 0, 0, bytes(*now_) + version_bytes({}, *now_)});
   total_bytes_ = steps_.front().bytes;
+  mark_saved();
 }
 
-/// The design of a step.
+/// The design of a step, at the present place at the loom.
 std::shared_ptr<const Design> History::at(size_t step) const {
   std::shared_ptr<const Design> whole = now_;
   std::shared_ptr<Design> own;  // a copy of it in which bits were flipped
@@ -127,7 +139,7 @@ std::shared_ptr<const Design> History::at(size_t step) const {
   };
   for (size_t k = position_; k > step; --k) pass(*steps_[k].change, true);
   for (size_t k = position_; k < step; ++k) pass(*steps_[k + 1].change, false);
-  return own ? own : whole;
+  return at_place_of(now().loom, own ? own : whole);
 }
 
 /// A step after step `before`, whose design is `from`.
@@ -148,7 +160,12 @@ History::Step History::step_to(size_t before, const std::shared_ptr<const Design
 }
 
 void History::commit(Design next, std::string label, uint64_t stroke) {
-  if (next == now()) return;
+  const Loom moved = next.loom;
+  next.loom = with_place_of(now().loom, next.loom);
+  if (next == now()) {
+    now_ = at_place_of(moved, now_);
+    return;
+  }
   const bool joins = stroke != 0 && position_ > 0 && steps_[position_].stroke == stroke;
   const size_t before = joins ? position_ - 1 : position_;
   const std::shared_ptr<const Design> from = at(before);
@@ -210,7 +227,11 @@ std::string History::undo_label() const { return can_undo() ? steps_[position_].
 
 std::string History::redo_label() const { return can_redo() ? steps_[position_ + 1].label : std::string(); }
 
-void History::mark_unsaved() { saved_id_ = std::numeric_limits<uint64_t>::max(); }
+History::Mark History::mark() const { return {steps_[position_].id, with_place_of(now().loom, {})}; }
+
+void History::mark_unsaved() { saved_.step = std::numeric_limits<uint64_t>::max(); }
+
+bool History::is_saved(size_t step) const { return saved_ == Mark{steps_[step].id, with_place_of(now().loom, {})}; }
 
 bool History::is_saved() const { return is_saved(position_); }
 

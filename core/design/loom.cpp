@@ -27,4 +27,13 @@ base::Result<void> may_paint(const Design& design, BitGrid grid) {
   return base::failure(base::ErrorKind::kInput, why);
 }
 
+Loom with_place_of(const Loom& place, Loom loom) {
+  loom.next_pick = place.next_pick;
+  loom.next_end = place.next_end;
+  loom.next_dent = place.next_dent;
+  loom.at_tabby = place.at_tabby;
+  loom.second_tabby = place.second_tabby;
+  return loom;
+}
+
 }  // namespace weftlight::design

@@ -21,4 +21,8 @@ bool leads(const Design& design, BitGrid grid);
 /// Whether a grid may be painted, or the error: it is locked and follows from others.
 base::Result<void> may_paint(const Design& design, BitGrid grid);
 
+/// `loom` with the place of another: how far it is threaded, sleyed and woven. The place is kept with the draft, but no
+/// edit is about it (history.h); numbers beyond the draft stand for its end.
+Loom with_place_of(const Loom& place, Loom loom);
+
 }  // namespace weftlight::design

@@ -245,7 +245,6 @@ Design woven(Design design, System system, const std::vector<Source>& order) {
     const bool lifted = d.shed_control == ShedControl::kLiftplan;
     d.treadling = lifted ? BitMatrix(count, d.treadles) : rows;
     d.liftplan = lifted ? std::move(rows) : BitMatrix(count, d.shafts);
-    design.loom.next_pick = std::min(design.loom.next_pick, count);
   }
   return design;
 }

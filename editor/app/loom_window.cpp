@@ -26,7 +26,6 @@ LoomWindow::LoomWindow(Session& session, Editing& editing, const Settings& setti
 void LoomWindow::toggle() {
   AtLoom& at = at_loom();
   at.open = !at.open;
-  at.session = ++sittings_;
   address_ = settings_.loom_address;
   page_error_.clear();
   if (at.open) {

@@ -68,7 +68,6 @@ class LoomWindow {
   std::vector<platform::OwnAddress> addresses_;    // of this machine, when the view was shown
   std::string page_address_ = "127.0.0.1", page_error_;
   PhoneLink::Status page_;  // as last shown
-  uint64_t sittings_ = 0;   // times that the view was shown or hidden
   uint64_t counted_revision_ = 0;
   std::optional<LoomGroups> groups_;  // of that revision, as the lifts are
   draft::BitMatrix lifts_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "design/history.h"
 #include "session/files/file_identity.h"
 
 namespace weftlight::session {
@@ -15,7 +16,7 @@ struct SaveJob {
   uint64_t document = 0;
   std::string path;
   std::function<std::string()> text;      // makes the bytes
-  uint64_t mark = 0;                      // of the step of the history that they hold
+  design::History::Mark mark = {};        // of what they hold
   std::string own_path = {};              // the document's file, empty without one,
   FileIdentity own_file = {};             // as it was read or written last
   bool over_changes = false;              // written also if another program changed that file since

@@ -118,8 +118,8 @@ namespace {
 
 constexpr size_t kMaxKept = 1000;  // selections of a document
 
-void keep_selection(OpenDocument& open, uint64_t mark, const Selection& selected) {
-  open.selections[mark] = {selected, open.view.chosen};
+void keep_selection(OpenDocument& open, uint64_t step, const Selection& selected) {
+  open.selections[step] = {selected, open.view.chosen};
   if (open.selections.size() > kMaxKept) open.selections.erase(open.selections.begin());
 }
 
@@ -130,7 +130,7 @@ Selection selected_before(const SelectState& s, const Design& before) {
 
 /// Nothing is taken from what is selected now if nothing was selected then.
 void bring_selection_back(OpenDocument& open) {
-  const auto kept = open.selections.find(open.document.history().mark());
+  const auto kept = open.selections.find(open.document.history().mark().step);
   if (kept == open.selections.end()) return;
   const Draft& draft = open.document.now().draft;
   const Selection& selected = kept->second.selected;
@@ -145,7 +145,7 @@ void bring_selection_back(OpenDocument& open) {
 
 bool Session::commit(OpenDocument& open, const Edit& edit, uint64_t stroke) {
   const std::shared_ptr<const Design> before = open.document.snapshot();
-  const uint64_t from = open.document.history().mark();
+  const uint64_t from = open.document.history().mark().step;
   const Selection selected = selected_before(open.view.select, *before);
   const bool changed = open.document.commit(edit, stroke);
   if (changed) keep_selection(open, from, selected);
@@ -161,7 +161,7 @@ template <class Go>
 bool Session::gone(Go go) {
   OpenDocument& open = active();
   const std::shared_ptr<const Design> before = open.document.snapshot();
-  keep_selection(open, open.document.history().mark(), open.view.select.selected);
+  keep_selection(open, open.document.history().mark().step, open.view.select.selected);
   if (!followed(open, go(open.document))) return false;
   bring_selection_back(open);
   follow_given(open.view.drawing.given, before->draft, open.document.now().draft, true);

@@ -152,6 +152,9 @@ TEST_F(ToolsTest, WeavesPickByPickAndSavesThePlaceWithTheDraft) {
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).loom.next_pick == 2; })) << "it is saved with the draft";
   display_.key("Escape");
   EXPECT_TRUE(comes_true([&] { return !w.has("loom.next") && w.is_ready(); }));
+  display_.key("ctrl+z");
+  display_.key("F9");
+  EXPECT_TRUE(comes_true([&] { return w.has("loom.pick:3"); })) << "undo is about edits";
 }
 
 /// The window connects to the address and sends the lift of each pick that the loom requests.

@@ -77,7 +77,7 @@ bool Document::go_to(size_t step) {
   return follow(before);
 }
 
-void Document::mark_saved(std::string path, const FileIdentity& file, uint64_t mark) {
+void Document::mark_saved(std::string path, const FileIdentity& file, const History::Mark& mark) {
   path_ = std::move(path);
   file_ = file;
   history_.mark_saved(mark);

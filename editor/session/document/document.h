@@ -50,8 +50,8 @@ class Document {
   bool redo();
   /// Goes to a step of the history.
   bool go_to(size_t step);
-  /// The step of the history with this mark is on disk, as `file` at `path`.
-  void mark_saved(std::string path, const FileIdentity& file, uint64_t mark);
+  /// What has this mark in the history is on disk, as `file` at `path`.
+  void mark_saved(std::string path, const FileIdentity& file, const History::Mark& mark);
   /// The disk no longer holds what is shown.
   void mark_unsaved() { history_.mark_unsaved(); }
   /// Detaches the document from its file; it keeps the name.

@@ -7,6 +7,7 @@
 #include "analysis/measures.h"
 #include "analysis/reeds.h"
 #include "base/text.h"
+#include "design/loom.h"
 #include "draft/drawdown.h"
 #include "loom/tabby.h"
 
@@ -14,27 +15,18 @@ namespace weftlight::session {
 
 using analysis::cloth_measures, analysis::dents_for;
 using base::tr;
-using design::Loom;
+using design::Loom, design::with_place_of;
 using draft::BitMatrix, draft::ShedControl, draft::for_each_bit, draft::lifts;
 
 namespace {
 
-constexpr uint64_t kLoomStrokes = uint64_t{1} << 61;  // distinct from mouse strokes
-
-/// The edit that makes the design hold these places; nothing if it does.
-MaybeEdit kept(const AtLoom& at, const Design& design, const Loom& loom, const char* label) {
-  if (loom == design.loom) return {};
-  return Edit{label,
-              [loom](Design d) {
-                d.loom.next_pick = loom.next_pick;
-                d.loom.next_end = loom.next_end;
-                d.loom.next_dent = loom.next_dent;
-                d.loom.tabby_between = loom.tabby_between;
-                d.loom.at_tabby = loom.at_tabby;
-                d.loom.second_tabby = loom.second_tabby;
+/// The edit that makes the design hold this place; nothing if it does. It has no label, since it is no step of undo.
+MaybeEdit kept(const Design& design, const Loom& place) {
+  if (with_place_of(place, design.loom) == design.loom) return {};
+  return Edit{{}, [place](Design d) {
+                d.loom = with_place_of(place, d.loom);
                 return d;
-              },
-              kLoomStrokes | at.session};
+              }};
 }
 
 LoomStep taken(AtLoom& at, const Design& design, loom::LoomReply reply) {
@@ -44,7 +36,7 @@ LoomStep taken(AtLoom& at, const Design& design, loom::LoomReply reply) {
   places.next_pick = at.place.next_pick;
   places.at_tabby = at.place.at_tabby;
   places.second_tabby = at.place.second_tabby;
-  return {kept(at, design, places, tr("Weave at the loom")), std::move(reply.send)};
+  return {kept(design, places), std::move(reply.send)};
 }
 
 /// Calls `what` with the draft and its lifted shafts.
@@ -56,16 +48,16 @@ LoomStep with_weaving(AtLoom& at, const Design& design, What what) {
                what(loom::WeavingSetup{design.draft, lifted, at.section, at.protocol, tabby}, place_of(at, design)));
 }
 
-LoomStep moved_to_end(const AtLoom& at, const Design& design, int end) {
+LoomStep moved_to_end(const Design& design, int end) {
   Loom places = design.loom;
   places.next_end = std::clamp(end, 0, ends_on_loom(design));
-  return {kept(at, design, places, tr("Thread at the loom"))};
+  return {kept(design, places)};
 }
 
-LoomStep moved_to_dent(const AtLoom& at, const Design& design, int dent) {
+LoomStep moved_to_dent(const Design& design, int dent) {
   Loom places = design.loom;
   places.next_dent = std::clamp(dent, 0, dents_on_loom(design));
-  return {kept(at, design, places, tr("Sley at the loom"))};
+  return {kept(design, places)};
 }
 
 }  // namespace
@@ -84,8 +76,8 @@ loom::WeavingState place_of(const AtLoom& at, const Design& design) {
 LoomStep step_by_hand(AtLoom& at, const Design& design, bool forwards, bool connected) {
   at.remark.clear();
   const int step = forwards ? 1 : -1;
-  if (at.work == LoomWork::kThread) return moved_to_end(at, design, design.loom.next_end + step);
-  if (at.work == LoomWork::kSley) return moved_to_dent(at, design, design.loom.next_dent + step);
+  if (at.work == LoomWork::kThread) return moved_to_end(design, design.loom.next_end + step);
+  if (at.work == LoomWork::kSley) return moved_to_dent(design, design.loom.next_dent + step);
   return with_weaving(at, design, [=](const loom::WeavingSetup& w, loom::WeavingState place) {
     if (connected) return loom::step_by_hand(w, place, forwards);
     place.weaving = forwards;
@@ -107,9 +99,10 @@ LoomStep give_tabby(AtLoom& at, const Design& design, bool connected) {
 LoomStep put_tabby_between(AtLoom& at, const Design& design, bool on) {
   at.remark.clear();
   if (on && !loom::tabby_sheds(design.draft)) return give_tabby(at, design, false);  // which says why not
-  Loom places = design.loom;
-  places.tabby_between = on;
-  return {kept(at, design, places, tr("Tabby between pattern picks"))};
+  return {Edit{tr("Tabby between pattern picks"), [on](Design d) {
+                 d.loom.tabby_between = on;
+                 return d;
+               }}};
 }
 
 LoomStep hear(AtLoom& at, const Design& design, const loom::LoomReport& report) {
@@ -137,8 +130,8 @@ LoomStep go_to_pick(AtLoom& at, const Design& design, int pick) {
 
 LoomStep go_to(AtLoom& at, const Design& design, int number) {
   at.remark.clear();
-  if (at.work == LoomWork::kThread) return moved_to_end(at, design, number);
-  if (at.work == LoomWork::kSley) return moved_to_dent(at, design, number);
+  if (at.work == LoomWork::kThread) return moved_to_end(design, number);
+  if (at.work == LoomWork::kSley) return moved_to_dent(design, number);
   return go_to_pick(at, design, number);
 }
 

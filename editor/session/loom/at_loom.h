@@ -1,8 +1,7 @@
 #pragma once
 // Threading, sleying and weaving the open draft at a loom, end by end, dent by dent and pick by pick. The design holds
-// the places, so that the file keeps them; the rest of the state lasts as long as the window.
+// the places, so that the file keeps them; undo leaves them. The rest of the state lasts as long as the window.
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,6 @@ struct AtLoom {
   loom::WeavingState place;  // place_of() takes its next pick from the design
   std::string remark;        // what the loom reported that the weaver should check
   std::string to_send;       // to a loom that takes picks ahead, because the weaver went to another pick
-  uint64_t session = 0;      // the steps of one session are one step of undo
 };
 
 /// The edit that a step makes, and the bytes to send to the loom.

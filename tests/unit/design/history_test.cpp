@@ -219,5 +219,58 @@ TEST(History, StrokesTakeFewBytes) {
   EXPECT_EQ(h.steps(), kStrokes + 1);
 }
 
+TEST(History, ThePlaceAtTheLoomIsNoStep) {
+  History h(called("a"));
+  const auto weave_to = [&h](int pick) {
+    Design d = h.now();
+    d.loom.next_pick = pick;
+    h.commit(d, "weave");
+  };
+  h.commit(called("b"), "to b");
+  h.mark_saved();
+  weave_to(3);
+  EXPECT_EQ(h.steps(), 2u);
+  EXPECT_FALSE(h.is_saved()) << "the file has another place";
+  h.undo();
+  EXPECT_EQ(h.now().title, "a");
+  EXPECT_EQ(h.now().loom.next_pick, 3);
+  weave_to(5);
+  h.redo();
+  EXPECT_EQ(h.now().title, "b");
+  EXPECT_EQ(h.now().loom.next_pick, 5);
+  EXPECT_FALSE(h.is_saved());
+  weave_to(0);
+  EXPECT_TRUE(h.is_saved()) << "as the file has it";
+  weave_to(7);
+  Design moved = called("c");
+  h.commit(moved, "to c");
+  EXPECT_EQ(h.now().loom.next_pick, 7) << "edits leave the place";
+  h.commit(called("d"), "drag", 9);
+  weave_to(8);
+  h.commit(called("e"), "drag", 9);
+  h.undo();
+  EXPECT_EQ(h.now().title, "c") << "one drag is one step, though a pick was woven during it";
+  EXPECT_EQ(h.now().loom.next_pick, 8);
+}
+
+TEST(History, StrokesBetweenPicksTakeFewBytes) {
+  Design d;
+  d.draft = blank_draft(64, 64, 8, 8);
+  History h(d);
+  const size_t first = h.kept_bytes();
+  for (int k = 0; k < 50; ++k) {
+    Design next = h.now();
+    next.loom.next_pick = k;
+    h.commit(next, "weave");
+    next.draft.threading.set(k, 1, true);
+    h.commit(next, "paint");
+  }
+  EXPECT_EQ(h.steps(), 51u);
+  EXPECT_LT(h.kept_bytes() - first, 50u * 1000);
+  h.go_to(0);
+  EXPECT_EQ(h.now().draft, d.draft);
+  EXPECT_EQ(h.now().loom.next_pick, 49);
+}
+
 }  // namespace
 }  // namespace weftlight::design

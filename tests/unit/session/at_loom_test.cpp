@@ -17,6 +17,7 @@
 #include "../straight_draft.h"
 #include "design/edits.h"
 #include "draft/drawdown.h"
+#include "session/document/document.h"
 #include "session/loom/cloth_so_far.h"
 #include "session/loom/loom_link.h"
 #include "session/loom/shown_step.h"
@@ -44,8 +45,27 @@ TEST(AtLoom, AStepByHandWeavesOnePickAndTheDraftKeepsThePlace) {
   take(d, step_by_hand(at, d, false, false));
   EXPECT_EQ(d.loom.next_pick, 0);
   EXPECT_EQ(at.place.woven, 4);
-  const LoomStep one = step_by_hand(at, d, true, false), two = step_by_hand(at, one.edit->apply(d), true, false);
-  EXPECT_EQ(one.edit->stroke, two.edit->stroke) << "a sitting is one step of undo";
+}
+
+TEST(AtLoom, UndoLeavesThePlace) {
+  AtLoom at;
+  Document draft(straight_draft(8));
+  const auto woven = [&] {
+    const LoomStep step = step_by_hand(at, draft.now(), true, false);
+    ASSERT_TRUE(step.edit);
+    EXPECT_TRUE(draft.commit(*step.edit, 0));
+  };
+  draft.commit({"Paint", [](Design d) { return design::with_tieup(std::move(d), 0, 3, true); }}, 1);
+  for (int pick = 0; pick < 4; ++pick) woven();
+  EXPECT_EQ(shown(at, draft.now()).progress, "Woven: 4 picks");
+  EXPECT_EQ(draft.history().undo_label(), "Paint") << "a pick is no step of undo";
+  EXPECT_TRUE(draft.undo());
+  EXPECT_FALSE(draft.now().draft.tieup.get(0, 3));
+  EXPECT_EQ(shown(at, draft.now()).number, 5);
+  EXPECT_EQ(shown(at, draft.now()).progress, "Woven: 4 picks");
+  woven();
+  EXPECT_TRUE(draft.redo()) << "weaving drops no step";
+  EXPECT_EQ(shown(at, draft.now()).number, 6);
 }
 
 TEST(AtLoom, ASectionRepeats) {
@@ -61,10 +81,10 @@ TEST(AtLoom, ASectionRepeats) {
   EXPECT_EQ(d.loom.next_pick, 1);
 }
 
-TEST(AtLoom, UndoAndEditsMoveThePlace) {
+TEST(AtLoom, EditsMoveThePlace) {
   AtLoom at;
   Design d = straight_draft(4);
-  d.loom.next_pick = 2;  // from the file, or by undo
+  d.loom.next_pick = 2;  // from the file
   EXPECT_EQ(place_of(at, d).next_pick, 2);
   d.loom.next_pick = 90;
   EXPECT_EQ(place_of(at, d).next_pick, 3) << "the draft has become shorter";

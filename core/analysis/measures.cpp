@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "analysis/reeds.h"
+#include "design/fibre.h"
 
 namespace weftlight::analysis {
 
-using design::ClothPlan, design::spacing_of;
+using design::ClothPlan, design::spacing_of, design::tex_of;
 
 namespace {
 
@@ -68,6 +69,22 @@ ClothMeasures cloth_measures(const Design& design) {
   measure_across(plan, design.draft.ends(), kept.width, m);
   measure_along(plan, design.draft.picks(), kept.length, m);
   return m;
+}
+
+MeanThread mean_thread(const Design& design, System system, std::optional<int> yarn) {
+  const draft::Threads& threads = design.draft.threads(system);
+  MeanThread mean;
+  for (size_t i = 0; i < threads.yarn.size(); ++i) {
+    if (yarn && threads.yarn[i] != *yarn) continue;
+    const design::Yarn& of = design.yarns[static_cast<size_t>(threads.yarn[i])];
+    const float own = threads.thickness_mm[i];
+    ++mean.threads;
+    mean.diameter_mm += static_cast<double>(own >= 0 ? own : of.diameter_mm);
+    mean.tex += static_cast<double>(own >= 0 ? tex_of(of, own) : tex_of(of));
+  }
+  mean.diameter_mm /= std::max(mean.threads, 1);
+  mean.tex /= std::max(mean.threads, 1);
+  return mean;
 }
 
 }  // namespace weftlight::analysis

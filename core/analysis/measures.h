@@ -8,6 +8,7 @@
 // picks. Otherwise the draft repeats, or is cut off.
 
 #include <cstdint>
+#include <optional>
 
 #include "design/design.h"
 
@@ -38,5 +39,13 @@ struct ClothMeasures {
 /// kMaxClothThreads ends and picks.
 ClothMeasures cloth_measures(const Design& design);
 inline constexpr int64_t kMaxClothThreads = int64_t{1} << 40;
+
+/// The threads of a system as the cloth is laid out with them, each of its own thickness, otherwise its yarn's: their
+/// means. Of all yarns, or of one.
+struct MeanThread {
+  int threads = 0;
+  double diameter_mm = 0, tex = 0;
+};
+MeanThread mean_thread(const Design& design, System system, std::optional<int> yarn = {});
 
 }  // namespace weftlight::analysis

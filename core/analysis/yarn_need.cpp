@@ -51,8 +51,9 @@ void add_needs(const Design& design, System system, const ClothMeasures& m, Yarn
   std::vector<YarnNeed> needs;
   for (const auto& [key, sums] : sums_of(design, system, m)) {
     const double tex = static_cast<double>(tex_of(design.yarns[static_cast<size_t>(key.first)]));
-    needs.push_back({system, key.first, key.second, sums.threads, each_m * static_cast<double>(sums.threads),
-                     each_m * sums.relative_weight * tex / 1000});
+    const auto count = static_cast<double>(sums.threads);
+    needs.push_back({system, key.first, key.second, sums.threads, each_m * count,
+                     each_m * sums.relative_weight * tex / 1000, sums.relative_weight / count * tex});
   }
   std::ranges::stable_sort(needs, std::greater(), &YarnNeed::threads);
   out.needs.insert(out.needs.end(), needs.begin(), needs.end());

@@ -13,6 +13,7 @@ struct YarnNeed {
   int yarn = 0, color = 0;
   int64_t threads = 0;
   double length_m = 0, weight_g = 0;  // with the spare
+  double tex = 0;                     // mean count of the threads
 };
 
 /// One yarn in one colour, for warp and weft together.

@@ -1,6 +1,7 @@
 // `analyse`: a draft as a weave and on a loom. `diff`: the differences between two drafts.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -21,10 +22,10 @@
 namespace weftlight::commands {
 
 using analysis::ClothMeasures, analysis::Comparison, analysis::Difference, analysis::Float, analysis::Interlacing,
-    analysis::LongFloats, analysis::LongestFloats, analysis::LoomUse, analysis::WeaveLayer, analysis::Heddles,
-    analysis::cloth_measures, analysis::heddles_for, analysis::kInch_mm, analysis::sett_text, analysis::compare,
-    analysis::interlacing, analysis::long_floats, analysis::longest_floats, analysis::loom_use, analysis::thread_list,
-    analysis::weave_layers, analysis::wraps_per_cm;
+    analysis::LongFloats, analysis::LongestFloats, analysis::LoomUse, analysis::MeanThread, analysis::WeaveLayer,
+    analysis::Heddles, analysis::cloth_measures, analysis::heddles_for, analysis::kInch_mm, analysis::sett_text,
+    analysis::compare, analysis::interlacing, analysis::long_floats, analysis::longest_floats, analysis::loom_use,
+    analysis::mean_thread, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm;
 using base::arg, base::fill, base::tr, base::tr_n;
 using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat, design::tex_of,
     design::warp_up_fraction;
@@ -173,20 +174,39 @@ void print_loom(const DraftAnalysis& f) {
                  arg("percent", f.warp_up * 100), arg("warp", f.interlacings.warp), arg("weft", f.interlacings.weft)));
 }
 
-/// The sett that each yarn alone would have, from the wraps of its diameter.
-void print_setts(const Design& design, const DraftAnalysis& f, Units units) {
+/// The sett that threads of one size alone would have.
+void print_wraps(const std::string& yarn, double tex, double diameter_mm, double firm_sett, Units units) {
   const bool imperial = units == Units::kImperial;
+  const double wraps = wraps_per_cm(static_cast<float>(diameter_mm));
+  print_row(tr("  from wraps"),
+            fill(imperial ? tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per inch, {sett}")
+                          : tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per cm, {sett}"),
+                 arg("yarn", yarn), arg("tex", tex), arg("wraps", imperial ? wraps * kInch_mm / 10 : wraps),
+                 arg("sett", sett_text(wraps * firm_sett, System::kWarp, units))));
+}
+
+/// Of a yarn as the draft's threads have it: warp and weft apart where it is thicker in one of them.
+void print_wraps_of(const Design& design, int yarn, double firm_sett, Units units) {
+  constexpr double kSame_mm = 0.001;
+  const Yarn& of = design.yarns[static_cast<size_t>(yarn)];
+  const MeanThread warp = mean_thread(design, System::kWarp, yarn), weft = mean_thread(design, System::kWeft, yarn);
+  const auto print = [&](const std::string& name, const MeanThread& thread) {
+    print_wraps(name, thread.tex, thread.diameter_mm, firm_sett, units);
+  };
+  if (warp.threads == 0 && weft.threads == 0)
+    return print_wraps(of.name, static_cast<double>(tex_of(of)), static_cast<double>(of.diameter_mm), firm_sett, units);
+  if (warp.threads == 0 || weft.threads == 0 || std::abs(warp.diameter_mm - weft.diameter_mm) < kSame_mm)
+    return print(of.name, warp.threads > 0 ? warp : weft);
+  print(fill(tr("{yarn} in the warp"), arg("yarn", of.name)), warp);
+  print(fill(tr("{yarn} in the weft"), arg("yarn", of.name)), weft);
+}
+
+void print_setts(const Design& design, const DraftAnalysis& f, Units units) {
   const ClothMeasures m = cloth_measures(design);
   print_row(tr("sett"), fill(tr("{ends}, {picks}"), arg("ends", sett_text(m.draft_ends_per_cm, System::kWarp, units)),
                              arg("picks", sett_text(m.draft_picks_per_cm, System::kWeft, units))));
-  for (const Yarn& yarn : design.yarns) {
-    const double wraps = wraps_per_cm(yarn.diameter_mm);
-    print_row(tr("  from wraps"), fill(imperial ? tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per inch, {sett}")
-                                                : tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per cm, {sett}"),
-                                       arg("yarn", yarn.name), arg("tex", tex_of(yarn)),
-                                       arg("wraps", imperial ? wraps * kInch_mm / 10 : wraps),
-                                       arg("sett", sett_text(wraps * f.firm_sett, System::kWarp, units))));
-  }
+  for (size_t yarn = 0; yarn < design.yarns.size(); ++yarn)
+    print_wraps_of(design, static_cast<int>(yarn), f.firm_sett, units);
 }
 
 std::string difference_text(const Difference& d) {

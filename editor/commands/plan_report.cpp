@@ -23,7 +23,7 @@ using analysis::ClothMeasures, analysis::EdgeBinding, analysis::Selvedges, analy
     analysis::warping_plan, analysis::weight_text, analysis::width_text, analysis::yarn_length_text,
     analysis::yarn_report;
 using base::arg, base::fill, base::tr, base::tr_n;
-using design::ClothPlan, design::sleying_text, design::tex_of;
+using design::ClothPlan, design::sleying_text;
 using draft::Rgb, draft::System, draft::drawdown;
 
 namespace {
@@ -138,7 +138,7 @@ Json needs_json(const Design& design, const YarnReport& yarn) {
                      {"threads", need.threads},
                      {"length_m", need.length_m},
                      {"weight_g", need.weight_g},
-                     {"tex", tex_of(design.yarns[static_cast<size_t>(need.yarn)])}});
+                     {"tex", need.tex}});
   }
   return needs;
 }

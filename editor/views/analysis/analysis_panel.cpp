@@ -13,8 +13,8 @@
 namespace weftlight::views {
 
 using analysis::Units, analysis::WeaveLayer, analysis::cloth_measures, analysis::kInch_mm, analysis::sett_text,
-    analysis::loom_use, analysis::firm_sett_per_cm, analysis::thread_list, analysis::weave_layers,
-    analysis::wraps_per_cm;
+    analysis::loom_use, analysis::firm_sett_per_cm, analysis::mean_thread, analysis::thread_list,
+    analysis::weave_layers, analysis::wraps_per_cm;
 using base::arg, base::fill, base::tr, base::tr_n;
 using draft::Draft, draft::System, draft::fewest_for;
 using ui::fitted, ui::row_label, ui::section, ui::text_button;
@@ -27,6 +27,7 @@ void analyse(const PanelContext& c, AnalysisState& s) {
   s.loom = loom_use(c.design.draft);
   s.fewest = fewest_for(c.cells);
   s.firm_sett = firm_sett_per_cm(c.cells, s.layers, 1);
+  s.wraps = wraps_per_cm(static_cast<float>(mean_thread(c.design, System::kWarp).diameter_mm));
   s.measures = cloth_measures(c.design);
 }
 
@@ -89,13 +90,12 @@ void draw_setts(const PanelContext& c, const AnalysisState& s) {
        fill(tr("{ends}, {picks}"), arg("ends", sett_text(s.measures.draft_ends_per_cm, System::kWarp, units)),
             arg("picks", sett_text(s.measures.draft_picks_per_cm, System::kWeft, units))),
        tr("As drawn. The Plan page has the setts on the loom and in the finished cloth"));
-  const double wraps = wraps_per_cm(c.design.yarns.front().diameter_mm);
   fact(c, tr("Firm sett"),
        fill(units == Units::kImperial ? tr("{sett}, from {wraps:.1f} wraps per inch")
                                       : tr("{sett}, from {wraps:.1f} wraps per cm"),
-            arg("sett", sett_text(wraps * s.firm_sett, System::kWarp, units)),
-            arg("wraps", units == Units::kImperial ? wraps * kInch_mm / 10 : wraps)),
-       tr("On the loom, for a firm cloth of the first yarn in this weave (Ashenhurst); in all layers together"));
+            arg("sett", sett_text(s.wraps * s.firm_sett, System::kWarp, units)),
+            arg("wraps", units == Units::kImperial ? s.wraps * kInch_mm / 10 : s.wraps)),
+       tr("On the loom, for a firm cloth of these ends in this weave (Ashenhurst); in all layers together"));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct AnalysisState {
   analysis::LoomUse loom;
   LoomSize fewest;
   double firm_sett = 0;  // as a fraction of the wraps
+  double wraps = 0;      // of the ends, in a cm
   analysis::ClothMeasures measures;
 };
 

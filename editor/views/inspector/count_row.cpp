@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "analysis/measures.h"
 #include "base/decimals.h"
 #include "base/text.h"
 #include "design/count.h"
@@ -17,9 +18,11 @@
 
 namespace weftlight::views {
 
+using analysis::MeanThread, analysis::mean_thread;
 using base::arg, base::fill, base::tr, base::with_decimal_point;
 using design::CountUnit, design::count_of, design::packing_fraction, design::tex_of, design::with_count,
     design::written_count;
+using draft::System;
 using ui::row_label;
 
 namespace {
@@ -51,6 +54,20 @@ std::string count_in_words(const Yarn& yarn) {
   if (fibre > kMaxPacking) return counts + tr("too much fibre for this thickness");
   if (fibre <= 0) return counts + tr("as entered");
   return counts + fill(tr("{percent}% of the yarn is fibre"), arg("percent", std::lround(100 * fibre)));
+}
+
+std::string count_in_draft(const Design& design, int yarn) {
+  constexpr double kSame_mm = 0.001;
+  const auto thick = static_cast<double>(design.yarns[static_cast<size_t>(yarn)].diameter_mm);
+  const auto words = [&](System system, const char* pattern) -> std::string {
+    const MeanThread mean = mean_thread(design, system, yarn);
+    if (mean.threads == 0 || std::abs(mean.diameter_mm - thick) < kSame_mm) return {};
+    const auto figure = [](double value) { return with_decimal_point(three_figures(value)); };
+    return fill(pattern, arg("thickness", figure(mean.diameter_mm)), arg("tex", figure(mean.tex)));
+  };
+  const std::string ends = words(System::kWarp, tr("Ends: {thickness} mm, {tex} tex")),
+                    picks = words(System::kWeft, tr("Picks: {thickness} mm, {tex} tex"));
+  return ends.empty() || picks.empty() ? ends + picks : ends + "\n" + picks;
 }
 
 bool draw_count(const PanelContext& c, Yarn& yarn) {

@@ -16,6 +16,7 @@
 #include "views/inspector/count_row.h"
 #include "views/inspector/dye_rows.h"
 #include "views/inspector/lobes_plot.h"
+#include "views/inspector/words_row.h"
 
 namespace weftlight::views {
 
@@ -191,11 +192,14 @@ bool draw_field(PanelContext& c, const YarnField<Yarn>& field, Yarn& yarn) {
 }
 
 /// The label of the changed property, or null. What a weaver changes most comes first, then what the spinner decides.
-const char* draw_properties(PanelContext& c, Yarn& yarn) {
+const char* draw_properties(Panel& c, Yarn& yarn) {
   const char* what = nullptr;
   if (draw_fibre(c, yarn)) what = mark("Fibre");
   if (draw_cross_section(c, yarn)) what = mark("Cross-section");
   if (draw_count(c, yarn)) what = mark("Count");
+  if (const std::string threads = count_in_draft(c.design, c.view.yarn); !threads.empty())
+    draw_words(c, threads, c.style.color.muted,
+               tr("The draft gives its threads a thickness of their own, which cloth and plan go by"));
   if (draw_lustre(c, yarn)) what = kLustreFacts.label;
   const auto first = [](const YarnField<Yarn>& f) {
     return f.member == &Yarn::turns_per_m || f.member == &Yarn::hairiness;

@@ -11,6 +11,7 @@
 #include "analysis/units.h"
 #include "analysis/yarn_need.h"
 #include "design/edits.h"
+#include "design/fibre.h"
 
 namespace weftlight::analysis {
 
@@ -176,6 +177,29 @@ TEST(Measures, NumbersOutOfRangeCountAsTheLimit) {
   d.plan.width_mm = d.plan.length_mm = 1e30f;
   d.plan.pieces = 1'000'000'000;
   EXPECT_TRUE(std::isfinite(yarn_report(d).weight_g));
+}
+
+TEST(Measures, OfThreadsAsTheyAreLaidOut) {
+  Design d = plain_cloth(4, 2);
+  d.yarns[0].diameter_mm = 0.5f;
+  d.yarns.push_back(d.yarns[0]);
+  d.yarns[1].diameter_mm = 0.3f, d.yarns[1].tex = 60;
+  const double tex = static_cast<double>(tex_of(d.yarns[0]));
+  EXPECT_DOUBLE_EQ(mean_thread(d, System::kWarp).diameter_mm, 0.5);
+  EXPECT_DOUBLE_EQ(mean_thread(d, System::kWarp).tex, tex);
+  d.draft.warp.thickness_mm = {1, 1, 1, 1};
+  d.draft.weft.yarn = {0, 1};
+  EXPECT_DOUBLE_EQ(mean_thread(d, System::kWarp).diameter_mm, 1);
+  EXPECT_NEAR(mean_thread(d, System::kWarp).tex, 4 * tex, 1e-3) << "of four times the section";
+  EXPECT_EQ(mean_thread(d, System::kWarp, 1).threads, 0);
+  EXPECT_EQ(mean_thread(d, System::kWarp, 1).tex, 0);
+  EXPECT_FLOAT_EQ(static_cast<float>(mean_thread(d, System::kWeft).diameter_mm), 0.4f);
+  EXPECT_EQ(mean_thread(d, System::kWeft, 1).tex, 60) << "as it is set";
+  const YarnReport r = yarn_report(d);
+  for (const YarnNeed& need : r.needs) {
+    EXPECT_NEAR(need.weight_g, need.length_m * need.tex / 1000, 1e-6);
+    EXPECT_NEAR(need.tex, mean_thread(d, need.system, need.yarn).tex, 1e-3) << "the plan weighs what is laid out";
+  }
 }
 
 }  // namespace

@@ -54,6 +54,28 @@ TEST_F(WeaverVerbs, analyse_as_json) {
   EXPECT_NE(said(analyse_command, options).find("layers          one connected cloth"), std::string::npos);
 }
 
+TEST_F(WeaverVerbs, wraps_are_of_the_threads_as_the_file_has_them) {
+  std::string text =
+      "[WIF]\nVersion=1.1\n[CONTENTS]\nWEAVING=yes\nWARP=yes\nWEFT=yes\nTHREADING=yes\nTIEUP=yes\n"
+      "TREADLING=yes\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=yes\n"
+      "[WARP]\nThreads=2\nUnits=Centimeters\nSpacing=0.1\nThickness=0.1\n"
+      "[WEFT]\nThreads=2\nUnits=Centimeters\nSpacing=0.1\nThickness=WEFT\n"
+      "[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n";
+  const auto said_of = [&](const char* weft) {
+    std::string file = text;
+    file.replace(file.find("WEFT\n[THREADING"), 4, weft);
+    AnalyseOptions options;
+    options.file = written("thick.wif", file);
+    return said(analyse_command, options);
+  };
+  const std::string even = said_of("0.1");
+  EXPECT_NE(even.find("tex, 10.0 wraps per cm, 5.0 ends per cm"), std::string::npos) << even;
+  EXPECT_EQ(even.find("in the warp"), std::string::npos) << even;
+  const std::string thick = said_of("0.2");
+  EXPECT_NE(thick.find("in the warp: "), std::string::npos) << thick;
+  EXPECT_NE(thick.find("tex, 5.0 wraps per cm"), std::string::npos) << thick;
+}
+
 TEST_F(WeaverVerbs, the_plan_in_the_file_is_used_everywhere) {
   Design d = wif::read_wif(read_file(fixture_path("twill.wif")).value_or("")).file->design;
   const auto sums = [&](const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../straight_draft.h"
 #include "../yarns.h"
 #include "design/fibre.h"
 
@@ -25,6 +26,20 @@ TEST(CountRow, HasTheUnitsOfTheTradeAndTheSourceOfTheCount) {
   EXPECT_NE(count_in_words(yarn).find("\ncomputed from the thickness"), std::string::npos);
   yarn.diameter_mm = 0;
   EXPECT_EQ(count_in_words(yarn), "thickness set by the draft");
+}
+
+TEST(CountRow, TellsTheCountOfTheDraftsThreads) {
+  design::Design d = straight_draft(4);
+  EXPECT_EQ(count_in_draft(d, 0), "") << "they are as thick as the yarn";
+  d.yarns[0] = *with_count(yarn_preset("Cotton"), "100 tex");
+  const float thick = d.yarns[0].diameter_mm;
+  d.draft.warp.thickness_mm.assign(4, 2 * thick);
+  EXPECT_TRUE(count_in_draft(d, 0).ends_with(" mm, 400 tex")) << count_in_draft(d, 0);
+  EXPECT_TRUE(count_in_draft(d, 0).starts_with("Ends: ")) << count_in_draft(d, 0);
+  d.draft.weft.thickness_mm.assign(4, 0.5f * thick);
+  EXPECT_NE(count_in_draft(d, 0).find("\nPicks: "), std::string::npos);
+  d.yarns.emplace_back();
+  EXPECT_EQ(count_in_draft(d, 1), "") << "it has no threads";
 }
 
 }  // namespace

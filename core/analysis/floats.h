@@ -23,6 +23,9 @@ struct Float {
   bool operator==(const Float&) const = default;
 };
 
+/// Longest float allowed, in threads, where the weaver says nothing else.
+inline constexpr int kFloatLimit = 7;
+
 /// Floats of more than `limit` threads.
 struct LongFloats {
   int64_t count = 0;

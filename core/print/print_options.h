@@ -5,6 +5,7 @@
 
 #include "analysis/units.h"
 #include "base/mark.h"
+#include "draft/heavy_lines.h"
 
 namespace weftlight::print {
 
@@ -49,11 +50,11 @@ inline constexpr NamedPart kParts[] = {{"draft", base::mark("Draft and drawdown"
 
 struct PrintOptions {
   Paper paper = kA4;
-  double cell_mm = 0;            // side of a cell, 0.5..20; 0: fitted to the sheet, at least kMinCell_mm
-  int heavy_lines = 4;           // a heavier line every n threads; 0: none
-  bool end1_right = true;        // end 1 on the right
-  bool pick1_bottom = false;     // pick 1 at the bottom
-  bool threading_below = false;  // below the drawdown
+  double cell_mm = 0;                    // side of a cell, 0.5..20; 0: fitted to the sheet, at least kMinCell_mm
+  int heavy_lines = draft::kHeavyLines;  // a heavier line every n threads; 0: none
+  bool end1_right = true;                // end 1 on the right
+  bool pick1_bottom = false;             // pick 1 at the bottom
+  bool threading_below = false;          // below the drawdown
   double png_dpi = 150;
   PrintParts parts{};
   bool one_repeat = false;              // grids and lists of one repeat; all else is of the whole cloth

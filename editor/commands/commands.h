@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/floats.h"
 #include "base/result.h"
 #include "chart/chart_rows.h"
 #include "collection/query.h"
@@ -122,7 +123,7 @@ struct CurvesOptions {
 struct AnalyseOptions {
   std::string file;
   bool json = false;
-  int float_limit = 7;
+  int float_limit = analysis::kFloatLimit;
   PlanOptions plan;
 };
 struct PrintCommand {

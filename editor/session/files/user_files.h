@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "design/design.h"
+#include "draft/heavy_lines.h"
 
 namespace weftlight::session {
 
@@ -34,7 +35,7 @@ struct Settings {
   bool show_repeat = false;      // outlined in the drawdown
   bool rulers = false;           // in cm or inches, at the drawdown and at the flat cloth
   DrawdownStyle drawdown_style = DrawdownStyle::kThreads;
-  int heavy_lines = 5;                           // a heavier grid line every n threads; 0: none
+  int heavy_lines = draft::kHeavyLines;          // a heavier grid line every n threads; 0: none
   float seen_from_m = 1;                         // how far the true distance takes the weaver from the cloth
   float eye_to_screen_cm = 50;                   // and how far their eyes are from the screen
   std::map<std::string, float> screens;          // calibrated: window units in a millimetre, by the screen's name

@@ -4,6 +4,8 @@
 
 #include "../memory_taken.h"
 #include "base/utf8.h"
+#include "print/print_options.h"
+#include "session/editing/analysis_view.h"
 #include "session/files/user_files.h"
 
 namespace weftlight::session {
@@ -128,6 +130,11 @@ TEST(Settings, BombsAreAsIfMissing) {
   for (int i = 0; i < 60'000; ++i) keys += '"' + std::to_string(i) + R"(":"a",)";
   expect_harmless(width(keys + R"("z":"a"}})"), "999");
   EXPECT_EQ(settings_from(keys + R"("z":"a"}})").keys.size(), 1000u);
+}
+
+TEST(Settings, TheWindowBeginsWithTheDefaultsOfTheCommands) {
+  EXPECT_EQ(Settings{}.heavy_lines, print::PrintOptions{}.heavy_lines);
+  EXPECT_EQ(AnalysisView{}.float_limit, analysis::kFloatLimit);
 }
 
 }  // namespace

@@ -162,5 +162,25 @@ TEST_F(LibraryTest, ThreadsAreAssembledFromSections) {
   EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "one undo step";
 }
 
+TEST_F(LibraryTest, AFaultyOrderKeepsTheSectionsOnThePage) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("shift+w");
+  ASSERT_NO_FATAL_FAILURE(press(w, "sections.take"));
+  ASSERT_TRUE(comes_true([&] { return design_of(w.live()).warp_assembly.sections.size() == 1; }));
+  display_.click(w.middle_of("sections.order"));
+  display_.type("A 2x, B");
+  display_.key("Tab");
+  display_.click(w.middle_of("dialog:Apply"));
+  ASSERT_TRUE(w.has("sections.order")) << "the page with the section is gone";
+  display_.click(w.middle_of("sections.order"));
+  display_.key("ctrl+a");
+  display_.type("A 2x");
+  ASSERT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 48; }));
+  display_.click(w.middle_of("dialog:Apply"));
+  EXPECT_TRUE(comes_true([&] { return !w.has("sections.order"); }));
+  EXPECT_EQ(design_of(w.live()).warp_assembly.order, "A 2x");
+}
+
 }  // namespace
 }  // namespace weftlight::gui

@@ -19,19 +19,21 @@ namespace {
 
 bool enter_pressed() { return key_pressed(ImGuiKey_Enter, false); }
 
-bool primary_button(PanelContext& c, const char* id, const char* label) {
+bool primary_button(PanelContext& c, const char* id, const char* label, bool possible) {
+  ImGui::BeginDisabled(!possible);
   ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, blend(c.style.color.accent, c.style.color.text, 0.3f));
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.paper);
   const bool pressed = text_button(c, id, label, nullptr);
   ImGui::PopStyleColor(4);
+  ImGui::EndDisabled();
   return pressed;
 }
 
 }  // namespace
 
-int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first) {
+int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first, bool possible) {
   const ImGuiStyle& s = ImGui::GetStyle();
   float width = -s.ItemSpacing.x;
   for (const std::string& l : labels)
@@ -42,10 +44,12 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
   for (int i = static_cast<int>(labels.size()) - 1; i >= 0; --i) {
     const std::string id = "dialog:" + labels[static_cast<size_t>(i)];
     const char* label = tr(labels[static_cast<size_t>(i)].c_str());
-    if (i == 0 ? primary_button(c, id.c_str(), label) : text_button(c, id.c_str(), label, nullptr)) pressed = i;
+    if (i == 0 ? primary_button(c, id.c_str(), label, possible) : text_button(c, id.c_str(), label, nullptr))
+      pressed = i;
     if (i > 0) ImGui::SameLine();
   }
-  return pressed < 0 && enter_presses_first && enter_pressed() && !takes_enter(c.map) ? 0 : pressed;
+  const bool by_enter = enter_presses_first && possible && enter_pressed() && !takes_enter(c.map);
+  return pressed < 0 && by_enter ? 0 : pressed;
 }
 
 DialogResult dialog_result(int button, int cancel_button) {

@@ -26,8 +26,9 @@ unsigned field_of_number(const char* label);
 /// A labelled whole number with steps of one and ten.
 void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max);
 /// The buttons at the lower right; the first is the primary one and outermost. Labels are marked texts, and the map has
-/// them in English as dialog:LABEL. Returns the index of the pressed one or -1.
-int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first);
+/// them in English as dialog:LABEL. Returns the index of the pressed one or -1. `possible`: the first can be pressed.
+int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first,
+                 bool possible = true);
 /// The result for what draw_buttons returned.
 DialogResult dialog_result(int button, int cancel_button = 1);
 /// The result of the buttons of a dialog whose draft follows.

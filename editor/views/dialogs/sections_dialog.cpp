@@ -253,9 +253,9 @@ DialogResult draw_prompt(PanelContext& c, SectionsPrompt& p) {
   draw_order(c, page);
   draw_result(c, page);
   ImGui::PopID();
-  DialogResult result = dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, false));
-  if (page.changed) result.edit = preview_edit(p);
-  return result;
+  MaybeEdit edit;
+  if (page.changed) edit = preview_edit(p);
+  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, false, p.why.empty())));
 }
 
 MaybeEdit restored(const SectionsPrompt& p) {

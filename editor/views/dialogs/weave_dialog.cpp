@@ -90,8 +90,7 @@ DialogResult draw_prompt(PanelContext& c, WeavePrompt& p) {
   p.own_size = p.own_size || ends != p.ends || picks != p.picks;
   draw_needs(c, p);
   ImGui::EndChild();
-  const int button = draw_buttons(c, {mark("Create"), mark("Cancel")}, true);
-  return dialog_result(button == 0 && !refused.empty() ? -1 : button);
+  return dialog_result(draw_buttons(c, {mark("Create"), mark("Cancel")}, true, refused.empty()));
 }
 
 }  // namespace weftlight::views

@@ -83,6 +83,19 @@ TEST_F(DeskTest, TypingFindsAWeaveByItsUse) {
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() % 10 == 0; })) << "whole repeats of huck";
 }
 
+TEST_F(DeskTest, TypingANameChoosesThatWeave) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("w");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:twill") && w.has("dialog:Apply"); }));
+  display_.type("satin");
+  EXPECT_TRUE(comes_true([&] {
+    const std::vector<design::WeaveUse> uses = design_of(w.live()).weaves;
+    return uses.size() == 1 && uses[0].weave == "satin";
+  })) << "another weave, whose description speaks of satin, is woven";
+}
+
 TEST_F(DeskTest, JoinsTheDraftWithAnother) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

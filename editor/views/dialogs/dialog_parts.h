@@ -34,8 +34,11 @@ DialogResult dialog_result(int button, int cancel_button = 1);
 /// The result of the buttons of a dialog whose draft follows.
 DialogResult edited(MaybeEdit edit, DialogResult buttons);
 
-/// The weaves of weave_kinds() by family, those that have the `typed` words. True if another was chosen. Sizes in
-/// pixels at 96 dpi.
+/// The weaves of weave_kinds() that have every typed word: those of that name, whose names begin so or have the words,
+/// then those that have them with their family, and with their description.
+std::vector<int> found_weaves(const std::string& typed);
+/// The weaves of weave_kinds() by family, or those that are found; the best is chosen. True if another was chosen.
+/// Sizes in pixels at 96 dpi.
 bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float width, float height);
 /// A row for each parameter of the weave. True if one changed.
 bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& values);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "base/text.h"
 #include "base/utf8.h"
@@ -96,18 +98,22 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// The weaves whose name, family or description has every typed word.
-std::vector<int> found_weaves(const std::string& typed) {
-  std::vector<int> found;
-  for (int i = 0; i < static_cast<int>(weave_kinds().size()); ++i) {
-    const WeaveKind& kind = weave_kinds()[static_cast<size_t>(i)];
-    const std::string text = lowered(std::string(tr(kind.name)) + " " + tr(kind.family) + " " + tr(kind.description));
-    std::istringstream words(lowered(typed));
-    bool all = true;
-    for (std::string word; words >> word;) all = all && text.find(word) != std::string::npos;
-    if (all) found.push_back(i);
-  }
-  return found;
+/// How well a weave matches typed words: the name is these words, begins with them, has them all; with its family, with
+/// its description; or not at all.
+enum class Match { kName, kBeginning, kInName, kInFamily, kInDescription, kNone };
+Match match(const WeaveKind& kind, const std::vector<std::string>& words) {
+  std::string text = lowered(tr(kind.name)), typed;
+  for (const std::string& word : words) typed += (typed.empty() ? "" : " ") + word;
+  if (text == typed) return Match::kName;
+  if (text.starts_with(typed)) return Match::kBeginning;
+  const auto has_all = [&] {
+    return std::ranges::all_of(words, [&](const std::string& word) { return text.find(word) != std::string::npos; });
+  };
+  if (has_all()) return Match::kInName;
+  text += " " + lowered(tr(kind.family));
+  if (has_all()) return Match::kInFamily;
+  text += " " + lowered(tr(kind.description));
+  return has_all() ? Match::kInDescription : Match::kNone;
 }
 
 /// The found weaves below the names of their families.
@@ -147,13 +153,26 @@ void step_choice(const std::vector<int>& found, int& chosen) {
 
 }  // namespace
 
+std::vector<int> found_weaves(const std::string& typed) {
+  std::istringstream read(lowered(typed));
+  const std::vector<std::string> words{std::istream_iterator<std::string>(read), {}};
+  std::vector<std::pair<Match, int>> matches;
+  for (int i = 0; i < static_cast<int>(weave_kinds().size()); ++i)
+    if (const Match m = match(weave_kinds()[static_cast<size_t>(i)], words); m != Match::kNone)
+      matches.emplace_back(m, i);
+  std::ranges::sort(matches);
+  std::vector<int> found;
+  for (const auto& [how, weave] : matches) found.push_back(weave);
+  return found;
+}
+
 bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float width, float height) {
   const int before = chosen;
+  const std::string typed_before = typed;
   const float field = ImGui::GetFrameHeight() + c.style.px(6);
   const ImVec2 at = ImGui::GetCursorPos();
   take_typing(typed);
   const std::vector<int> found = found_weaves(typed);
-  if (!found.empty() && std::ranges::find(found, chosen) == found.end()) chosen = found.front();
   ImGui::BeginGroup();
   // The field stands above the list and comes after it for the keyboard, which begins in the list.
   ImGui::SetCursorPosY(at.y + field);
@@ -164,6 +183,9 @@ bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float wid
   c.map.add_item("weave.find");
   if (ImGui::IsItemActive()) step_choice(found, chosen);
   ImGui::EndGroup();
+  // What is typed chooses the best match.
+  if (typed != typed_before && !typed.empty())
+    if (const std::vector<int> best = found_weaves(typed); !best.empty()) chosen = best.front();
   return chosen != before;
 }
 

@@ -190,6 +190,27 @@ Design with_size(Design design, int ends, int picks, int shafts, int treadles) {
   return design;
 }
 
+SizeLoss lost_by_size(const Draft& d, int ends, int picks, int shafts, int treadles) {
+  const auto rows_beyond = [](const BitMatrix& m, int rows, int columns) {
+    BitMatrix kept = m;
+    kept.resize(m.rows(), columns);
+    int lost = 0;
+    for (int row = 0; row < std::min(rows, m.rows()); ++row) lost += kept.count(row) < m.count(row) ? 1 : 0;
+    return lost;
+  };
+  SizeLoss loss;
+  loss.ends = rows_beyond(d.threading, ends, shafts);
+  if (d.shed_control == ShedControl::kLiftplan) {
+    loss.picks = rows_beyond(d.liftplan, picks, shafts);
+    return loss;
+  }
+  loss.picks = rows_beyond(d.treadling, picks, treadles);
+  BitMatrix kept = d.tieup;
+  kept.resize(treadles, shafts);
+  loss.tieup = d.tieup.count() - kept.count();
+  return loss;
+}
+
 Design with_plan(Design design, ClothPlan plan) {
   design.plan = clamped(std::move(plan));
   return design;

@@ -2,6 +2,7 @@
 // Pure edits: Design -> Design. Each keeps the draft's invariants; an index out of range
 // returns the design unchanged. The editor commits them to the History with a label.
 
+#include <cstdint>
 #include <span>
 
 #include "base/progress.h"
@@ -36,6 +37,14 @@ Design with_new_yarn(Design design, const Yarn& value);
 /// New threads continue the stripes of the old ones (colour, yarn, spacing, thickness); new cells are empty. Counts are
 /// clamped to their limits; with more than kMaxCells crossings the design is unchanged.
 Design with_size(Design design, int ends, int picks, int shafts, int treadles);
+/// What such a size takes from threads that stay: those that lose a shaft or treadle (in a liftplan, a lifted shaft),
+/// and the marks of the tie-up.
+struct SizeLoss {
+  int ends = 0, picks = 0;
+  int64_t tieup = 0;
+  bool operator==(const SizeLoss&) const = default;
+};
+SizeLoss lost_by_size(const draft::Draft& d, int ends, int picks, int shafts, int treadles);
 /// The plan of the cloth, every number within its limits.
 Design with_plan(Design design, ClothPlan plan);
 /// All threads of a system so much further apart, or closer, that there are `per_cm` of them in a cm, on average.

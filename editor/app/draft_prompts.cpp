@@ -82,7 +82,7 @@ void DraftPrompts::ask_size() {
   const Draft& d = document().now().draft;
   const Loom& loom = document().now().loom;
   dialogs_.ask(SizePrompt{tr("Size of the draft"), mark("Change"), d.ends(), d.picks(), d.shafts, d.treadles,
-                          loom.shafts, loom.treadles},
+                          loom.shafts, loom.treadles, document().snapshot()},
                [this](int) {
                  editing_.commit({tr("Change size"), [p = dialogs_.prompt<SizePrompt>()](Design d2) {
                                     d2.loom.shafts = p.loom_shafts;

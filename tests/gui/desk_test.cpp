@@ -96,6 +96,20 @@ TEST_F(DeskTest, TypingANameChoosesThatWeave) {
   })) << "another weave, whose description speaks of satin, is woven";
 }
 
+TEST_F(DeskTest, ShaftsThatTakeThreadsWithThemAreNamedBeforeTheyGo) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  ASSERT_NO_FATAL_FAILURE(command(w, "size and loom"));
+  ASSERT_TRUE(comes_true([&] { return w.has("size.shafts"); }));
+  EXPECT_FALSE(w.has("size.lost"));
+  const auto [at, size] = w.place_of("size.shafts");
+  display_.click({at.x + size.x / 4, at.y + size.y / 2});
+  display_.key("ctrl+a");
+  display_.type("4");
+  EXPECT_TRUE(comes_true([&] { return w.has("size.lost"); })) << "half of the ends lose their shaft in silence";
+}
+
 TEST_F(DeskTest, JoinsTheDraftWithAnother) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "design/edits.h"
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
 #include "ui/widgets.h"
@@ -14,7 +15,8 @@
 namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
-using draft::kMaxShafts, draft::kMaxThreads;
+using design::SizeLoss, design::lost_by_size;
+using draft::Draft, draft::ShedControl, draft::kMaxShafts, draft::kMaxThreads;
 using ui::Colors, ui::begin_list, ui::begin_padded_child, ui::blend, ui::close_popups_above, ui::fitted,
     ui::key_pressed, ui::muted_text, ui::open_popups, ui::push_font, ui::row_label, ui::segmented, ui::text_button;
 
@@ -81,6 +83,24 @@ DialogResult draw_prompt(PanelContext& c, NamesPrompt& p) {
   return dialog_result(draw_buttons(c, {mark("Done"), mark("Cancel")}, false));
 }
 
+/// What the threads lose with the shafts and treadles that go, a line each.
+std::string lost_text(const SizePrompt& p) {
+  const Draft& d = p.base->draft;
+  if (p.shafts >= d.shafts && p.treadles >= d.treadles) return {};
+  const SizeLoss lost = lost_by_size(d, p.ends, p.picks, p.shafts, p.treadles);
+  std::string text;
+  const auto add = [&](const char* one, int64_t count) {
+    if (count > 0) text += (text.empty() ? "" : "\n") + fill(one, arg("count", count));
+  };
+  add(tr_n("{count} end loses its shaft.", "{count} ends lose their shafts.", lost.ends), lost.ends);
+  if (d.shed_control == ShedControl::kLiftplan)
+    add(tr_n("{count} pick loses a shaft that it lifts.", "{count} picks lose shafts that they lift.", lost.picks),
+        lost.picks);
+  else add(tr_n("{count} pick loses its treadle.", "{count} picks lose their treadles.", lost.picks), lost.picks);
+  add(tr_n("{count} mark of the tie-up is lost.", "{count} marks of the tie-up are lost.", lost.tieup), lost.tieup);
+  return text;
+}
+
 DialogResult draw_prompt(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
   number(c, "size.ends", tr("Ends"), p.ends, 1, kMaxThreads);
@@ -91,6 +111,12 @@ DialogResult draw_prompt(PanelContext& c, SizePrompt& p) {
   muted_text(c, tr("Loom limits, for edits of the drawdown; 0: no limit"));
   number(c, "size.loom_shafts", tr("Max. shafts"), p.loom_shafts, 0, kMaxShafts);
   number(c, "size.loom_treadles", tr("Max. treadles"), p.loom_treadles, 0, kMaxShafts);
+  if (const std::string lost = lost_text(p); !lost.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
+    ImGui::TextUnformatted(lost.c_str());
+    ImGui::PopStyleColor();
+    c.map.add_item("size.lost");
+  }
   return dialog_result(draw_buttons(c, {p.button, mark("Cancel")}, true));
 }
 

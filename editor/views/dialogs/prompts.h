@@ -34,6 +34,7 @@ struct SizePrompt {
   std::string title, button;
   int ends = 0, picks = 0, shafts = 0, treadles = 0;
   int loom_shafts = 0, loom_treadles = 0;  // loom limits; 0: none
+  std::shared_ptr<const Design> base{};    // before the dialog
 };
 /// The weave of a new draft, with a preview.
 struct WeavePrompt {

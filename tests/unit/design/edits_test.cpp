@@ -128,6 +128,17 @@ TEST(Edits, SizeKeepsTheClothAndContinuesTheStripes) {
   EXPECT_EQ(cloth(least), (Rows{"1"}));
 }
 
+TEST(Edits, ASizeTellsWhatItLoses) {
+  Draft d = straight_twill(12, 6).draft;  // four shafts, four treadles, two of them on each
+  EXPECT_EQ(lost_by_size(d, 12, 6, 4, 4), SizeLoss{});
+  EXPECT_EQ(lost_by_size(d, 20, 9, 8, 8), SizeLoss{});
+  EXPECT_EQ(lost_by_size(d, 12, 6, 3, 4), (SizeLoss{3, 0, 2}));
+  EXPECT_EQ(lost_by_size(d, 12, 6, 4, 2), (SizeLoss{0, 2, 4})) << "picks 3 and 4";
+  EXPECT_EQ(lost_by_size(d, 3, 2, 3, 2), (SizeLoss{0, 0, 4})) << "threads that are cut off are not lost";
+  d = to_liftplan(straight_twill(12, 6)).draft;
+  EXPECT_EQ(lost_by_size(d, 12, 6, 3, 1), (SizeLoss{3, 2, 0})) << "treadles do nothing here";
+}
+
 TEST(Edits, SizeOfAnEmptyDesign) {
   const Design d = with_size(Design{}, 3, 2, 2, 2);
   EXPECT_TRUE(is_consistent(d));

@@ -7,10 +7,17 @@
 namespace weftlight::design {
 
 using base::tr;
+using draft::fits, draft::kMaxShafts;
 
 LoomSize loom_size(const Design& design) {
   const auto most = [](int loom, int has) { return std::max(loom > 0 ? loom : kDefaultLimit, has); };
   return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
+}
+
+base::Result<void> weaves_on_loom(const Design& design, const draft::Draft& next) {
+  const LoomSize known = loom_size(design);
+  return fits(next, {design.loom.shafts > 0 ? known.shafts : kMaxShafts,
+                     design.loom.treadles > 0 ? known.treadles : kMaxShafts});
 }
 
 bool leads(const Design& design, BitGrid grid) {

@@ -16,6 +16,10 @@ using draft::BitGrid, draft::LoomSize;
 inline constexpr int kDefaultLimit = 32;
 LoomSize loom_size(const Design& design);
 
+/// Whether this draft may take the place of the design's, or the error: it asks more than the loom has, and more than
+/// the design's own did. A loom that is unknown has all.
+base::Result<void> weaves_on_loom(const Design& design, const draft::Draft& next);
+
 /// True if other grids follow this one; false if it follows.
 bool leads(const Design& design, BitGrid grid);
 /// Whether a grid may be painted, or the error: it is locked and follows from others.

@@ -285,6 +285,13 @@ int distinct_rows(const BitMatrix& m, bool with_empty) {
 
 }  // namespace
 
+base::Result<void> fits(const Draft& d, LoomSize most) {
+  if (d.shafts > most.shafts) return too_few_shafts(d.shafts, most.shafts);
+  if (d.shed_control == ShedControl::kTreadling && d.treadles > most.treadles)
+    return too_few_treadles(d.treadles, most.treadles);
+  return {};
+}
+
 base::Result<Draft> with_lifts(const Draft& base, const BitMatrix& now, int most_treadles) {
   Draft out = base;
   out.shafts = now.cols();
@@ -360,10 +367,6 @@ Draft without_numbering(const Draft& base) {
   bare.treadling = BitMatrix(base.picks(), 1);
   bare.liftplan = BitMatrix(base.picks(), 1);
   return bare;
-}
-
-bool fits(const Draft& d, LoomSize most) {
-  return d.shafts <= most.shafts && (d.shed_control == ShedControl::kLiftplan || d.treadles <= most.treadles);
 }
 
 }  // namespace

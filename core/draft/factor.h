@@ -18,6 +18,9 @@ struct LoomSize {
 
 // The errors say why the loom cannot: "this needs 12 shafts, but the loom has 8".
 
+/// Whether a loom of that size weaves this draft as it stands. A liftplan takes no treadles.
+base::Result<void> fits(const Draft& draft, LoomSize most);
+
 /// `base` with other lifts (picks x shafts). A liftplan is replaced. In a treadling each pick keeps its treadle where
 /// that still fits, treadles that no pick uses any more are untied, and new ones are added up to `most_treadles`.
 /// Shafts without ends count too.

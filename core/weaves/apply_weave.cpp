@@ -12,7 +12,7 @@
 namespace weftlight::weaves {
 
 using base::arg, base::fill, base::tr;
-using design::Design, design::WeaveUse, design::loom_size;
+using design::Design, design::WeaveUse, design::loom_size, design::weaves_on_loom;
 using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::drawdown, draft::first_equal_rows,
     draft::lifts, draft::with_drawdown;
 
@@ -69,7 +69,10 @@ base::Result<GeneratedWeave> with_weave(Design design, const WeaveUse& requested
       design.draft.warp.color = made.design.draft.warp.color;
       design.draft.weft.color = made.design.draft.weft.color;
     }
-    replace_structure(design.draft, std::move(made.design.draft));
+    Draft whole = design.draft;
+    replace_structure(whole, std::move(made.design.draft));
+    if (const base::Result<void> possible = weaves_on_loom(design, whole); !possible) return failed(possible);
+    design.draft = std::move(whole);
   } else {
     const BitMatrix part = drawdown(made.design.draft);
     BitMatrix cells = drawdown(d);

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "base/text.h"
+#include "design/loom.h"
 #include "draft/drawdown.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::weaves {
 
 using base::arg, base::fill, base::tr;
-using design::Assembly, design::Loom;
+using design::Assembly, design::Loom, design::weaves_on_loom;
 using draft::Draft, draft::Threads, draft::drawdown, draft::kMaxCells, draft::kMaxColors, draft::kMaxShafts,
     draft::kMaxThreads;
 
@@ -183,7 +184,9 @@ base::Result<Design> joined_drafts(const Design& first, const Design& second, co
   out.weaves.clear();
   out.warp_assembly = out.weft_assembly = Assembly{};
   out.loom = Loom{};
+  out.loom.shafts = first.loom.shafts, out.loom.treadles = first.loom.treadles;
   out.draft = make_design(recipe, {static_cast<int>(ends), static_cast<int>(picks)}).draft;
+  if (const base::Result<void> possible = weaves_on_loom(first, out.draft); !possible) return failed(possible);
   out.draft.palette = a.palette;
   const Tables tables{merged(out.draft.palette, b.palette), merged(out.yarns, second.yarns)};
   if (out.draft.palette.size() > static_cast<size_t>(kMaxColors))

@@ -31,8 +31,8 @@ ClothSize whole_repeats(ClothSize repeat, ClothSize about);
 GeneratedWeave new_draft(const WeaveKind& kind, const WeaveValues& values, ClothSize size);
 
 /// Applies a weave to threads of a draft. Applied to all threads, it replaces threading, tie-up and treadling; size,
-/// yarns and (unless the weave has its own) colours stay. Applied to some, only their crossings change (factor.h),
-/// within the loom's limits. `use` is stored instead of weaves that it overlaps. Refused as check_values().
+/// yarns and (unless the weave has its own) colours stay. Applied to some, only their crossings change (factor.h).
+/// `use` is stored instead of weaves that it overlaps. Refused as check_values(), and beyond the loom's limits.
 base::Result<GeneratedWeave> with_weave(Design design, const WeaveUse& use);
 
 }  // namespace weftlight::weaves

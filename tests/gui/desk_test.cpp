@@ -96,6 +96,22 @@ TEST_F(DeskTest, TypingANameChoosesThatWeave) {
   })) << "another weave, whose description speaks of satin, is woven";
 }
 
+TEST_F(DeskTest, TheLoomsLimitsHoldForAWeaveOverTheDraft) {
+  design::Design d = design_of(straight_draft(24, 4));
+  d.loom.shafts = d.loom.treadles = 4;
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("w");
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave:satin"));
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.refused"); })) << "nothing says that the loom cannot";
+  display_.click(w.middle_of("dialog:Apply"));
+  display_.key("Return");
+  EXPECT_TRUE(w.has("dialog:Apply")) << "it was applied";
+  EXPECT_EQ(design_of(w.live()).draft.shafts, 4);
+}
+
 TEST_F(DeskTest, ShaftsThatTakeThreadsWithThemAreNamedBeforeTheyGo) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -108,7 +108,7 @@ DialogResult draw_prompt(PanelContext& c, SizePrompt& p) {
   number(c, "size.shafts", tr("Shafts"), p.shafts, 1, kMaxShafts);
   number(c, "size.treadles", tr("Treadles"), p.treadles, 1, kMaxShafts);
   ImGui::Dummy({0, c.style.px(4)});
-  muted_text(c, tr("Loom limits, for edits of the drawdown; 0: no limit"));
+  muted_text(c, tr("Loom limits for all other edits; 0: no limit"));
   number(c, "size.loom_shafts", tr("Max. shafts"), p.loom_shafts, 0, kMaxShafts);
   number(c, "size.loom_treadles", tr("Max. treadles"), p.loom_treadles, 0, kMaxShafts);
   if (const std::string lost = lost_text(p); !lost.empty()) {

@@ -67,7 +67,7 @@ DialogResult draw_prompt(PanelContext& c, JoinPrompt& p) {
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
   ImGui::TextUnformatted(fitted(p.why, c.style.px(kWidth)).c_str());
   ImGui::PopStyleColor();
-  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Join"), mark("Cancel")}, true)));
+  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Join"), mark("Cancel")}, true, p.why.empty())));
 }
 
 MaybeEdit restored(const JoinPrompt& p) {

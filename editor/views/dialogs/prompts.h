@@ -59,8 +59,9 @@ struct WeaveOverPrompt {
   WeaveUse use;
   std::shared_ptr<const Design> base;  // before the dialog
   uint64_t stroke = 0;
-  std::string why{};    // what could not be done as requested
-  std::string typed{};  // to find a weave
+  std::string why{};     // what could not be done as requested
+  bool refused = false;  // nothing could
+  std::string typed{};   // to find a weave
 };
 /// Threading and treadling from named sections. The draft shows them while the dialog is open.
 struct SectionsPrompt {

@@ -29,6 +29,7 @@ const WeaveKind& kind_of(const WeaveOverPrompt& p) { return weave_kinds()[static
 MaybeEdit preview_edit(WeaveOverPrompt& p) {
   p.use.weave = kind_of(p).id;
   base::Result<GeneratedWeave> made = with_weave(*p.base, p.use);
+  p.refused = !made;
   p.why = made ? std::move(made->note) : problem_of(made);
   return Edit{
       fill(tr("Weave: {weave}"), arg("weave", tr(kind_of(p).name))),
@@ -55,13 +56,13 @@ DialogResult draw_prompt(PanelContext& c, WeaveOverPrompt& p) {
   if (changed) edit = preview_edit(p);
   ImGui::Dummy({0, c.style.px(4)});
   ImGui::PushTextWrapPos(c.style.px(kColumn));
-  if (!check_values(kind_of(p), p.use.values)) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
-  else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
+  ImGui::PushStyleColor(ImGuiCol_Text, p.refused ? c.style.color.warn : c.style.color.muted);
   ImGui::TextUnformatted(p.why.c_str());
+  if (p.refused) c.map.add_item("weave.refused");
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
-  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true)));
+  return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, true, !p.refused)));
 }
 
 MaybeEdit restored(const WeaveOverPrompt& p) {

@@ -63,6 +63,14 @@ TEST(JoinedDrafts, OfASinkingShedWeaveTheSameCloth) {
       EXPECT_EQ(cloth[p][2 * e] == '1', drawdown(sinking.draft).get(static_cast<int>(p), static_cast<int>(e)));
 }
 
+TEST(JoinedDrafts, StayWithinTheLoom) {
+  Design known = tabby();
+  known.loom.shafts = 4;
+  EXPECT_EQ(joined_drafts(known, tabby(), {JoinBy::kLayers, 1, 1})->loom.shafts, 4);
+  EXPECT_EQ(problem_of(joined_drafts(known, serge(), {JoinBy::kLayers, 1, 1})),
+            "this needs 6 shafts, but the loom has 4");
+}
+
 TEST(JoinedDrafts, TooManyThreadsAreRefused) {
   EXPECT_FALSE(joined_drafts(plain({60000, 2}), plain({60000, 2}), {JoinBy::kEnds, 1, 1}));
   EXPECT_FALSE(joined_drafts(tabby(), tabby(), {JoinBy::kLayers, 100000, 100000}));

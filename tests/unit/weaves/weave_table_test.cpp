@@ -340,6 +340,20 @@ TEST(ApplyWeave, SaysWhyNot) {
   EXPECT_FALSE(with_weave(d, use_of("plain", {}, 30, 4, 0, 24)));
 }
 
+TEST(ApplyWeave, StaysWithinTheLoom) {
+  Design d = with_size(Design{}, 24, 24, 4, 4);
+  const WeaveUse satin = use_of("satin", {}, 0, 24, 0, 24);
+  ASSERT_EQ(with_weave(d, satin)->design.draft.shafts, 8) << "a loom that is not known has all";
+  d.loom.shafts = 4;
+  EXPECT_EQ(problem_of(with_weave(d, satin)), "this needs 8 shafts, but the loom has 4");
+  d.loom = {}, d.loom.treadles = 4;
+  EXPECT_EQ(problem_of(with_weave(d, satin)), "this needs 8 treadles, but the loom has 4");
+  EXPECT_TRUE(with_weave(to_liftplan(d), satin)) << "a liftplan has no treadles";
+  EXPECT_TRUE(with_weave(d, use_of("twill", {{"ratio", "2/2"}}, 0, 24, 0, 24)));
+  d = with_size(d, 24, 24, 8, 8);
+  EXPECT_TRUE(with_weave(d, satin)) << "the draft has as many";
+}
+
 TEST(ApplyWeave, OnASinkingShedAndByLiftplan) {
   Design d = with_rising(with_size(Design{}, 12, 12, 2, 2), false);
   const BitMatrix wanted = drawdown(twill({3, 1}, Lean::kRight, {12, 12}).draft);

@@ -79,6 +79,19 @@ std::string row_range(BitGrid grid, int first, int end) {
               arg("first", first + 1), arg("last", end));
 }
 
+/// "Pasted 4 ends x 2 shafts; 1 shaft did not fit".
+std::string pasted_text(const Selection& place, const Selection& within) {
+  const int fit_columns = std::max(0, within.columns()), fit_rows = std::max(0, within.rows());
+  const std::string done = fill(tr("Pasted {size}"), arg("size", size_text(place.grid, fit_columns, fit_rows)));
+  const int columns = place.columns() - fit_columns, rows = place.rows() - fit_rows;
+  if (columns == 0 && rows == 0) return done;
+  const std::string a = columns_text(place.grid, columns), b = rows_text(place.grid, rows);
+  const std::string rest = rows == 0      ? a
+                           : columns == 0 ? b
+                                          : fill(tr("{columns} and {rows}"), arg("columns", a), arg("rows", b));
+  return fill(tr("{pasted}; {rest} did not fit"), arg("pasted", done), arg("rest", rest));
+}
+
 std::string held_text(const ActiveBlock& held) {
   const BitMatrix cells = turned_for(held.block, held.grid);
   return fill(tr("Paste {size} from {column}, {row}: click or Enter places it, Shift+click places it and keeps it, Esc "
@@ -217,7 +230,7 @@ MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   const BitMatrix cells = turned_for(held.block, held.grid);
   const Selection place{held.grid, held.at.a, held.at.a + cells.cols(), held.at.b, held.at.b + cells.rows()};
   Design next = with_block(design, held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
-  s.notice = fill(tr("Pasted {size}"), arg("size", size_text(held.grid, cells.cols(), cells.rows())));
+  s.notice = pasted_text(place, clipped(place, next.draft));
   const int64_t missed = held.add ? 0 : missed_crossings(next.draft, held.grid, held.at.a, held.at.b, cells);
   if (missed > 0) s.notice = missed_text(s.notice, missed);
   select_cells(s, clipped(place, next.draft));

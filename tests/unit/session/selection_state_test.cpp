@@ -159,6 +159,21 @@ TEST(SelectTool, APastedBlockIsPlacedAndSelected) {
   EXPECT_FALSE(escape(s));
 }
 
+TEST(SelectTool, SaysWhatDidNotFit) {
+  const Design start = straight_twill(8, 6);
+  SelectState s;
+  const auto pasted = [&](Cell at) {
+    hold_block(s, start.draft, {BitGrid::kThreading, BitMatrix(4, 3)}, false);
+    hold_block_over(s, BitGrid::kThreading, at);
+    drop_block(s, start, false);
+    return s.notice;
+  };
+  EXPECT_EQ(pasted({0, 0}), "Pasted 4 ends \xC3\x97 3 shafts");
+  EXPECT_EQ(pasted({6, 0}), "Pasted 2 ends \xC3\x97 3 shafts; 2 ends did not fit");
+  EXPECT_EQ(pasted({0, 3}), "Pasted 4 ends \xC3\x97 1 shaft; 2 shafts did not fit");
+  EXPECT_EQ(pasted({5, 2}), "Pasted 3 ends \xC3\x97 2 shafts; 1 end and 1 shaft did not fit");
+}
+
 TEST(SelectTool, AnActiveBlockRotatesAsSeenOnTheScreen) {
   const Design start = straight_twill(8, 6);
   SelectState s;

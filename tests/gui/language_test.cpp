@@ -21,6 +21,32 @@ class LanguageTest : public OnDisplay {
   static double width_of_menu(const Window& w) { return w.place_of("menu:Cloth").second.x; }
 };
 
+/// Texts of other languages are longer than the English ones.
+TEST_F(LanguageTest, LongTextsStayInTheirDialogs) {
+  const auto in = [](const char* language) {
+    return std::vector<std::string>{"LC_ALL=C.UTF-8", std::string("LANGUAGE=") + language};
+  };
+  const auto right_of = [](const Window& w, const std::string& control) {
+    const auto [at, size] = w.place_of(control);
+    return at.x + size.x;
+  };
+  settings({{"language", "de"}});
+  {
+    Window w(display_, folder_, draft_, in("de"));
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    display_.key("shift+w");
+    ASSERT_TRUE(comes_true([&] { return w.has("sections.none"); }));
+    EXPECT_LE(right_of(w, "sections.none"), right_of(w, "sections.page:Treadling"));
+  }
+  settings({{"language", "fr"}, {"width", 900}, {"height", 600}});
+  Window w(display_, folder_, draft_, in("fr"));
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.resize(900, 600);
+  display_.key("ctrl+e");
+  ASSERT_TRUE(comes_true([&] { return w.has("export.for:raw"); }));
+  EXPECT_LE(right_of(w, "export.for:raw"), right_of(w, "export.alpha"));
+}
+
 TEST_F(LanguageTest, IsChosenInAMenuForTheNextStartAndChangesNoFile) {
   double english = 0;
   std::string saved;

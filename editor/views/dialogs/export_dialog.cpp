@@ -62,7 +62,7 @@ std::string figure(float v) {
   return base::with_decimal_point(text);
 }
 
-void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
+void draw_targets(PanelContext& c, ExportPrompt& p) {
   row_label(c, tr("Targets"),
             tr("Programs to export for. File names, channel packing and normals follow each one's rules"));
   // Column by column: the longer titles come first.
@@ -72,7 +72,7 @@ void draw_targets(PanelContext& c, ExportPrompt& p, float width) {
     const ExportTarget* target = kTargets[at];
     if (at == (kTargets.size() + 1) / 2) {
       ImGui::EndGroup();
-      ImGui::SameLine(width * 0.56f);
+      ImGui::SameLine(0, c.style.px(10));
       ImGui::BeginGroup();
     }
     bool on = has(*p.plan, target);
@@ -359,7 +359,7 @@ DialogResult draw_prompt(PanelContext& c, ExportPrompt& p) {
   heading(c, tr("Export texture set"));
   begin_list("choices", {room.column, room.height});
   const float width = ImGui::GetContentRegionAvail().x - c.style.px(kLabels + 8);
-  draw_targets(c, p, width);
+  draw_targets(c, p);
   ImGui::Dummy({0, c.style.px(2)});
   draw_size(c, *p.plan, width);
   draw_alpha(c, p, width);

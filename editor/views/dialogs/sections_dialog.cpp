@@ -132,8 +132,12 @@ void draw_sections(PanelContext& c, Page& page) {
       deleted = static_cast<int>(i);
     ImGui::PopID();
   }
-  if (page.assembly.sections.empty())
+  if (page.assembly.sections.empty()) {
+    ImGui::PushTextWrapPos(0);
     muted_text(c, tr("No sections yet. Enter a range of threads above and press Add."));
+    ImGui::PopTextWrapPos();
+    c.map.add_item("sections.none");
+  }
   ImGui::EndChild();
   if (deleted < 0) return;
   page.assembly.sections.erase(page.assembly.sections.begin() + deleted);
@@ -227,11 +231,12 @@ void draw_result(PanelContext& c, const Page& page) {
   const int made = order ? assembled_threads(page.assembly, *order) : 0;
   if (!page.p.why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
   else ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.muted);
-  ImGui::TextUnformatted(fitted(!page.p.why.empty() ? page.p.why
-                                : made > 0          ? fill(tr("Result: {threads}"), arg("threads", counted(page, made)))
-                                                    : tr("The threads stay as they are until you enter an order."),
-                                c.style.px(kWidth))
-                             .c_str());
+  const std::string text = !page.p.why.empty() ? page.p.why
+                           : made > 0          ? fill(tr("Result: {threads}"), arg("threads", counted(page, made)))
+                                               : tr("The threads stay as they are until you enter an order.");
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + c.style.px(kWidth));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 

@@ -160,7 +160,7 @@ void add_clipboard(Actions& all, const SelectionSubjects& e) {
   on_selection(e, add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A",
                       [e] { select_whole_threads(e); }))
       .enabled = [e] { return has_threads(e); };
-  add(all, "Edit", "select_none", tr("Clear the selection"), "Escape", [e] { cancel_one(e); }).enabled = [e] {
+  add(all, "Edit", "select_none", tr("Deselect"), "Escape", [e] { cancel_one(e); }).enabled = [e] {
     return has_selection(e) || has_block(e) || e.draft.view().drawing.shape || e.draft.view().rejected_edit;
   };
 }

@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 
+#include "base/file_names.h"
 #include "base/json.h"
 #include "base/text.h"
 #include "base/whole_files.h"
@@ -396,7 +397,7 @@ Result<void> write_mesh(const std::string& path, const Mesh& mesh, const GltfMat
   if (Result<void> whole = check_mesh(mesh, path); !whole) return whole;
   const std::filesystem::path target(path);
   Document doc;
-  doc.embed = target.extension() != ".gltf";
+  doc.embed = base::extension_of(path) != ".gltf";
   doc.stem = target.stem().string();
   doc.folder = target.parent_path().string();
   doc.uv = uv;

@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "base/file_names.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "files/files.h"
@@ -36,7 +37,7 @@ Result<Mesh> load_drape(const std::string& name_or_path) {
     return read;
   }
   std::error_code ec;
-  const std::string extension = fs::path(name_or_path).extension().string();
+  const std::string extension = base::extension_of(name_or_path);
   if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return read_mesh(name_or_path);
   return base::failure(base::ErrorKind::kInput,
                        fill(tr("no mesh is called '{name}'; give one of {names}, or a .glb or .gltf file"),

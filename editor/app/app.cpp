@@ -12,6 +12,7 @@
 #include "app/editor.h"
 #include "app/window.h"
 #include "base/caught.h"
+#include "base/file_names.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "base/user_folders.h"
@@ -20,7 +21,6 @@
 #include "platform/file.h"
 #include "platform/language.h"
 #include "platform/turns.h"
-#include "session/files/file_identity.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
 #include "session/recovery/recovery.h"
@@ -45,7 +45,7 @@ base::Result<void> check_options(const EditorOptions& o) {
   if (!o.live_export.empty())
     fine = of_option("--live-export", session::LiveExport(o.live_export, base::state_folder()).check(o.file));
   if (fine && !o.ui_map.empty()) fine = of_option("--ui-map", session::check_ui_map(o.ui_map, o.file));
-  if (fine && session::same_file(o.ui_map, o.live_export))
+  if (fine && base::same_file(o.ui_map, o.live_export))
     fine = of_option(
         "--ui-map", base::failure(base::ErrorKind::kUsage, tr("--live-export writes there; give two files"), o.ui_map));
   return fine;

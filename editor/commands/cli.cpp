@@ -15,6 +15,7 @@
 #include "commands/built_commit.h"
 #include "commands/closest_word.h"
 #include "commands/commands.h"
+#include "commands/file_options.h"
 #include "commands/option_checks.h"
 #include "commands/parser_texts.h"
 #include "commands/verbs.h"
@@ -128,6 +129,7 @@ RunVerb add_verb(CLI::App& app, const Verb& verb) {
   parser.set_help_flag("-h,--help", tr("This help"));
   RunVerb run = verb.add_options(parser);
   add_language(parser);
+  parser.final_callback([&parser] { check_files(parser); });
   return run;
 }
 

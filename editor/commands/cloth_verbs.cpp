@@ -10,6 +10,7 @@
 #include "commands/backdrop.h"
 #include "commands/commands.h"
 #include "commands/export_options.h"
+#include "commands/file_options.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
 #include "design/lights.h"
@@ -84,7 +85,8 @@ bool apply_picture_texts(PictureVerb& verb) {
 
 void add_mesh_options(CLI::App& verb, PictureOptions& o) {
   verb.add_option("--mesh", o.mesh, tr("Drape by its name, or a .glb or .gltf file; default: the draft's"))
-      ->type_name(tr("NAME|FILE"));
+      ->type_name(tr("NAME|FILE"))
+      ->check(input_file());
   verb.add_flag("--simulate-drape", o.simulated_drape,
                 tr("Drape simulated with this fabric's own stiffness; takes up to a minute"));
   verb.add_flag("--own-drape", o.simulated_drape)->group("");  // the earlier name
@@ -123,6 +125,7 @@ void add_light_options(CLI::App& verb, PictureVerb& p) {
   verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
   verb.add_option(
           "--exposure", p.exposure,
+      ->check(input_file())
           tr("Exposure in stops, or auto, which brightens cloth that reflects little; an .exr takes the stops only; "
              "default: the draft's"))
       ->check(exposure_form());
@@ -132,8 +135,10 @@ std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
   auto picture = std::make_shared<PictureVerb>();
   PictureOptions& o = picture->options;
   o.view_azimuth = o.view_elevation = o.light_azimuth = o.light_elevation = o.exposure_ev = kUnset;
-  verb.add_option("file", o.file, tr("Draft"))->required();
-  verb.add_option("-o,--output", o.out, tr("Output file: .png or .exr"))->required()->check(some_path());
+  verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
+  verb.add_option("-o,--output", o.out, tr("Output file: .png or .exr"))
+      ->required()
+      ->check(output_file({{".png", ".exr"}, true}));
   add_mesh_options(verb, o);
   add_view_options(verb, *picture);
   add_light_options(verb, *picture);
@@ -141,7 +146,7 @@ std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
   add_progress(verb, o.quiet, o.progress_json);
   verb.add_option("--stats", o.stats,
                   tr("JSON file for the cost and the estimated error of the picture; default: none"))
-      ->check(some_path());
+      ->check(output_file());
   return picture;
 }
 
@@ -293,8 +298,8 @@ RunVerb add_chart(CLI::App& verb) {
 RunVerb add_response(CLI::App& verb) {
   const auto options = std::make_shared<ResponseOptions>();
   ResponseOptions& o = *options;
-  verb.add_option("file", o.file, tr("Draft"))->required();
-  verb.add_option("-o,--output", o.out, tr("Output file: .csv"))->required()->check(some_path());
+  verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
+  verb.add_option("-o,--output", o.out, tr("Output file: .csv"))->required()->check(output_file({{".csv"}}));
   std::vector<std::string> methods = method_names(false);
   methods.emplace_back("fibres");
   verb.add_option("--method", o.method,
@@ -321,8 +326,8 @@ RunVerb add_response(CLI::App& verb) {
 RunVerb add_lobes(CLI::App& verb) {
   const auto options = std::make_shared<LobesOptions>();
   LobesOptions& o = *options;
-  verb.add_option("file", o.file, tr("Draft"))->required();
-  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(some_path());
+  verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(changed_file(draft_extensions()));
   verb.add_flag("--fit-lustre", o.fit_lustre, tr("Also fit the roughness along the fibres, which is the lustre"));
   add_progress(verb, o.quiet, o.progress_json);
   return [options] { return lobes_command(*options); };
@@ -337,14 +342,15 @@ RunVerb add_drape(CLI::App& verb) {
   DrapeOptions& o = options->command;
   verb.add_option("name", o.name,
                   fill(tr("{drapes} or all; or a draft, to drape its own fabric"), arg("drapes", all_drape_names())))
-      ->required();
+      ->required()
+      ->check(input_file());
   verb.add_option("--mesh", o.mesh, tr("Drape for a draft; default: the one in its scene"))->type_name(tr("NAME"));
   verb.add_option("--stiffness", o.stiffness, tr("Drape stiffness of a generic fabric; default: medium"))
       ->check(one_of({"limp", "medium", "stiff"}));
   verb.add_option("--hang", options->hang)->check(one_of({"limp", "medium", "stiff"}))->group("");
   verb.add_option("-o,--output", o.out, tr("Output file: .glb or .gltf; for all: a folder"))
       ->required()
-      ->check(some_path());
+      ->check(output_file());
   return [options] {
     DrapeOptions& command = options->command;
     if (!command.stiffness.empty() && !options->hang.empty())
@@ -361,8 +367,8 @@ RunVerb add_curves(CLI::App& verb) {
   };
   const auto options = std::make_shared<Options>();
   CurvesOptions& o = options->command;
-  verb.add_option("file", o.file, tr("Draft"))->required();
-  verb.add_option("-o,--output", o.out, tr("Output file: .usda"))->required()->check(some_path());
+  verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
+  verb.add_option("-o,--output", o.out, tr("Output file: .usda"))->required()->check(output_file({{".usda"}, true}));
   verb.add_option("--as", o.detail, tr("A curve for each thread, ply or fibre; default: plies"))
       ->check(one_of({"threads", "plies", "fibres"}));
   verb.add_option("--patch", options->patch, tr("Width and height of the patch in mm; default: 10x10"))

@@ -1,6 +1,5 @@
 // `weftlight curves`: the threads of a patch of cloth as geometry, for close-ups in other renderers.
 
-#include <filesystem>
 #include <utility>
 
 #include "base/text.h"
@@ -40,9 +39,6 @@ base::Result<Curves> make(Design design, const CurvesOptions& o) {
 }  // namespace
 
 int curves_command(const CurvesOptions& o) {
-  if (std::filesystem::path(o.out).extension() != ".usda")
-    return refuse(
-        fill(tr("{file}: curves are written as USD text; give a name that ends in .usda"), arg("file", o.out)));
   const OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   StatusLine status;

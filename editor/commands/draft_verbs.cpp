@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "collection/colour_names.h"
 #include "commands/commands.h"
+#include "commands/file_options.h"
 #include "commands/option_checks.h"
 #include "commands/verbs.h"
 
@@ -137,10 +138,10 @@ RunVerb add_print(CLI::App& verb) {
   };
   const auto options = std::make_shared<Options>();
   print::PrintOptions& o = options->command.options;
-  verb.add_option("file", options->command.file, tr("Draft"))->required();
+  verb.add_option("file", options->command.file, tr("Draft"))->required()->check(input_file());
   verb.add_option("-o,--output", options->command.out, tr("Output file: .pdf, .svg or .png"))
       ->required()
-      ->check(some_path());
+      ->check(output_file({{".pdf", ".svg", ".png"}, true}));
   add_print_words(verb, options->words);
   add_units(verb, o.units);
   verb.add_option("--scale", o.cell_mm, tr("Side of a grid cell in mm; default: chosen to fit the paper"))
@@ -164,7 +165,8 @@ RunVerb add_weave(CLI::App& verb) {
   const auto options = std::make_shared<WeaveOptions>();
   WeaveOptions& o = *options;
   verb.add_option("weave", o.weave, tr("Id of the weave; see --list"));
-  verb.add_option("-o,--output", o.out, tr("Output file: .wif; required unless --list is given"))->check(some_path());
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif; required unless --list is given"))
+      ->check(output_file(draft_extensions()));
   verb.add_option("--set", o.set, tr("Parameter of the weave; may be given several times; default: as --list shows"))
       ->type_name(tr("ID=VALUE"));
   verb.add_option("--ends", o.ends, tr("Number of ends; default: 64"))->check(whole_number(1, kMaxThreads));
@@ -183,9 +185,9 @@ RunVerb add_diff(CLI::App& verb) {
 RunVerb add_join(CLI::App& verb) {
   const auto options = std::make_shared<JoinOptions>();
   JoinOptions& o = *options;
-  verb.add_option("a", o.a, tr("First draft"))->required();
-  verb.add_option("b", o.b, tr("Second draft"))->required();
-  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(some_path());
+  verb.add_option("a", o.a, tr("First draft"))->required()->check(input_file());
+  verb.add_option("b", o.b, tr("Second draft"))->required()->check(input_file());
+  verb.add_option("-o,--output", o.out, tr("Output file: .wif"))->required()->check(output_file(draft_extensions()));
   verb.add_option("--ends", o.ends, tr("Ends taken from each draft in turn, as 2:1; default: not by ends"))
       ->type_name(tr("A:B"));
   verb.add_option("--picks", o.picks, tr("Picks taken from each draft in turn, as 2:1; default: not by picks"))
@@ -199,21 +201,21 @@ RunVerb add_join(CLI::App& verb) {
 
 RunVerb add_yarns(CLI::App& verb) {
   const auto options = std::make_shared<YarnsOptions>();
-  verb.add_option("files", options->files, tr("Drafts, and lists of yarns (.txt)"))->required();
+  verb.add_option("files", options->files, tr("Drafts, and lists of yarns (.txt)"))->required()->check(input_file());
   verb.add_option("-o,--output", options->out, tr("Output file: a list of all these yarns (.txt); default: printed"))
-      ->check(some_path());
+      ->check(changed_file({{".txt"}}));
   return [options] { return yarns_command(*options); };
 }
 
 RunVerb add_drawdown(CLI::App& verb) {
   const auto options = std::make_shared<DrawdownOptions>();
   DrawdownOptions& o = *options;
-  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
   verb.add_flag("--points", o.points, tr("Picture with one pixel per crossing, black where the warp is on top"));
   verb.add_option("-o,--output", o.out,
                   tr("Output file: text, or the coloured drawdown as .png, .jpg, .tif, .svg or .pdf; default: text on "
                      "the standard output"))
-      ->check(some_path());
+      ->check(output_file());
   add_face(verb, o.face);
   verb.add_option_function<std::string>(
           "--end1", [&o](const std::string& side) { o.origin.end1_left = side == "left"; },
@@ -280,7 +282,8 @@ void add_picture_draft_options(CLI::App& verb, files::PictureDraft& o) {
              "shaded satins"))
       ->type_name(tr("N=WEAVE"))
       ->allow_extra_args(false)
-      ->check(weaves_into(o.weaves));
+      ->check(weaves_into(o.weaves))
+      ->check(input_file());
   verb.add_flag("--picture-colors", o.own_colors,
                 tr("Picture as input: warp in its darkest and weft in its lightest colour; default: black and white"));
   verb.add_option("--ends", o.ends, tr("Picture as input: width of the draft in ends; default: one end per pixel"))
@@ -298,8 +301,8 @@ void add_picture_draft_options(CLI::App& verb, files::PictureDraft& o) {
 RunVerb add_convert(CLI::App& verb) {
   const auto options = std::make_shared<ConvertOptions>();
   ConvertOptions& o = *options;
-  verb.add_option("in", o.in, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required();
-  verb.add_option("out", o.out, tr("Output file: .wif"))->required()->check(some_path());
+  verb.add_option("in", o.in, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required()->check(input_file());
+  verb.add_option("out", o.out, tr("Output file: .wif"))->required()->check(changed_file(draft_extensions()));
   verb.add_flag("--plain", o.plain, tr("Plain WIF for other programs and loom consoles"));
   auto* liftplan = verb.add_flag_callback(
       "--liftplan", [&o] { o.shed_control = ConvertShedControl::kLiftplan; }, tr("Liftplan as the shed control"));

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "commands/commands.h"
@@ -93,7 +94,7 @@ int write_named(const DrapeOptions& options) {
   std::error_code ec;
   const bool known = is_drape_name(options.name);
   if (!known && !name.has_extension() && !std::filesystem::exists(name, ec)) return refuse_name(options.name, "all");
-  const std::string extension = std::filesystem::path(options.out).extension().string();
+  const std::string extension = base::extension_of(options.out);
   if (extension != ".glb" && extension != ".gltf")
     return refuse(fill(tr("{file}: a drape is written as .glb or .gltf"), arg("file", options.out)));
   if (!known) return write_design_drape(options);

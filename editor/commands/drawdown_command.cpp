@@ -1,10 +1,9 @@
 // `drawdown`: text with one line per pick (pick 1 first) and one character per end (end 1 first), 1 where the warp is
 // on top; or the coloured drawdown as a picture, by default as in the editor: end 1 at the right, pick 1 at the top.
 
-#include <cctype>
 #include <cstdio>
-#include <filesystem>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "commands/commands.h"
@@ -31,8 +30,7 @@ std::string as_text(const BitMatrix& cells) {
 /// The form of the output, by its extension; text if there is none.
 enum class Form { kText, kImage, kDrawing, kNone };
 Form form_of(const std::string& out) {
-  std::string extension = std::filesystem::path(out).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = base::extension_of(out);
   const auto is = [&extension](auto... names) { return ((extension == names) || ...); };
   if (is("", ".txt", ".text", ".asc", ".dat", ".out", ".log")) return Form::kText;
   if (is(".png", ".jpg", ".jpeg", ".tif", ".tiff")) return Form::kImage;

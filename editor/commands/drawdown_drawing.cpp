@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "commands/drawdown_picture.h"
@@ -52,8 +53,7 @@ base::Result<void> write_drawdown_drawing(const std::string& path, const Colored
   const int longer = std::max({cells.rows(), cells.cols(), 1});
   const double cell = std::min(kCellMm, kLongestMm / longer) * kPointsPerMm;
   return write_through(path, [&](const std::string& beside) {
-    const auto create =
-        beside.ends_with(".svg") || beside.ends_with(".SVG") ? cairo_svg_surface_create : cairo_pdf_surface_create;
+    const auto create = base::extension_of(beside) == ".svg" ? cairo_svg_surface_create : cairo_pdf_surface_create;
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> sheet(
         create(beside.c_str(), cells.cols() * cell, cells.rows() * cell), cairo_surface_destroy);
     const std::unique_ptr<cairo_t, void (*)(cairo_t*)> pen(cairo_create(sheet.get()), cairo_destroy);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "commands/open_design.h"
 #include "design/lights.h"
@@ -16,7 +16,7 @@
 
 namespace weftlight::commands {
 
-using base::arg, base::fill, base::message, base::tr;
+using base::arg, base::extension_of, base::fill, base::message, base::tr;
 using design::Method, design::NamedView, design::Scene, design::is_environment, design::lighting_preset, design::lit_by,
     design::lit_by_environment, design::method_from_name;
 using draft::Draft;
@@ -25,8 +25,6 @@ using gl::upload_once;
 using scene::drawn_scene, scene::view_named, scene::view_names;
 
 namespace {
-
-std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 void apply_options(Design& design, const PictureOptions& o) {
   Scene& scene = design.scene;
@@ -84,9 +82,6 @@ int PictureSetup::open(const PictureOptions& o) {
 int PictureSetup::read(const PictureOptions& o) {
   progress = o.progress_json ? ProgressForm::kJson : o.quiet ? ProgressForm::kNone : ProgressForm::kTerminal;
   if (progress != ProgressForm::kTerminal) status.silence();
-  if (extension_of(o.out) != ".png" && extension_of(o.out) != ".exr") {
-    return refuse(fill(tr("{file}: the picture must be a .png or an .exr"), arg("file", o.out)));
-  }
   if (const auto place = o.turntable > 0 ? base::Result<void>() : base::check_writable(o.out); !place)
     return fail(place.error());
   status.show(fill(tr("reading {file}"), arg("file", o.file)));

@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/text.h"
+#include "commands/file_options.h"
 #include "commands/transparent.h"
 #include "light/lod_table.h"
 #include "render_data/method_weights.h"
@@ -87,6 +88,9 @@ int render_command(const PictureOptions& o) { return render_command(o, Backdrop:
 int render_command(const PictureOptions& o, Backdrop backdrop) {
   PictureSetup setup;
   if (o.turntable > 0 && !o.stats.empty()) return refuse(tr("--stats is for one picture; leave it or --turntable out"));
+  for (int k = 1; k <= o.turntable; ++k)
+    if (const std::string problem = replaces_input(numbered(o.out, k), {o.file, o.lights}); !problem.empty())
+      return refuse(problem);
   if (const int code = setup.open(o); code != kDone) return code;
   if (o.budget_ms > 0) keep_within(o.budget_ms, setup, setup.frame(o));
   if (o.turntable > 0) return draw_turntable(setup, o, backdrop);

@@ -1,9 +1,9 @@
 // `yarns`: the yarns of drafts and of lists, printed or written as one list.
 
 #include <cstdio>
-#include <filesystem>
 #include <utility>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "commands/commands.h"
 #include "commands/open_design.h"
@@ -52,7 +52,7 @@ std::string yarn_row(const LibraryYarn& y) {
 int yarns_command(const YarnsOptions& options) {
   YarnLibrary all;
   for (const std::string& path : options.files) {
-    if (std::filesystem::path(path).extension() == ".txt") {
+    if (base::extension_of(path) == ".txt") {
       const auto list = of_list(path);
       if (!list) return fail(list.error());
       for (const LibraryYarn& yarn : *list) all.yarns = with_library_yarn(std::move(all.yarns), yarn);

@@ -59,12 +59,4 @@ bool is_same_name(const std::string& a, const std::string& b) {
   return full_a.lexically_normal() == full_b.lexically_normal();
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  const fs::path full_a = fs::weakly_canonical(a, error), full_b = fs::weakly_canonical(b, error);
-  return !error && full_a == full_b;
-}
-
 }  // namespace weftlight::session

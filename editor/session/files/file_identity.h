@@ -34,8 +34,5 @@ FileChange changed_since(const std::string& path, FileIdentity& known);
 bool is_one_file(const FileIdentity& a, const FileIdentity& b);
 /// True if both paths name one file, links apart. No disk is asked.
 bool is_same_name(const std::string& a, const std::string& b);
-/// True if both paths lead to one file, or would once it exists. Asks the disk, which may hang: not for the window's
-/// thread.
-bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace weftlight::session

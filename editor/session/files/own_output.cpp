@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/file_names.h"
 #include "base/json.h"
 #include "base/text.h"
 #include "platform/durable_file.h"
@@ -14,7 +15,7 @@
 
 namespace weftlight::session {
 
-using base::content_hash, base::mark, base::read_file, base::tr, base::write_file_atomically;
+using base::content_hash, base::mark, base::read_file, base::same_file, base::tr, base::write_file_atomically;
 
 namespace {
 

@@ -54,17 +54,5 @@ TEST_F(FileIdentityTest, NoticesDeletionAndCreation) {
   EXPECT_EQ(changed_since(path("b.wif"), none), FileChange::kContent);
 }
 
-TEST_F(FileIdentityTest, ManyPathsOfOneFileAreTheSameFile) {
-  const std::string file = written("a.wif", "one");
-  fs::create_symlink(file, path("link.wif"));
-  fs::create_hard_link(file, path("hard.wif"));
-  EXPECT_TRUE(same_file(file, path("link.wif")));
-  EXPECT_TRUE(same_file(file, path("hard.wif")));
-  EXPECT_TRUE(same_file(file, path("./x/../a.wif")));
-  EXPECT_TRUE(same_file(path("none.wif"), path("./none.wif")));
-  EXPECT_FALSE(same_file(file, path("none.wif")));
-  EXPECT_FALSE(same_file("", ""));
-}
-
 }  // namespace
 }  // namespace weftlight::session

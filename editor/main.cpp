@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "platform/crash_report.h"
 #include "platform/error_line.h"
+#include "platform/file.h"
 #include "platform/language.h"
 #include "platform/start.h"
 
@@ -14,6 +15,7 @@ namespace weftlight {
 namespace {
 
 int run(int argc, char** argv) {
+  platform::survive_size_limit();
   try {
     const std::string language = commands::requested_language(argc, argv);
     platform::use_language(language, base::languages_dir());

@@ -122,7 +122,6 @@ class OpenedEditor {
 
 int run_editor(const EditorOptions& options) {
   if (const base::Result<void> fine = check_options(options); !fine) return fail(fine.error());
-  platform::survive_size_limit();
   platform::report_crashes(session::recovery_folder(), "Weftlight " + commands::version_and_commit());
   const Settings settings = load_settings();
   if (!options.language_asked && !settings.language.empty())

@@ -25,12 +25,12 @@ pid_t spawn(std::vector<std::string> words, const posix_spawn_file_actions_t* ac
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  // The window ignores broken pipes (display.cpp), which programs would inherit.
+  // Broken pipes (display.cpp) and files past their limit (file.cpp) may be ignored, which programs would inherit.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t usual;
   sigemptyset(&usual);
-  sigaddset(&usual, SIGPIPE);
+  for (const int ignored : {SIGPIPE, SIGXFSZ}) sigaddset(&usual, ignored);
   posix_spawnattr_setsigdefault(&attributes, &usual);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;

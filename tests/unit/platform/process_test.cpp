@@ -7,6 +7,7 @@
 #include <signal.h>
 
 #include <string>
+#include <utility>
 
 namespace weftlight::platform {
 namespace {
@@ -50,14 +51,17 @@ TEST(ProcessTest, one_that_prints_without_end_is_not_hoarded) {
   EXPECT_LE(program.output().size(), size_t{1} << 20);
 }
 
-// The window ignores broken pipes: of a filter that a program starts, each would run on without a reader.
-TEST(ProcessTest, a_broken_pipe_ends_it) {
-  void (*const before)(int) = ::signal(SIGPIPE, SIG_IGN);
-  Process program({"sh", "-c", "kill -s PIPE $$; echo alive"});
-  wait_for_end(program);
-  ::signal(SIGPIPE, before);
-  EXPECT_FALSE(program.succeeded());
-  EXPECT_EQ(program.output(), "");
+// The window ignores broken pipes: of a filter that a program starts, each would run on without a reader. So it is with
+// the limit on the size of files.
+TEST(ProcessTest, a_broken_pipe_ends_it_and_so_does_the_limit_on_files) {
+  for (const auto& [ignored, name] : {std::pair{SIGPIPE, "PIPE"}, {SIGXFSZ, "XFSZ"}}) {
+    void (*const before)(int) = ::signal(ignored, SIG_IGN);
+    Process program({"sh", "-c", std::string("kill -s ") + name + " $$; echo alive"});
+    wait_for_end(program);
+    ::signal(ignored, before);
+    EXPECT_FALSE(program.succeeded()) << name;
+    EXPECT_EQ(program.output(), "") << name;
+  }
 }
 
 TEST(ProcessTest, a_program_that_is_not_there_does_not_start) {

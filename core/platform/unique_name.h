@@ -15,5 +15,7 @@ bool is_unique_name(std::string_view name);
 std::string temporary_beside(const std::string& path);
 /// Whether `name`, without its folder, is one that temporary_beside(path) gives.
 bool is_temporary_of(const std::string& path, const std::string& name);
+/// Whether it is one that temporary_beside() gives for any path.
+bool is_temporary(const std::string& name);
 
 }  // namespace weftlight::platform

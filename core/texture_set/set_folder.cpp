@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "base/hash.h"
 #include "base/json.h"
@@ -81,19 +82,27 @@ void remove_staged(const fs::path& made) {
   platform::remove_with_contents(made.string());
 }
 
+/// The lock of a folder whose owner ended while it was filled; of any other none is held.
+FileLock lock_of_stale(const fs::path& made) {
+  std::error_code ec;
+  if (!fs::is_directory(fs::symlink_status(made, ec))) return {};
+  const std::string mark = (made / kStaged).string();
+  FileLock lock = FileLock::take_existing(mark);
+  // Not where it was put in place meanwhile.
+  return lock.held() && lock.stands_at(mark) ? std::move(lock) : FileLock();
+}
+
+/// Those beside `folder` that were to become it, and all within it, of sets for several targets.
 void remove_stale_files(const fs::path& folder) {
   std::error_code ec;
   const fs::path beside = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::vector<fs::path> found;
   for (const std::string& name : platform::names_in(beside.string(), ec))
-    if (platform::is_temporary_of(folder.string(), name) && fs::is_directory(fs::symlink_status(beside / name, ec)))
-      found.push_back(beside / name);
-  for (const fs::path& made : found) {
-    const std::string mark = (made / kStaged).string();
-    const FileLock lock = FileLock::take_existing(mark);
-    // Not where it was put in place meanwhile.
-    if (lock.held() && lock.stands_at(mark)) remove_staged(made);
-  }
+    if (platform::is_temporary_of(folder.string(), name)) found.push_back(beside / name);
+  for (const std::string& name : platform::names_in(folder.string(), ec))
+    if (platform::is_temporary(name)) found.push_back(folder / name);
+  for (const fs::path& made : found)
+    if (const FileLock lock = lock_of_stale(made); lock.held()) remove_staged(made);
 }
 
 /// Held by who puts a set into a folder; it is removed with the lock still held.
@@ -116,6 +125,15 @@ std::vector<std::string> files_in(const fs::path& folder) {
 bool holds_nothing(const fs::path& folder) {
   std::error_code ec;
   return platform::names_in(folder.string(), ec).empty() && !ec;
+}
+
+/// Nothing but what was left of sets that were cut short, which make_staging() removes.
+bool holds_only_stale(const fs::path& folder) {
+  std::error_code ec;
+  const std::vector<std::string> names = platform::names_in(folder.string(), ec);
+  return !ec && std::ranges::all_of(names, [&folder](const std::string& name) {
+    return platform::is_temporary(name) && lock_of_stale(folder / name).held();
+  });
 }
 
 base::Failure not_written(const fs::path& file, std::string text) {
@@ -167,7 +185,7 @@ base::Result<void> check_place(const fs::path& folder, const SetIdentity& identi
   std::error_code ec;
   if (!fs::exists(fs::symlink_status(folder, ec))) return {};
   if (!fs::is_directory(folder, ec)) return not_written(folder, tr("is a file"));
-  if (holds_nothing(folder)) return {};
+  if (holds_only_stale(folder)) return {};
   const std::optional<Listed> there = listed_in(folder);
   if (!there) return not_written(folder, tr("there are other files"));
   if (same(there->identity, identity)) return {};

@@ -18,8 +18,8 @@ struct SetIdentity {
 };
 std::string draft_from(const std::filesystem::path& folder, const std::string& draft_path);
 
-/// Whether a set may be written here, or what is in the way. A set may be written into a folder that does not exist, is
-/// empty, or holds a set of the same identity.
+/// Whether a set may be written here, or what is in the way. A set may be written into a folder that does not exist,
+/// holds nothing but what was left of sets that were cut short, or holds a set of the same identity.
 base::Result<void> check_place(const std::filesystem::path& folder, const SetIdentity& identity);
 /// The same with what to do about it on the command line.
 base::Result<void> check_place_with_remedy(const std::filesystem::path& folder, const SetIdentity& identity);
@@ -32,7 +32,7 @@ struct Staging {
   std::string name;  // of the folder, for RemovedAtEnd
 };
 /// Makes an empty folder beside `folder`, and removes those of the same set whose lock can be taken: their owners have
-/// ended. Where the file system has no locks all stay, whatever their age.
+/// ended. So it does with all in `folder`. Where the file system has no locks all stay, whatever their age.
 base::Result<Staging> make_staging(const std::filesystem::path& folder);
 
 /// Moves the files of `made` into `folder`, texture_set.json with the list of them last, and removes `made`. Files that

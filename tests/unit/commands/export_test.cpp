@@ -230,6 +230,26 @@ TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
 }
 
 TEST_F(Export, watch_exports_changed_drafts_again) {
+TEST_F(Export, what_an_interrupted_export_of_several_targets_left_is_not_in_the_way_of_one) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts/a.wif").c_str(), "-o", path("sets").c_str(),
+          "--target", "gltf,u3m", "--size", "2048", "--quiet", nullptr);
+    _exit(127);
+  }
+  const auto begun = [&] { return fs::exists(path("sets/a")) && !fs::is_empty(path("sets/a")); };
+  for (int i = 0; i < 6000 && !begun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGINT);
+  waitpid(child, nullptr, 0);
+  ASSERT_TRUE(begun());
+  ASSERT_FALSE(has("a/gltf/texture_set.json")) << "it was cut short";
+  const Ran ran = run({"export", path("drafts/a.wif"), "-o", path("sets"), "--target", "gltf", "--size", "16"});
+  EXPECT_EQ(ran.code, kDone) << ran.said;
+  EXPECT_TRUE(has("a/texture_set.json"));
+  EXPECT_FALSE(has("a/gltf"));
+  for (const auto& entry : fs::directory_iterator(path("sets/a"))) EXPECT_FALSE(entry.is_directory()) << entry.path();
+}
+
   write_file_atomically(path("drafts/c.dtx"), dtx());
   const pid_t child = fork();
   if (child == 0) {

@@ -80,6 +80,30 @@ TEST(SetFolder, WhatTheDeadLeftGoesAndNothingElse) {
   EXPECT_TRUE(fs::exists(scratch / "set.part-1111111111111111"));
 }
 
+TEST(SetFolder, WhatTheDeadLeftOfSeveralTargetsIsNotInTheWayOfOne) {
+  const Scratch scratch("targets");
+  const fs::path folder = scratch / "set";
+  Heir heir(writer_into(folder / "gltf"));
+  EXPECT_FALSE(check_place(folder, kSet)) << "it lives";
+  heir.kill();
+  EXPECT_EQ(problem_of(check_place(folder, kSet)), "");
+  EXPECT_TRUE(fs::exists(heir.name())) << "who only asks removes nothing";
+  ASSERT_EQ(write_set(folder, "mine"), "");
+  EXPECT_EQ(text_in(folder / "a.png"), "mine");
+  EXPECT_FALSE(fs::exists(heir.name()));
+}
+
+TEST(SetFolder, OnlyWhatIsMarkedAsStaleIsLeftOutOfAccount) {
+  const Scratch scratch("marked");
+  const fs::path folder = scratch / "set", left = folder / "gltf.part-0123456789abcdef";
+  fs::create_directories(left);
+  EXPECT_FALSE(check_place(folder, kSet)) << "without a mark it may be anyone's";
+  std::ofstream(left / ".weftlight_texture_set") << "";
+  EXPECT_EQ(problem_of(check_place(folder, kSet)), "");
+  std::ofstream(folder / "notes.txt") << "mine";
+  EXPECT_FALSE(check_place(folder, kSet));
+}
+
 TEST(SetFolder, AForkThatEndsTakesNothingWithIt) {
   const Scratch scratch("forks");
   Staging made = make_staging(scratch / "set").value();

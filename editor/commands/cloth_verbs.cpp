@@ -369,12 +369,14 @@ RunVerb add_curves(CLI::App& verb) {
   CurvesOptions& o = options->command;
   verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
   verb.add_option("-o,--output", o.out, tr("Output file: .usda"))->required()->check(output_file({{".usda"}, true}));
+  constexpr Limits kFrom{-10000, 10000};  // there, the step of a float is 0.001 mm, a tenth of a fibre
   verb.add_option("--as", o.detail, tr("A curve for each thread, ply or fibre; default: plies"))
       ->check(one_of({"threads", "plies", "fibres"}));
   verb.add_option("--patch", options->patch, tr("Width and height of the patch in mm; default: 10x10"))
       ->check(pair_of('x', "WxH"));
-  verb.add_option("--from", options->from, tr("Its lower left corner in mm from end 1 and pick 1; default: 0,0"))
-      ->check(pair_of(',', "X,Y"));
+  verb.add_option("--from", options->from,
+                  tr("Its lower left corner in mm from end 1 and pick 1, each from -10000 to 10000; default: 0,0"))
+      ->check(pair_of(',', "X,Y", kFrom, kFrom));
   verb.add_option("--seed", o.seed, tr("Random seed of the fibres; default: 1"))
       ->check(whole_number(0, std::numeric_limits<int>::max()));
   return [options] {

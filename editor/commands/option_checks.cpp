@@ -62,6 +62,11 @@ std::string plain_number(double value) {
   return text;
 }
 
+std::string out_of_range(const std::string& text, double low, double high) {
+  return fill(tr("{text} is not a number from {low} to {high}"), arg("text", quoted(text)),
+              arg("low", plain_number(low)), arg("high", plain_number(high)));
+}
+
 base::Failure not_angles(std::string why) { return base::failure(base::ErrorKind::kUsage, std::move(why)); }
 
 /// FROM:TO:STEP as the angles themselves.
@@ -98,13 +103,16 @@ bool parse_pair(const std::string& text, char between, float& a, float& b) {
   }
 }
 
-CLI::Validator pair_of(char between, const std::string& form) {
+CLI::Validator pair_of(char between, const std::string& form, Limits first, Limits second) {
   return CLI::Validator(
-      [between, form](const std::string& text) {
+      [=](const std::string& text) {
         float a = 0, b = 0;
-        return parse_pair(text, between, a, b)
-                   ? std::string{}
-                   : fill(tr("{text} is not of the form {form}"), arg("text", quoted(text)), arg("form", form));
+        if (!parse_pair(text, between, a, b))
+          return fill(tr("{text} is not of the form {form}"), arg("text", quoted(text)), arg("form", form));
+        for (const auto& [value, limits] : {std::pair{a, first}, {b, second}})
+          if (value < limits.low || value > limits.high)
+            return out_of_range(plain_number(value), limits.low, limits.high);
+        return std::string();
       },
       form);
 }
@@ -124,16 +132,12 @@ CLI::Validator whole_number(int64_t low, int64_t high) {
 }
 
 CLI::Validator number_in(double low, double high) {
-  const std::string from = plain_number(low), to = plain_number(high);
   return CLI::Validator(
       [=](const std::string& text) {
         const std::optional<double> value = number_of(text);
-        return value && *value >= low && *value <= high
-                   ? std::string{}
-                   : fill(tr("{text} is not a number from {low} to {high}"), arg("text", quoted(text)),
-                          arg("low", from), arg("high", to));
+        return value && *value >= low && *value <= high ? std::string() : out_of_range(text, low, high);
       },
-      from + ".." + to);
+      plain_number(low) + ".." + plain_number(high));
 }
 
 CLI::Validator above_zero() {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,11 @@ std::string quoted(const std::string& text);
 
 /// Two finite numbers with `between` between them.
 bool parse_pair(const std::string& text, char between, float& a, float& b);
-CLI::Validator pair_of(char between, const std::string& form);
+/// Limits of a number; by themselves none.
+struct Limits {
+  float low = -std::numeric_limits<float>::max(), high = std::numeric_limits<float>::max();
+};
+CLI::Validator pair_of(char between, const std::string& form, Limits first = {}, Limits second = {});
 
 CLI::Validator whole_number(int64_t low, int64_t high);
 CLI::Validator number_in(double low, double high);

@@ -46,6 +46,14 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"convert", draft(), "a.wif", "--liftplan=perhaps"}, "weftlight convert: --liftplan takes no value\n"},
       {{"info", draft(), "info", draft()}, "weftlight info: unexpected argument 'info'\n"},
       {{"weave", "twill", "--set"}, "weftlight weave: --set needs a value: ID=VALUE\n"},
+      {{"render", draft(), "-o", "a.png", "--view", "0,500"},
+       "weftlight render: --view: '500' is not a number from -90 to 90\n"},
+      {{"reference", draft(), "-o", "a.png", "--light", "0,-90.5"},
+       "weftlight reference: --light: '-90.5' is not a number from -90 to 90\n"},
+      {{"curves", draft(), "-o", "a.usda", "--from", "1e9,-1e9", "--patch", "2x2"},
+       "weftlight curves: --from: '1000000000' is not a number from -10000 to 10000\n"},
+      {{"convert", "--", "--x.wif"}, "weftlight convert: OUT is required (Output file: .wif)\n"},
+      {{"export", "--", "--x.wif"}, "weftlight export: -o is required (Output folder)\n"},
       {{"export", draft(), "-o", "a", "--versions=all"}, "weftlight export: --versions takes no value\n"},
   };
   for (const auto& [args, said] : cases) {

@@ -24,8 +24,13 @@ Failure not_written(const std::string& path, const std::string& cause, ErrorKind
   return failure(kind, fill(tr("cannot be written: {cause}"), arg("cause", cause)), path);
 }
 Result<void> written(const std::string& path, const std::error_code& error) {
-  if (error) return not_written(path, cause_of(error));
-  return {};
+  if (!error) return {};
+  // Some folders, such as /proc, say that there is no such file where they take none.
+  std::error_code ignored;
+  const fs::path folder = fs::path(path).parent_path();
+  const bool takes_none = error == std::errc::no_such_file_or_directory &&
+                          fs::is_directory(folder.empty() ? fs::path(".") : folder, ignored);
+  return not_written(path, takes_none ? tr("its folder takes no files") : cause_of(error));
 }
 Result<void> written(const std::string& path, const Result<void>& by_library) {
   if (by_library) return {};

@@ -29,6 +29,7 @@ using texture_set::ExportTarget, texture_set::kTargets;
 
 namespace {
 
+constexpr Limits kElevation{-90, 90};  // degrees
 constexpr float kUnset = std::numeric_limits<float>::quiet_NaN();
 
 /// `drawn`: only those that the renderer draws.
@@ -100,10 +101,11 @@ void add_view_options(CLI::App& verb, PictureVerb& p) {
   verb.add_option("--yarns-per-pixel", o.yarns_per_pixel,
                   tr("Footprint in yarns per pixel at the middle of the picture; default: as the view frames it"))
       ->check(above_zero());
-  verb.add_option("--view", p.view,
-                  tr("Direction of the view: azimuth and elevation in degrees; default: the draft's, for another "
-                     "--mesh the whole drape"))
-      ->check(pair_of(',', "AZ,EL"));
+  verb.add_option(
+          "--view", p.view,
+          tr("Direction of the view in degrees: azimuth, and elevation from -90 to 90; default: the draft's, for "
+             "another --mesh the whole drape"))
+      ->check(pair_of(',', "AZ,EL", {}, kElevation));
   verb.add_option("--view-name", o.view_name,
                   tr("View that is saved with the draft, or one of: whole, head_on, grazing, near; default: as --view"))
       ->type_name(tr("NAME"));
@@ -112,20 +114,22 @@ void add_view_options(CLI::App& verb, PictureVerb& p) {
 
 void add_light_options(CLI::App& verb, PictureVerb& p) {
   PictureOptions& o = p.options;
-  verb.add_option("--light", p.light,
-                  tr("Direction of the key light: azimuth and elevation in degrees; default: that of the lighting"))
-      ->check(pair_of(',', "AZ,EL"));
+  verb.add_option(
+          "--light", p.light,
+          tr("Direction of the key light in degrees: azimuth, and elevation from -90 to 90; default: that of the "
+             "lighting"))
+      ->check(pair_of(',', "AZ,EL", {}, kElevation));
   auto* preset = verb.add_option("--lights", o.lights,
                                  tr("Lighting preset; --light moves its key light; default: the draft's lighting"))
                      ->check(one_of(light_names()));
   verb.add_option("--environment", o.lights,
                   tr("Environment map, an equirectangular .hdr or .exr; --light rotates it; default: none"))
       ->check(environment_file())
+      ->check(input_file())
       ->excludes(preset);
   verb.add_flag("--surroundings", o.surroundings, tr("Environment map as the backdrop"));
   verb.add_option(
           "--exposure", p.exposure,
-      ->check(input_file())
           tr("Exposure in stops, or auto, which brightens cloth that reflects little; an .exr takes the stops only; "
              "default: the draft's"))
       ->check(exposure_form());
@@ -365,11 +369,11 @@ RunVerb add_curves(CLI::App& verb) {
     CurvesOptions command;
     std::string patch = "10x10", from = "0,0";
   };
+  constexpr Limits kFrom{-10000, 10000};  // there, the step of a float is 0.001 mm, a tenth of a fibre
   const auto options = std::make_shared<Options>();
   CurvesOptions& o = options->command;
   verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
   verb.add_option("-o,--output", o.out, tr("Output file: .usda"))->required()->check(output_file({{".usda"}, true}));
-  constexpr Limits kFrom{-10000, 10000};  // there, the step of a float is 0.001 mm, a tenth of a fibre
   verb.add_option("--as", o.detail, tr("A curve for each thread, ply or fibre; default: plies"))
       ->check(one_of({"threads", "plies", "fibres"}));
   verb.add_option("--patch", options->patch, tr("Width and height of the patch in mm; default: 10x10"))

@@ -346,7 +346,8 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   });
   run.progress.clear();
   if (jobs.size() > 1 && (!options.quiet || run.worst != kDone)) {
-    print_problem(fill(tr("{written} sets written, {complete} were complete, {failed} failed"),
+    print_problem(fill(tr_n("{written} set written, {complete} already complete, {failed} failed",
+                            "{written} sets written, {complete} already complete, {failed} failed", run.written.load()),
                        arg("written", run.written.load()), arg("complete", run.kept.load()),
                        arg("failed", run.failed_sets.load())));
     for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());

@@ -87,9 +87,13 @@ std::vector<const CLI::Option*> options_of(const CLI::App& parser) {
 
 /// The words that belong to no option: the first that looks like one, else the first of all; empty if there are none.
 std::string unknown_word(const CLI::App& parser) {
-  const std::vector<std::string> words = parser.remaining();
-  const auto option = std::ranges::find_if(words, [](const std::string& w) { return w.size() > 1 && w[0] == '-'; });
-  return option != words.end() ? option->substr(0, option->find('=')) : words.empty() ? "" : words.front();
+  std::vector<std::string> words = parser.remaining();
+  const auto end = std::ranges::find(words, "--");  // of the options
+  const auto option =
+      std::find_if(words.begin(), end, [](const std::string& w) { return w.size() > 1 && w[0] == '-'; });
+  if (option != end) return option->substr(0, option->find('='));
+  if (end != words.end()) words.erase(end);
+  return words.empty() ? "" : words.front();
 }
 
 std::string unknown_text(const CLI::App& parser, const std::string& word) {

@@ -98,6 +98,8 @@ int PictureSetup::read(const PictureOptions& o) {
     design.scene = drawn_scene(*view);
   }
   apply_options(design, o);
+  if (o.surroundings && !is_environment(design.scene.lights))
+    return refuse(tr("--surroundings shows an environment map, and there is none; give --environment with it"));
   drape(design, status);
   return open_graphics();
 }

@@ -77,6 +77,8 @@ TEST_F(ExitCodes, bad_usage_is_2) {
            {"render", draft(), "-o", out, "--yarns-per-pixel", "-1"},
            {"render", draft(), "-o", out, "--face", "side"},
            {"render", draft(), "-o", out, "--no-such-option"},
+           {"render", draft(), "-o", out, "--surroundings"},
+           {"reference", draft(), "-o", out, "--surroundings", "--lights", "window"},
            {"reference", draft(), "-o", out, "--spp", "0"},
            {"reference", draft(), "-o", path("out")},
            {"export", draft()},
@@ -195,6 +197,12 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
   }
   EXPECT_EQ(files(), std::set<std::string>{"file"});
   EXPECT_EQ(read_file(path("file")).value_or(""), "in the way");
+}
+
+TEST_F(ExitCodes, a_folder_that_takes_no_files_is_not_said_to_be_missing) {
+  const Ran ran = run({"weave", "plain", "-o", "/proc/x.wif"});
+  EXPECT_EQ(ran.code, kNotWritten);
+  EXPECT_NE(ran.said.find("/proc/x.wif: cannot be written: its folder takes no files"), std::string::npos) << ran.said;
 }
 
 TEST_F(ExitCodes, an_output_that_cannot_be_written_fails_before_the_work) {

@@ -110,7 +110,8 @@ TEST_F(Export, failures_are_listed_at_the_end_and_the_rest_is_done) {
   const Ran ran = exported({"--target", "raw", "--size", "16"});
   EXPECT_EQ(ran.code, kBadInput);
   EXPECT_TRUE(has("a/texture_set.json") && has("b/texture_set.json"));
-  EXPECT_NE(ran.said.find("2 sets written, 0 were complete, 1 failed\n  " + path("drafts/aa.wif")), std::string::npos)
+  EXPECT_NE(ran.said.find("2 sets written, 0 already complete, 1 failed\n  " + path("drafts/aa.wif")),
+            std::string::npos)
       << ran.said;
 }
 
@@ -121,7 +122,7 @@ TEST_F(Export, a_broken_draft_is_reported_once_for_all_targets) {
   size_t lines = 0;
   for (size_t at = 0; (at = ran.said.find("aa.wif", at)) != std::string::npos; ++at) ++lines;
   EXPECT_EQ(lines, 3u) << "what is wrong, that it is not exported, and the list at the end\n" << ran.said;
-  EXPECT_NE(ran.said.find("6 sets written, 0 were complete, 3 failed"), std::string::npos) << ran.said;
+  EXPECT_NE(ran.said.find("6 sets written, 0 already complete, 3 failed"), std::string::npos) << ran.said;
 }
 
 TEST_F(Export, warnings_of_a_draft_are_given_once_for_all_targets) {
@@ -135,11 +136,11 @@ TEST_F(Export, warnings_of_a_draft_are_given_once_for_all_targets) {
 TEST_F(Export, resume_makes_missing_and_outdated_sets) {
   const Args again{"--target", "raw", "--size", "16", "--resume"};
   EXPECT_EQ(exported(again).code, kDone);
-  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 already complete"), std::string::npos);
   fs::remove(path("sets/a/a_front_height.exr"));
-  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a file is gone";
+  EXPECT_NE(exported(again).said.find("1 set written, 1 already complete"), std::string::npos) << "a file is gone";
   fs::copy_file(fixture_path("twill.wif"), path("drafts/deep/b.wif"), fs::copy_options::overwrite_existing);
-  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "another draft";
+  EXPECT_NE(exported(again).said.find("1 set written, 1 already complete"), std::string::npos) << "another draft";
 }
 
 TEST_F(Export, resume_makes_sets_with_changed_files_again) {
@@ -150,14 +151,14 @@ TEST_F(Export, resume_makes_sets_with_changed_files_again) {
   EXPECT_EQ(contents["a_front_height.exr"]["bytes"], whole.size());
   EXPECT_EQ(contents.size(), list("a")["files"].size());
   fs::resize_file(file, whole.size() / 2);
-  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a truncated file";
+  EXPECT_NE(exported(again).said.find("1 set written, 1 already complete"), std::string::npos) << "a truncated file";
   EXPECT_EQ(read_file(file).value_or(""), whole);
   std::string other = whole;
   other.back() = static_cast<char>(other.back() ^ 1);
   write_file_atomically(file, other);
-  EXPECT_NE(exported(again).said.find("1 sets written, 1 were complete"), std::string::npos) << "a changed byte";
+  EXPECT_NE(exported(again).said.find("1 set written, 1 already complete"), std::string::npos) << "a changed byte";
   EXPECT_EQ(read_file(file).value_or(""), whole);
-  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 already complete"), std::string::npos);
 }
 
 TEST_F(Export, resume_makes_missing_and_truncated_archives) {
@@ -165,7 +166,7 @@ TEST_F(Export, resume_makes_missing_and_truncated_archives) {
   const Args again{"--target", "raw", "--size", "16", "--resume", "--zip"};
   EXPECT_EQ(exported(again).code, kDone);
   ASSERT_TRUE(has("a.zip") && has("b.zip"));
-  EXPECT_NE(exported(again).said.find("0 sets written, 2 were complete"), std::string::npos);
+  EXPECT_NE(exported(again).said.find("0 sets written, 2 already complete"), std::string::npos);
   const uintmax_t size = fs::file_size(path("sets/a.zip"));
   fs::resize_file(path("sets/a.zip"), size - 30);
   EXPECT_EQ(exported(again).code, kDone);
@@ -195,10 +196,10 @@ TEST_F(Export, a_folder_gives_every_draft_that_opens) {
   EXPECT_EQ(ran.code, kDone) << ran.said;
   for (const char* set : {"a", "b", "c", "D"}) EXPECT_TRUE(has(std::string(set) + "/texture_set.json")) << set;
   EXPECT_NE(ran.said.find("4 sets written"), std::string::npos) << ran.said;
-  EXPECT_NE(exported({"--target", "raw", "--size", "16", "--resume"}).said.find("0 sets written, 4 were complete"),
+  EXPECT_NE(exported({"--target", "raw", "--size", "16", "--resume"}).said.find("0 sets written, 4 already complete"),
             std::string::npos);
   write_file_atomically(path("drafts/c.dtx"), dtx("1 1 2"));
-  EXPECT_NE(exported({"--target", "raw", "--size", "16", "--resume"}).said.find("1 sets written, 3 were complete"),
+  EXPECT_NE(exported({"--target", "raw", "--size", "16", "--resume"}).said.find("1 set written, 3 already complete"),
             std::string::npos);
 }
 
@@ -229,7 +230,6 @@ TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
   EXPECT_NE(ran.said.find("no draft in it (.wif, .dtx, .wpo)"), std::string::npos) << ran.said;
 }
 
-TEST_F(Export, watch_exports_changed_drafts_again) {
 TEST_F(Export, what_an_interrupted_export_of_several_targets_left_is_not_in_the_way_of_one) {
   const pid_t child = fork();
   if (child == 0) {
@@ -250,6 +250,7 @@ TEST_F(Export, what_an_interrupted_export_of_several_targets_left_is_not_in_the_
   for (const auto& entry : fs::directory_iterator(path("sets/a"))) EXPECT_FALSE(entry.is_directory()) << entry.path();
 }
 
+TEST_F(Export, watch_exports_changed_drafts_again) {
   write_file_atomically(path("drafts/c.dtx"), dtx());
   const pid_t child = fork();
   if (child == 0) {

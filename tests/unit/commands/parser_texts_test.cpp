@@ -63,6 +63,16 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
   }
 }
 
+TEST(ParserTexts, two_dashes_end_the_options) {
+  for (const Args& args : std::vector<Args>{{"info", "--", "--none.wif"},
+                                            {"drawdown", "--face", "back", "--", "--none.wif"},
+                                            {"export", "-o", "a", "--", "--none.wif"}}) {
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kBadInput) << ran.said;
+    EXPECT_TRUE(ran.said.starts_with("--none.wif: ")) << ran.said;
+  }
+}
+
 TEST(ParserTexts, a_number_is_finite_and_may_have_a_sign) {
   for (const char* number : {"nan", "inf", "-inf", "", "1e999", "12 miles"})
     EXPECT_EQ(run({"analyse", draft(), "--length", number}).code, kUsage) << number;

@@ -24,7 +24,7 @@ using base::arg, base::fill, base::tr, base::write_file_atomically;
 using cloth::ThreadBody;
 using design::Yarn;
 using draft::BitMatrix, draft::drawdown;
-using files::PixelType, files::write_image;
+using files::MipFormat, files::PixelType, files::is_dds, files::write_image;
 using light::EngineCheck, light::EngineFit, light::EngineScore, light::kFootprintMmAtOneMetre;
 
 namespace {
@@ -354,6 +354,16 @@ FaceSource face_at(const Design& design, Face face, const TextureSetOptions& opt
   return face_of(design, cells, face, small);
 }
 
+namespace {
+
+/// Mipmaps that keep the coverage of a mask: the program's, or ours where its materials name them.
+bool keeps_masks(const ExportTarget& target, const std::optional<MipFormat>& requested) {
+  const MipChoice mips = mips_for(target, requested);
+  return target.keeps_masks || (target.names_dds && mips.format && is_dds(*mips.format));
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return {};
@@ -365,10 +375,12 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
     out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
                        arg("texels", rounded(each))));
-  if (options.alpha == Alpha::kMask && !options.mips && !options.target->keeps_masks &&
+  if (options.alpha == Alpha::kMask && !keeps_masks(*options.target, options.mips) &&
       estimated_cover(cloth) < kOpenCover)
-    out.emplace_back(tr(
-        "the gaps of a mask close in the distance if the program makes the mipmaps; use --alpha auto or --mips ktx2"));
+    out.push_back(fill(tr("{target}: the gaps of a mask close in the distance, since the program makes the mipmaps; "
+                          "use {options}"),
+                       arg("target", options.target->id),
+                       arg("options", options.target->names_dds ? "--alpha auto, --mips dds" : "--alpha auto")));
   return out;
 }
 

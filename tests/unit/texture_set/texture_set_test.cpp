@@ -422,10 +422,29 @@ TEST(TextureSet, WarnsIfTheGapsOfAMaskWouldClose) {
   EXPECT_TRUE(warnings_of(design, options).empty()) << "a dense cloth";
   for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
   EXPECT_EQ(warnings_of(design, options).size(), 1u);
-  options.mips = MipFormat::kKtx2;
-  EXPECT_TRUE(warnings_of(design, options).empty()) << "prefiltered mipmaps keep the mask";
-  options.mips = {}, options.target = &targets::kUnreal;
+  options.target = &targets::kUnreal;
   EXPECT_TRUE(warnings_of(design, options).empty()) << "its importer keeps the coverage";
+}
+
+TEST(TextureSet, MipmapsThatTheMaterialDoesNotNameKeepNoMask) {
+  Design design = plain({2, 2});
+  for (System s : {System::kWarp, System::kWeft}) design.draft.threads(s).spacing_mm.assign(2, 1.2f);
+  TextureSetOptions options = options_for(targets::kGltf, 128);
+  options.alpha = Alpha::kMask;
+  const auto warning = [&](const ExportTarget& target, std::optional<MipFormat> mips) {
+    options.target = &target, options.mips = mips;
+    const std::vector<std::string> all = warnings_of(design, options);
+    return all.empty() ? std::string() : all.at(0);
+  };
+  for (const ExportTarget* target : {&targets::kGltf, &targets::kMaterialX, &targets::kU3m})
+    for (const auto mips : {std::optional<MipFormat>(), {MipFormat::kDds}, {MipFormat::kKtx2Blocks}}) {
+      const std::string said = warning(*target, mips);
+      EXPECT_NE(said.find("--alpha auto"), std::string::npos) << target->id;
+      EXPECT_EQ(said.find("--mips"), std::string::npos) << target->id << said;
+    }
+  EXPECT_EQ(warning(targets::kGodot, {}), "") << "its material names the .dds of the colours";
+  EXPECT_EQ(warning(targets::kGodot, MipFormat::kDds), "");
+  EXPECT_NE(warning(targets::kGodot, MipFormat::kKtx2).find("--mips dds"), std::string::npos);
 }
 
 TEST(TextureSet, TilesOfSeveralRepeats) {

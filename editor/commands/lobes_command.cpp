@@ -32,6 +32,9 @@ int lobes_command(const LobesOptions& o) {
   OpenedDesign opened = open_design(o.file);
   if (!opened.ok) return kBadInput;
   std::vector<Yarn>& yarns = opened.design.yarns;
+  const auto say = [&o](const std::string& yarn, const std::string& what) {
+    if (!o.quiet) print_row(yarn, what);
+  };
   ProgressMeter meter(form_of(o), static_cast<int>(yarns.size()));
   for (size_t k = 0; k < yarns.size(); ++k) {
     Yarn& yarn = yarns[k];
@@ -39,7 +42,7 @@ int lobes_command(const LobesOptions& o) {
     if (yarn.lobes.metallic) {
       meter.skip(index, yarn.name);
       meter.clear();
-      print_row(yarn.name, tr("metallic: has no dye, stays as it is"));
+      say(yarn.name, tr("metallic: has no dye, stays as it is"));
       continue;
     }
     const TaskProgress progress({}, [&](float share, const std::string&) {
@@ -49,7 +52,7 @@ int lobes_command(const LobesOptions& o) {
     meter.clear();
     if (!fitted) return fail({fitted.error().kind, base::message(fitted.error()), o.file});
     yarn.lobes = fitted->lobes;
-    print_row(yarn.name, result_text(*fitted));
+    say(yarn.name, result_text(*fitted));
   }
   const Result<void> saved = write_file_atomically(o.out, write_wif(opened.file, opened.design));
   if (saved && !yarns.empty()) meter.set(static_cast<int>(yarns.size()) - 1, 1, o.out);

@@ -38,12 +38,13 @@ ReferenceView view_of(const PictureOptions& o, const Scene& scene) {
 
 int in_mb(int64_t bytes) { return static_cast<int>((bytes + (1 << 20) - 1) >> 20); }
 
-/// Makes the fibres and prints what they are and the memory that they take.
-base::Result<void> make_fibres(ReferenceScene& scene, const ReferenceView& view, StatusLine& status) {
+/// Makes the fibres and prints what they are and the memory that they take, unless it is to be quiet.
+base::Result<void> make_fibres(ReferenceScene& scene, const ReferenceView& view, StatusLine& status, bool quiet) {
   status.show(tr("making the fibres"));
   const auto made = scene.prepare_fibres(view);
   status.clear();
   if (!made) return base::failed(made);
+  if (quiet) return {};
   print_row(tr("Cloth of fibres"),
             fill(tr("{width} x {height} mm, {threads} threads"), arg("width", std::round(10 * made->size_mm.x) / 10),
                  arg("height", std::round(10 * made->size_mm.y) / 10), arg("threads", made->threads)));
@@ -68,7 +69,7 @@ int reference_command(const PictureOptions& o, Backdrop backdrop) {
     return fail({updated.error().kind, message(updated.error()), o.file});
   const ReferenceView view = view_of(o, design.scene);
   if (o.fibres) {
-    if (const auto made = make_fibres(scene, view, setup.status); !made)
+    if (const auto made = make_fibres(scene, view, setup.status, o.quiet); !made)
       return fail({made.error().kind, message(made.error()), o.file});
   }
 

@@ -30,6 +30,14 @@ TEST_F(Fibres, a_near_picture_states_what_it_is_made_of_and_its_memory) {
   EXPECT_TRUE(std::filesystem::exists(path("near.png")));
 }
 
+TEST_F(Fibres, quiet_states_nothing) {
+  const Ran ran = run({"reference", denim(), "-o", path("near.png"), "--fibres", "--spp", "1", "--size", "8x8",
+                       "--mesh", "plane", "--yarns-per-pixel", "0.03", "--quiet"});
+  if (ran.code == kNoGraphics) GTEST_SKIP() << "no graphics";
+  EXPECT_EQ(ran.code, kDone) << ran.said;
+  EXPECT_EQ(ran.out + ran.said, "");
+}
+
 TEST_F(Fibres, a_view_of_too_much_cloth_is_refused_with_the_figure) {
   const Ran ran = run({"reference", denim(), "-o", path("far.png"), "--fibres", "--size", "64x48", "--mesh", "skirt"});
   if (ran.code == kNoGraphics) GTEST_SKIP() << "no graphics";

@@ -30,7 +30,7 @@ Result<void> written(const std::string& path, const std::error_code& error) {
   const fs::path folder = fs::path(path).parent_path();
   const bool takes_none = error == std::errc::no_such_file_or_directory &&
                           fs::is_directory(folder.empty() ? fs::path(".") : folder, ignored);
-  return not_written(path, takes_none ? tr("its folder takes no files") : cause_of(error));
+  return not_written(path, takes_none ? tr("its folder cannot be written to") : cause_of(error));
 }
 Result<void> written(const std::string& path, const Result<void>& by_library) {
   if (by_library) return {};

@@ -176,7 +176,7 @@ Design denim() {
   // Ring-spun with intended slubs, as denim is.
   warp.unevenness = 26, weft.unevenness = 20;
   d = set_at(with_yarns(std::move(d), warp, weft), 26, 17);
-  return titled(worn(std::move(d), "shirt", 20, 10, 0.8f), "Denim",
+  return titled(worn(std::move(d), "shirt", 20, 10, 0.88f), "Denim",
                 {"3/1 right-hand twill, 14 oz: indigo Ne 6 over ecru Ne 5, 26 by 17 a centimetre."});
 }
 
@@ -287,7 +287,7 @@ Design linen() {
   yarn.irregularity = 0.14f, yarn.unevenness = 36, yarn.melange = 0.35f, yarn.twist = Twist::kZ, yarn.fibre_um = 50;
   yarn.flattening = 0.55f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 21, 20);
-  return titled(worn(std::move(d), "tunic", 20, 10, 0.8f), "Linen",
+  return titled(worn(std::move(d), "tunic", 20, 10, 0.84f), "Linen",
                 {"Plain weave of thick and thin yarn, lea 25, 21 by 20 a centimetre."});
 }
 

@@ -514,6 +514,8 @@ TEST_F(WindowTest, ShowsLongFloatsAndWeavesOverTheDraft) {
   display_.click(w.middle_of("inspector:Analysis"));
   ASSERT_TRUE(comes_true([&] { return w.has("floats.count"); })) << "no floats were counted";
   EXPECT_FALSE(w.has("float:1")) << "a 2/2 twill has none";
+  const auto [limit, size] = w.place_of("floats.limit");
+  display_.click({limit.x + 0.15 * size.x, limit.y + size.y / 2});  // those of a satin, 7, are the most of the default
   display_.key("w");
   ASSERT_TRUE(comes_true([&] { return w.has("weave:satin"); }));
   display_.click(w.middle_of("weave:satin"));

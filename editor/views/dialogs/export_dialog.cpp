@@ -72,7 +72,7 @@ void draw_targets(PanelContext& c, ExportPrompt& p) {
     const ExportTarget* target = kTargets[at];
     if (at == (kTargets.size() + 1) / 2) {
       ImGui::EndGroup();
-      ImGui::SameLine(0, c.style.px(10));
+      ImGui::SameLine(0, c.style.px(6));
       ImGui::BeginGroup();
     }
     bool on = has(*p.plan, target);

@@ -255,6 +255,7 @@ bool changes(BareEditor& editor, const Action& action, const Stage& stage) {
   const auto before = editor.document().snapshot();
   // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): a copy shows whether the original was written to.
   const Design value = *before;
+  const size_t first_step = editor.document().history().position();
   if (action.enabled && !action.enabled()) return false;
   if (action.label) {
     EXPECT_FALSE(action.label().empty());
@@ -269,8 +270,14 @@ bool changes(BareEditor& editor, const Action& action, const Stage& stage) {
   if (*after == *before) return false;
   if (action.item.id == "undo" || action.item.id == "redo") return true;
 
-  EXPECT_FALSE(editor.document().history().undo_label().empty()) << "the step has a name";
   EXPECT_FALSE(editor.document().is_saved());
+  Design elsewhere = *after;
+  elsewhere.loom = design::with_place_of(before->loom, after->loom);
+  if (elsewhere == *before) {
+    EXPECT_EQ(editor.document().history().position(), first_step) << "the place at the loom is no step";
+    return true;
+  }
+  EXPECT_FALSE(editor.document().history().undo_label().empty()) << "the step has a name";
   const Design& edited = *after;
   editor.undo();
   EXPECT_EQ(editor.document().now(), value) << "after undo";

@@ -202,7 +202,8 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
 TEST_F(ExitCodes, a_folder_that_takes_no_files_is_not_said_to_be_missing) {
   const Ran ran = run({"weave", "plain", "-o", "/proc/x.wif"});
   EXPECT_EQ(ran.code, kNotWritten);
-  EXPECT_NE(ran.said.find("/proc/x.wif: cannot be written: its folder cannot be written to"), std::string::npos) << ran.said;
+  EXPECT_NE(ran.said.find("/proc/x.wif: cannot be written: its folder cannot be written to"), std::string::npos)
+      << ran.said;
 }
 
 TEST_F(ExitCodes, an_output_that_cannot_be_written_fails_before_the_work) {

@@ -163,7 +163,7 @@ TEST(SelectTool, SaysWhatDidNotFit) {
   const Design start = straight_twill(8, 6);
   SelectState s;
   const auto pasted = [&](Cell at) {
-    hold_block(s, start.draft, {BitGrid::kThreading, BitMatrix(4, 3)}, false);
+    hold_block(s, start.draft, {BitGrid::kThreading, BitMatrix(3, 4)}, false);
     hold_block_over(s, BitGrid::kThreading, at);
     drop_block(s, start, false);
     return s.notice;

@@ -170,7 +170,7 @@ std::string HelpFormat::make_option_usage(const CLI::Option* option) const {
 }
 
 std::string parse_problem(const CLI::App& parser, const CLI::Error& error) {
-  const std::string said = error.what();
+  std::string said = error.what();
   const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   std::string text;
   // A mistyped option is the likelier reason for one that is missing.

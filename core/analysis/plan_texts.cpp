@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/text.h"
 
@@ -55,15 +56,21 @@ std::string bouts_text(const WarpingPlan& plan) {
 std::string raddle_text(const WarpingPlan& plan) {
   const int64_t groups = plan.raddle_groups, last = plan.ends_in_last_group;
   if (groups == 1) return fill(tr_n("one group of {count} end", "one group of {count} ends", last), arg("count", last));
-  const size_t of_last = static_cast<size_t>(std::max<int64_t>(groups - 1, 0)) % plan.raddle.size();
-  const bool full = last == plan.raddle[of_last];
+  std::vector<int> pattern = plan.raddle;
+  const auto size = static_cast<int64_t>(pattern.size());
+  // Of a pattern that is not repeated, every group is named.
+  if (groups > 0 && groups <= size && size > 1) {
+    pattern.resize(static_cast<size_t>(groups));
+    pattern.back() = static_cast<int>(last);
+  }
+  const bool full = last == pattern[static_cast<size_t>(std::max<int64_t>(groups - 1, 0) % size)];
   const char* in_turn = full ? tr("{groups} groups of {pattern} ends in turn")
                              : tr("{groups} groups of {pattern} ends in turn, the last of {last}");
   const char* alike = full
                           ? tr_n("{groups} groups of {ends} end", "{groups} groups of {ends} ends", plan.raddle.front())
                           : tr("{groups} groups of {ends} ends, the last of {last}");
   return fill(plan.raddle.size() == 1 ? alike : in_turn, arg("groups", groups), arg("ends", plan.raddle.front()),
-              arg("pattern", sleying_text(plan.raddle)), arg("last", last));
+              arg("pattern", sleying_text(pattern)), arg("last", last));
 }
 
 std::string selvedges_text(const Selvedges& s) {

@@ -12,7 +12,7 @@
 
 namespace weftlight::commands {
 
-using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
+using base::ErrorKind, base::arg, base::fill, base::tr_n, base::write_file_atomically;
 
 int print_command(const PrintCommand& options) {
   const OpenedDesign opened = open_design(options.file);

@@ -1,7 +1,6 @@
 #include "files/picture_draft.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "design/repeat.h"
@@ -93,9 +93,8 @@ std::string size_words(int width, int height) {
 }  // namespace
 
 bool is_picture(const std::string& path) {
-  std::string end = path.substr(path.find_last_of('.') + 1);
-  for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return end == "png" || end == "tif" || end == "tiff" || end == "bmp";
+  const std::string extension = base::extension_of(path);
+  return extension == ".png" || extension == ".tif" || extension == ".tiff" || extension == ".bmp";
 }
 
 base::Result<Image> read_picture(const std::string& path) {

@@ -84,7 +84,7 @@ std::string replaces_input(const std::string& written, const std::vector<std::st
     return std::filesystem::is_regular_file(file, error) && same_file(file, written);
   });
   if (!replaces) return {};
-  return fill(tr("{file} is what the command reads; give another name"), arg("file", quoted(written)));
+  return fill(tr("{file} is read by the command; give the output another name"), arg("file", quoted(written)));
 }
 
 void check_files(CLI::App& verb) {
@@ -98,8 +98,9 @@ void check_files(CLI::App& verb) {
       if (const std::string problem = replaces_input(file, kept(inputs, file, changed)); !problem.empty())
         throw CLI::ValidationError(option->get_name(), problem);
       if (std::ranges::any_of(written, [&file](const std::string& other) { return same_file(file, other); }))
-        throw CLI::ValidationError(option->get_name(),
-                                   fill(tr("{file} is written already; give another name"), arg("file", quoted(file))));
+        throw CLI::ValidationError(
+            option->get_name(),
+            fill(tr("{file} is named as two outputs; give one of them another name"), arg("file", quoted(file))));
       written.push_back(file);
     }
   }

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "files/files.h"
@@ -127,11 +128,7 @@ Result<void> write_to(const std::string& path, const Image& image, PixelType typ
 }
 
 /// A PNG is written by this program, since OpenImageIO does not notice a full disk.
-bool is_png(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension == ".png";
-}
+bool is_png(const std::string& path) { return base::extension_of(path) == ".png"; }
 
 /// A file that records whether everything was written, which OpenImageIO does not notice.
 class DiskFile : public OIIO::Filesystem::IOProxy {

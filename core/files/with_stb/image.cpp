@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "files/files.h"
@@ -30,12 +31,6 @@ namespace {
 constexpr int kMaxChannels = 4;
 constexpr int64_t kMaxValues = int64_t{1} << 28;  // 1 GiB of floats
 constexpr int kPngLevel = 1;
-
-bool ends_with(const std::string& path, std::string_view ending) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension == ending;
-}
 
 base::Failure other_format(ErrorKind kind, const std::string& path) {
   return failure(kind, tr("this build supports PNG only; give a .png, or use the desktop program"), path);
@@ -144,7 +139,7 @@ ImageRows::~ImageRows() = default;
 
 Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int width, int height, int channels,
                                                    PixelType type, const std::vector<std::string>& /*names*/) {
-  if (!ends_with(path, ".png") || channels < 1 || channels > 4) return other_format(ErrorKind::kOutput, path);
+  if (base::extension_of(path) != ".png" || channels < 1 || channels > 4) return other_format(ErrorKind::kOutput, path);
   auto file = std::make_unique<File>();
   file->path = path, file->width = width, file->height = height, file->channels = channels;
   file->rows = std::make_unique<PngRows>(width, height, channels, type);
@@ -171,7 +166,7 @@ Result<void> ImageRows::close() {
 
 Result<void> write_image(const std::string& path, const Image& image, PixelType type,
                          const std::vector<std::string>& /*channels*/) {
-  if (!ends_with(path, ".png")) return other_format(ErrorKind::kOutput, path);
+  if (base::extension_of(path) != ".png") return other_format(ErrorKind::kOutput, path);
   if (Result<void> shape = check_shape(image, kMaxChannels, kMaxValues, path); !shape) return shape;
   const std::vector<unsigned char> bytes = encode_png(image, type);
   return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});

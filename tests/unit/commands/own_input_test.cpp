@@ -58,7 +58,7 @@ TEST_F(OwnInput, is_not_replaced) {
            {"render", path("art_001.png"), "-o", art, "--turntable", "2"},
            {"print", path("art-1.png"), "-o", art, "--paper", "a5", "--scale", "20"},
        })
-    expect_refused(args, "is what the command reads");
+    expect_refused(args, "is read by the command");
 }
 
 TEST_F(OwnInput, is_known_by_each_of_its_names) {
@@ -66,12 +66,12 @@ TEST_F(OwnInput, is_known_by_each_of_its_names) {
   fs::create_hard_link(path("v.wif"), path("hard.csv"));
   fs::create_hard_link(path("v.wif"), path("same.csv"));
   for (const char* name : {"link.csv", "hard.csv", "./below/../same.csv"})
-    expect_refused({"response", path("v.wif"), "-o", path(name)}, "is what the command reads");
+    expect_refused({"response", path("v.wif"), "-o", path(name)}, "is read by the command");
 }
 
 TEST_F(OwnInput, two_outputs_are_two_files) {
   for (const std::string& stats : {path("same.png"), path("below/../same.png")})
-    expect_refused({"render", path("v.wif"), "-o", path("same.png"), "--stats", stats}, "is written already");
+    expect_refused({"render", path("v.wif"), "-o", path("same.png"), "--stats", stats}, "is named as two outputs");
 }
 
 TEST_F(OwnInput, is_changed_in_place_by_commands_that_change_it) {

@@ -397,7 +397,7 @@ ClosestDraft closest_drawdown(const Draft& base, const BitMatrix& cells, LoomSiz
     out = with_drawdown(base, near, most);
     if (!out || !fits(*out, most)) out = with_drawdown(bare, near, most);
   }
-  closest.draft = out ? std::move(*out) : bare;
+  closest.draft = out ? *out : bare;
   const BitMatrix shown = drawdown(closest.draft);
   for (int p = 0; p < cells.rows(); ++p) closest.wrong += differences(shown.row(p), cells.row(p));
   return closest;

@@ -104,6 +104,7 @@ if wants floats; then
   weave overshot towel 48
   open_window "$work/towel.wif" "$quiet"
   key F5; click inspector:Analysis
+  move floats.limit; xdotool mousemove_relative -- -40 0 mousedown 1; sleep 0.1; xdotool mouseup 1; settle  # to 3
   away; shot floats
 fi
 if wants sections; then

@@ -12,7 +12,7 @@ namespace weftlight::actions {
 
 using base::fill, base::tr, base::tr_n;
 using design::Design, design::Leading, design::loom_size, design::to_liftplan, design::to_skeleton,
-    design::to_treadling, design::with_leading, design::with_lock, design::with_rising;
+    design::to_treadling, design::weaves_on_loom, design::with_leading, design::with_lock, design::with_rising;
 using draft::ShedControl, draft::treadles_needed;
 using session::Edit, session::go_to_version_edit, session::larger_loom_edit, session::next_version;
 
@@ -62,6 +62,12 @@ void add_versions(Actions& all, const ActiveDraft& draft, const DraftDialogs& di
   go("previous_version", tr("Previous version"), -1);
 }
 
+base::Result<Design> skeleton_on_loom(const Design& design, const base::TaskProgress& progress) {
+  Design made = to_skeleton(design, 2, progress);
+  if (base::Result<void> woven = weaves_on_loom(design, made.draft); !woven) return base::failed(woven);
+  return made;
+}
+
 }  // namespace
 
 void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialogs& dialogs) {
@@ -104,8 +110,7 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
   control("treadling", tr("Tie-up and treadling"), ShedControl::kTreadling)->item.group = true;
   control("liftplan", tr("Use the liftplan"), ShedControl::kLiftplan);
   add(all, "Draft", "skeleton", tr("Skeleton tie-up, two treadles a pick"), "", [&draft] {
-    draft.compute({tr("Skeleton tie-up, two treadles a pick"), tr("Searching for a skeleton tie-up"),
-                   [](Design d, const base::TaskProgress& progress) { return to_skeleton(std::move(d), 2, progress); },
+    draft.compute({tr("Skeleton tie-up, two treadles a pick"), tr("Searching for a skeleton tie-up"), skeleton_on_loom,
                    tr("No skeleton tie-up needs fewer treadles.")});
   });
   add_leading(all, draft, dialogs);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <stop_token>
 #include <thread>
 
 #include "base/caught.h"
@@ -27,6 +28,8 @@
 #include "files/zip.h"
 #include "platform/clock.h"
 #include "platform/files_below.h"
+#include "platform/stop_request.h"
+#include "texture_set/export_progress.h"
 #include "texture_set/material_files.h"
 #include "texture_set/set_folder.h"
 #include "texture_set/texture_set.h"
@@ -44,7 +47,7 @@ using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOpti
     texture_set::is_complete, texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files,
     texture_set::lists_archive, texture_set::set_density, texture_set::target_named, texture_set::uv_unit_named,
     texture_set::warnings_of, texture_set::write_texture_set;
-using texture_set::at_lod, texture_set::kLods;
+using texture_set::at_lod, texture_set::kLods, texture_set::stopped;
 using wif::is_draft_name, wif::is_wif_name;
 
 namespace {
@@ -80,6 +83,7 @@ struct ExportRun {
   ProgressMeter progress;
   std::atomic<int> worst{kDone}, written{0}, kept{0}, failed_sets{0};
   std::vector<std::string> failed;
+  std::stop_token stop = platform::stop_when_asked();
 };
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
@@ -316,7 +320,9 @@ void run_job(Job job, int index, ExportRun& run) {
   const std::optional<Mesh> drape = drape_for_fabric(run, design);
   base::Result<void> done = check_archive(job, run.options);
   if (done)
-    done = write_texture_set(job.folder, design, drape ? *drape : run.mesh, job.options, {.report = report_progress});
+    done = write_texture_set(job.folder, design, drape ? *drape : run.mesh, job.options,
+                             {.report = report_progress, .stop = run.stop});
+  if (!done && done.error().kind == base::ErrorKind::kCancelled) return;
   if (done && run.options.zip) done = write_archive(job);
   if (!done)
     return report(run, kNotWritten,
@@ -336,6 +342,7 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   ExportRun run{options, mesh, {}, {}, ProgressMeter(form, static_cast<int>(jobs.size())), kDone, 0, 0, 0, {}};
   for (const Job& job : jobs) ++run.drafts[job.file].jobs;
   for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
+    if (run.stop.stop_requested()) return;
     const Job& job = jobs[static_cast<size_t>(j)];
     if (const base::Result<void> done = caught([&] { run_job(job, j, run); }); !done)
       report(run, kNotWritten,
@@ -352,6 +359,10 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
                        arg("failed", run.failed_sets.load())));
     for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());
   }
+  if (run.stop.stop_requested()) {
+    print_problem(message(stopped().value()));
+    platform::end_as_asked();
+  }
   return run.worst;
 }
 
@@ -361,7 +372,8 @@ void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh
     print_problem(fill(tr_n("watching {count} set; press Ctrl+C to stop", "watching {count} sets; press Ctrl+C to stop",
                             static_cast<long long>(jobs.size())),
                        arg("count", jobs.size())));
-  while (true) {
+  const std::stop_token stop = platform::stop_when_asked();
+  while (!stop.stop_requested()) {
     std::this_thread::sleep_for(kWatchStep);
     std::vector<Job> changed_jobs;
     for (Job& job : jobs) {
@@ -371,6 +383,7 @@ void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh
     }
     if (!changed_jobs.empty()) run_all(changed_jobs, options, mesh);
   }
+  platform::end_as_asked();
 }
 
 }  // namespace

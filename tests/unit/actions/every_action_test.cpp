@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "../straight_draft.h"
 #include "bare_editor.h"
 #include "design/crossings.h"
 #include "design/edits.h"
@@ -319,6 +320,21 @@ TEST(EveryAction, IsUndoneAndRedoneExactly) {
       if (testing::Test::HasFailure()) return;
     }
   EXPECT_EQ(edits, kEdits) << "rows that change the design, in a state or another";
+}
+
+TEST(EveryAction, ASkeletonTieupHasNoMoreTreadlesThanTheLoom) {
+  Design lifted = design::to_liftplan(straight_draft(8));  // its shafts, lifted one by one, take eight treadles
+  Draft& d = lifted.draft;
+  d.treadles = 2;
+  d.tieup.resize(d.treadles, d.shafts);
+  d.treadling.resize(d.picks(), d.treadles);
+  for (const int has : {6, 8}) {
+    lifted.loom.treadles = has;
+    BareEditor editor(lifted);
+    const std::vector<Action> all = whole_table(editor);
+    std::ranges::find(all, "skeleton", [](const Action& action) { return action.item.id; })->run();
+    EXPECT_EQ(editor.document().now().draft.treadles, has < 8 ? 2 : 8);
+  }
 }
 
 TEST(EveryAction, IsEnabledInSomeState) {

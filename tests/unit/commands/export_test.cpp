@@ -230,19 +230,35 @@ TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
   EXPECT_NE(ran.said.find("no draft in it (.wif, .dtx, .wpo)"), std::string::npos) << ran.said;
 }
 
-TEST_F(Export, what_an_interrupted_export_of_several_targets_left_is_not_in_the_way_of_one) {
-  const pid_t child = fork();
-  if (child == 0) {
-    execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts/a.wif").c_str(), "-o", path("sets").c_str(),
-          "--target", "gltf,u3m", "--size", "2048", "--quiet", nullptr);
-    _exit(127);
+class CutShort : public Export {
+ protected:
+  /// Ends an export of several large sets by a signal once files of one are there; its status as of waitpid().
+  int cut_short(int signal) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts/a.wif").c_str(), "-o", path("sets").c_str(),
+            "--target", "gltf,u3m", "--size", "2048", "--quiet", nullptr);
+      _exit(127);
+    }
+    const auto begun = [&] { return fs::exists(path("sets/a")) && !fs::is_empty(path("sets/a")); };
+    for (int i = 0; i < 6000 && !begun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(begun());
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_FALSE(has("a/gltf/texture_set.json")) << "it was cut short";
+    return status;
   }
-  const auto begun = [&] { return fs::exists(path("sets/a")) && !fs::is_empty(path("sets/a")); };
-  for (int i = 0; i < 6000 && !begun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  kill(child, SIGINT);
-  waitpid(child, nullptr, 0);
-  ASSERT_TRUE(begun());
-  ASSERT_FALSE(has("a/gltf/texture_set.json")) << "it was cut short";
+};
+
+TEST_F(CutShort, one_that_is_interrupted_leaves_nothing_and_ends_as_programs_do_then) {
+  const int status = cut_short(SIGINT);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+  for (const auto& entry : fs::recursive_directory_iterator(path("sets"))) EXPECT_EQ(entry.path(), path("sets/a"));
+}
+
+TEST_F(CutShort, what_one_that_was_killed_left_is_not_in_the_way_of_another) {
+  cut_short(SIGKILL);
   const Ran ran = run({"export", path("drafts/a.wif"), "-o", path("sets"), "--target", "gltf", "--size", "16"});
   EXPECT_EQ(ran.code, kDone) << ran.said;
   EXPECT_TRUE(has("a/texture_set.json"));

@@ -28,6 +28,7 @@
 #include "files/zip.h"
 #include "platform/clock.h"
 #include "platform/files_below.h"
+#include "platform/start.h"
 #include "platform/stop_request.h"
 #include "texture_set/export_progress.h"
 #include "texture_set/material_files.h"
@@ -414,6 +415,7 @@ int export_command(const ExportOptions& options, const MaterialOptions& material
                  tr("there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts"),
                  options.files[0]});
   }
+  platform::keep_freed_memory();
   const int code = run_all(jobs, options, *mesh);
   if (options.watch) watch(jobs, options, *mesh);
   return code;

@@ -30,4 +30,6 @@ std::vector<std::string> start(int argc, char** argv) {
   return arguments;
 }
 
+void keep_freed_memory() {}  // the system's allocator does so by itself
+
 }  // namespace weftlight::platform

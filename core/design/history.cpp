@@ -176,7 +176,7 @@ void History::commit(Design next, std::string label, uint64_t stroke) {
   }
   auto to = std::make_shared<const Design>(std::move(next));
   Step step = step_to(before, from, to);
-  step.label = joins ? steps_[position_].label : std::move(label);
+  step.label = std::move(label);
   step.stroke = stroke, step.id = next_id_;
   step.bytes += step.label.capacity();
   if (steps_.size() == steps_.capacity()) steps_.reserve(2 * steps_.size());  // nothing fails from here on

@@ -30,11 +30,25 @@ constexpr std::array kBeiderwand = {
     BlockTemplate{"", 2, "1 n(a b) 2 n(b a)", "1bB 1AB 2aA 2AB", "0", "0 p"},
 };
 
-std::vector<const char*> template_choices() {
+WeaveParameter template_parameter() {
   std::vector<const char*> ids;
   for (const BlockTemplate& t : block_templates()) ids.push_back(t.id);
   ids.push_back("own");
-  return ids;
+  WeaveParameter n = choice_parameter("template", mark("Template"), mark("The threads of a block"), std::move(ids));
+  n.names = {mark("summer and winter"),
+             mark("summer and winter in pairs"),
+             mark("twill"),
+             mark("damask"),
+             mark("satin"),
+             mark("Bronson lace"),
+             mark("turned twill"),
+             mark("double weave"),
+             mark("your own")};
+  return n;
+}
+WeaveParameter of_own_template(WeaveParameter n) {
+  n.used = [](const WeaveValues& values) { return is(values, "template", "own"); };
+  return n;
 }
 
 WeaveParameter length_parameter() {
@@ -104,17 +118,19 @@ std::vector<WeaveKind> block_kinds() {
        family,
        mark("A profile woven with a ready-made template or one of your own. For any block weave that you can write as "
             "one unit."),
-       {choice_parameter("template", mark("Template"), mark("The threads of a block"), template_choices()),
-        profile_parameter("A4 B2 A2 B4"), weft_profile_parameter(),
-        count_parameter("unit_size", mark("Size"), mark("Repeats of n(...) in a unit"), 1, 16, "2"), turned_parameter(),
-        count_parameter("ties", mark("Shared shafts"), mark("Your own template: shafts that all blocks share"), 0, 9,
-                        "2"),
-        text_parameter("warp", mark("Own warp unit"),
-                       mark("Ends of a block: 1, 2 ... are shared shafts, a, b ... its own; 3(1 a) and n(1 a) repeat"),
-                       "1 a 2 a"),
-        text_parameter("weft", mark("Own weft unit"),
-                       mark("Picks: small letters lift shafts of the marked block, capitals those of the others"),
-                       "1A 12 2A aA")},
+       {template_parameter(), profile_parameter("A4 B2 A2 B4"), weft_profile_parameter(),
+        count_parameter("unit_size", mark("Repeats in a unit"), mark("Of what stands in n(...)"), 1, 16, "2"),
+        turned_parameter(),
+        of_own_template(count_parameter("ties", mark("Shared shafts"),
+                                        mark("Your own template: shafts that all blocks share"), 0, 9, "2")),
+        of_own_template(text_parameter(
+            "warp", mark("Own warp unit"),
+            mark("Ends of a block: 1, 2 ... are shared shafts, a, b ... its own; 3(1 a) and n(1 a) repeat"),
+            "1 a 2 a")),
+        of_own_template(
+            text_parameter("weft", mark("Own weft unit"),
+                           mark("Picks: small letters lift shafts of the marked block, capitals those of the others"),
+                           "1A 12 2A aA"))},
        make_substitution,
        WeaveColors::kByThread},
   };

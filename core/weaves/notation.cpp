@@ -101,6 +101,69 @@ struct SequenceReader {
   }
 };
 
+/// Blocks and brackets, each with a count before or behind it. What is neither is passed over, and noted.
+struct ProfileReader {
+  std::string_view text;
+  size_t at = 0;
+  std::string note{};
+
+  bool is_at(std::string_view any) const { return at < text.size() && any.find(text[at]) != any.npos; }
+  /// "3", "3x" or "3*" before a part; 1 if there is none.
+  size_t count_before() {
+    const int times = number_at(text, at);
+    if (times < 0) return 1;
+    if (is_at("x*")) ++at;
+    skip_blanks(text, at);
+    return static_cast<size_t>(times);
+  }
+  /// "3", "3x" or "*3" behind a part; 1 if there is none, or if it is that of a bracket behind it: "A 3x(B C)".
+  size_t count_behind() {
+    const size_t begin = at;
+    skip_blanks(text, at);
+    const bool apart = at > begin, star = is_at("*");
+    if (star) ++at, skip_blanks(text, at);
+    const int times = number_at(text, at);
+    if (times >= 0 && is_at("x")) ++at;
+    const size_t end = at;
+    while (is_at(" ")) ++at;
+    const bool of_next = apart && !star && is_at("(");
+    at = times < 0 || of_next ? begin : end;
+    return times < 0 || of_next ? 1 : static_cast<size_t>(times);
+  }
+  void append(std::vector<int>& to, const std::vector<int>& part, size_t times) {
+    const size_t room = static_cast<size_t>(kMaxThreads) - to.size();
+    const size_t whole = std::min(room / part.size(), times);
+    for (size_t i = 0; i < whole; ++i) to.insert(to.end(), part.begin(), part.end());
+  }
+  /// A block or a bracket; empty if there is none.
+  std::vector<int> part(int depth) {
+    const char c = at < text.size() ? upper(text[at]) : '\0';
+    if (c >= 'A' && c <= 'Z') return ++at, std::vector<int>{c - 'A'};
+    if (c != '(' || depth >= kMaxDepth) return {};
+    ++at;
+    std::vector<int> inside = parts(depth + 1);
+    if (is_at(")")) ++at;
+    else if (note.empty()) note = tr("a bracket is not closed");
+    return inside;
+  }
+  // Until a closing bracket or the end.
+  std::vector<int> parts(int depth) {
+    std::vector<int> out;
+    for (skip_blanks(text, at); at < text.size() && !(depth > 0 && is_at(")")); skip_blanks(text, at)) {
+      const size_t begin = at;
+      const size_t before = count_before();
+      const std::vector<int> one = part(depth);
+      if (one.empty()) {
+        if (at == begin) ++at;
+        if (note.empty()) note = fill(tr("'{text}' is not read"), arg("text", text.substr(begin, at - begin)));
+        continue;
+      }
+      append(out, one, before * count_behind());
+    }
+    return out;
+  }
+};
+
 struct NamedColor {
   std::string_view code;
   Rgb rgb;
@@ -130,6 +193,12 @@ std::optional<Rgb> tartan_color(std::string_view code) {
   const std::optional<Rgb> plain = tartan_color(code.substr(1));
   if (!plain) return {};
   return code[0] == 'L' ? mixed(*plain, {1, 1, 1}, 0.35f) : mixed(*plain, {0, 0, 0}, 0.4f);
+}
+
+std::string tartan_letters() {
+  std::string letters;
+  for (const NamedColor& c : kTartanColors) letters.append(letters.empty() ? "" : " ").append(c.code);
+  return letters;
 }
 
 // "#rrggbb" at `at`.
@@ -171,16 +240,10 @@ OverUnder read_ratio(std::string_view text) {
   return order.size() % 2 == 1 ? OverUnder{} : order;
 }
 
-std::vector<int> read_profile(std::string_view text) {
-  std::vector<int> blocks;
-  for (size_t at = 0; at < text.size();) {
-    const char c = upper(text[at++]);
-    if (c < 'A' || c > 'Z') continue;
-    const int n = number_at(text, at);
-    const size_t room = static_cast<size_t>(kMaxThreads) - blocks.size();
-    blocks.insert(blocks.end(), std::min(room, static_cast<size_t>(n < 0 ? 1 : n)), c - 'A');
-  }
-  return blocks;
+Noted<std::vector<int>> read_profile(std::string_view text) {
+  ProfileReader reader{text};
+  std::vector<int> blocks = reader.parts(0);
+  return {std::move(blocks), std::move(reader.note)};
 }
 
 Noted<std::vector<int>> read_sequence(std::string_view text, int most) {
@@ -211,7 +274,10 @@ Noted<Sett> read_sett(std::string_view text) {
     }
     const int threads = number_at(text, at);
     if (!color || threads < 0) {
-      read.note = fill(tr("'{text}' is not a colour with a number of threads"), arg("text", text.substr(begin, 12)));
+      const std::string_view rest = text.substr(begin, 12);
+      read.note = fill(tr("'{text}' is not a colour with a number of threads; colours are {letters}, darker with D "
+                          "before it and lighter with L, or #rrggbb"),
+                       arg("text", rest.substr(0, rest.find_last_not_of(' ') + 1)), arg("letters", tartan_letters()));
       break;
     }
     out.stripes.push_back({palette_index(out.palette, *color), threads});

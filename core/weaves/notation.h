@@ -13,8 +13,9 @@ using draft::Rgb, draft::kMaxShafts;
 /// "2/2", "3/1/1/2", "3 1 1 2": threads over, under, over ... One number counts for both. Empty if it cannot be read:
 /// other signs, a 0, an odd number of numbers, or more than kMaxShafts threads.
 OverUnder read_ratio(std::string_view text);
-/// A profile: letters are blocks, each with its length or repeated: "A4 B2 CC".
-std::vector<int> read_profile(std::string_view text);
+/// A profile: letters are blocks, each with its length or repeated: "A4 B2 CC". Counts may stand before or behind, also
+/// of brackets, which may be nested: "3x(A B) C", "(C D)*3 A 4x".
+Noted<std::vector<int>> read_profile(std::string_view text);
 /// Threads with ranges and repeats: "1-4 3x(5 6) 8-5". Numbers count from 1 in the text, from 0 in the result. Brackets
 /// may be nested.
 Noted<std::vector<int>> read_sequence(std::string_view text, int most = kMaxShafts);

@@ -35,7 +35,8 @@ WeaveParameter face_parameter() {
 }
 
 WeaveParameter profile_parameter(const char* default_value) {
-  return text_parameter("profile", mark("Profile"), mark("Order of the blocks, each with its length: A4 B2 C1"),
+  return text_parameter("profile", mark("Profile"),
+                        mark("Order of the blocks, each with its length: A4 B2 C1; repeats in brackets: 3x(A B)"),
                         default_value);
 }
 

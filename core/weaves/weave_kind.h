@@ -25,6 +25,10 @@ struct WeaveParameter {
   std::vector<const char*> choices = {};
   /// The values from low to high that make a weave, given the parameters before it; null: all.
   std::vector<int> (*allowed)(const WeaveParameter& parameter, const WeaveValues& values) = nullptr;
+  /// Names of the choices, in their order; empty: the choices are their own.
+  std::vector<const char*> names = {};
+  /// Whether the weave of these values has this parameter at all; null: always.
+  bool (*used)(const WeaveValues& values) = nullptr;
 };
 
 /// Colours of a new draft of the weave.

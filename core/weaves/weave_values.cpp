@@ -36,7 +36,7 @@ Noted<OverUnder> ratio(const WeaveValues& values) {
 }
 
 Noted<std::vector<int>> profile(const WeaveValues& values, int blocks, const char* id, int least) {
-  Noted<std::vector<int>> read{read_profile(text(values, id)), {}};
+  Noted<std::vector<int>> read = read_profile(text(values, id));
   std::vector<int>& order = read.value;
   if (order.empty()) {
     read.note = fill(tr("'{text}' is not a profile such as A4 B2; A B is used instead"), arg("text", text(values, id)));

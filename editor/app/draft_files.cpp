@@ -60,7 +60,9 @@ Document Files::first_document() {
 void Files::open_beside(Document document, Origin origin) { session_.add(std::move(document), origin); }
 
 void Files::open_new(design::Design design) {
-  open_beside(Document(with_usual_plan(std::move(design), settings_)), Origin::kOwn);
+  Document document(with_usual_plan(std::move(design), settings_));
+  document.mark_unsaved();  // what was typed for it is work
+  open_beside(std::move(document), Origin::kOwn);
 }
 
 void Files::open() {

@@ -4,7 +4,9 @@
 #include <GLFW/glfw3.h>
 #include <imgui_freetype.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace weftlight::ui {
 
@@ -69,6 +71,11 @@ void feed_modifiers(bool ctrl, bool shift, bool alt, bool super) {
 void feed_whole_frames() { ImGui::GetIO().ConfigInputTrickleEventQueue = false; }
 bool key_pressed(ImGuiKey key, bool repeat) { return ImGui::IsKeyPressed(key, repeat); }
 bool letter_down(char letter) { return ImGui::IsKeyDown(static_cast<ImGuiKey>(ImGuiKey_A + (letter - 'A'))); }
+bool any_key_down() {
+  for (int key = ImGuiKey_Tab; key <= ImGuiKey_KeypadEqual; ++key)
+    if (ImGui::IsKeyDown(static_cast<ImGuiKey>(key))) return true;
+  return false;
+}
 
 #else
 
@@ -96,6 +103,7 @@ void feed_whole_frames() {}
 bool key_pressed(ImGuiKey key, bool repeat) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat); }
 // 1.86 uses the window system's key codes; GLFW's code of a letter is its capital.
 bool letter_down(char letter) { return ImGui::IsKeyDown(letter); }
+bool any_key_down() { return std::ranges::find(ImGui::GetIO().KeysDown, true) != std::end(ImGui::GetIO().KeysDown); }
 
 #endif
 

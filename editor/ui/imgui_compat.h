@@ -38,6 +38,8 @@ void feed_whole_frames();
 bool key_pressed(ImGuiKey key, bool repeat = true);
 /// True while the letter, 'A' to 'Z', is held.
 bool letter_down(char letter);
+/// True while any key of the keyboard is held.
+bool any_key_down();
 
 // The keyboard in dialogs and menus (keyboard.h).
 

@@ -90,7 +90,8 @@ DialogResult draw_prompt(PanelContext& c, WeavePrompt& p) {
   p.own_size = p.own_size || ends != p.ends || picks != p.picks;
   draw_needs(c, p);
   ImGui::EndChild();
-  return dialog_result(draw_buttons(c, {mark("Create"), mark("Cancel")}, true, refused.empty()));
+  return dialog_result(
+      draw_buttons(c, {mark("Create"), mark("Cancel")}, true, refused.empty() && !found_weaves(p.typed).empty()));
 }
 
 }  // namespace weftlight::views

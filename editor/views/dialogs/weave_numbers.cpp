@@ -25,12 +25,19 @@ using weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::
 
 namespace {
 
+/// What the user reads for a value of a choice.
+const char* name_of(const WeaveParameter& n, const std::string& value) {
+  const auto at = std::ranges::find(n.choices, value);
+  const auto place = static_cast<size_t>(at - n.choices.begin());
+  return tr(place < n.names.size() ? n.names[place] : value.c_str());
+}
+
 /// True if `value` changed.
-bool pick_from(PanelContext& c, const std::string& id, const std::vector<std::string>& choices, std::string& value) {
-  const std::string before = value;
-  if (!begin_combo(c, id.c_str(), tr(value.c_str()))) return false;
+bool pick_from(PanelContext& c, const WeaveParameter& n, const std::vector<std::string>& choices, std::string& value) {
+  const std::string id = std::string("weave.").append(n.id), before = value;
+  if (!begin_combo(c, id.c_str(), name_of(n, value))) return false;
   for (const std::string& choice : choices) {
-    if (ImGui::Selectable(tr(choice.c_str()), value == choice)) value = choice;
+    if (ImGui::Selectable(name_of(n, choice), value == choice)) value = choice;
     c.map.add_item(id + ":" + choice);
   }
   end_combo();
@@ -67,7 +74,7 @@ bool draw_value(PanelContext& c, const WeaveParameter& n, const WeaveValues& all
   row_label(c, tr(n.label), tr(n.tip));
   ImGui::SetNextItemWidth(c.style.px(n.allowed ? 140 : 190));
   if (n.kind == ParameterKind::kText) return draw_text(c, n, value);
-  return pick_from(c, std::string("weave.").append(n.id), choices_of(n, all), value);
+  return pick_from(c, n, choices_of(n, all), value);
 }
 
 bool any_letter_down() {
@@ -101,8 +108,8 @@ std::string lowered(std::string text) {
 /// How well a weave matches typed words: the name is these words, begins with them, has them all; with its family, with
 /// its description; or not at all.
 enum class Match { kName, kBeginning, kInName, kInFamily, kInDescription, kNone };
-Match match(const WeaveKind& kind, const std::vector<std::string>& words) {
-  std::string text = lowered(tr(kind.name)), typed;
+Match match(std::string text, const char* family, const char* description, const std::vector<std::string>& words) {
+  std::string typed;
   for (const std::string& word : words) typed += (typed.empty() ? "" : " ") + word;
   if (text == typed) return Match::kName;
   if (text.starts_with(typed)) return Match::kBeginning;
@@ -110,10 +117,15 @@ Match match(const WeaveKind& kind, const std::vector<std::string>& words) {
     return std::ranges::all_of(words, [&](const std::string& word) { return text.find(word) != std::string::npos; });
   };
   if (has_all()) return Match::kInName;
-  text += " " + lowered(tr(kind.family));
+  text += " " + lowered(family);
   if (has_all()) return Match::kInFamily;
-  text += " " + lowered(tr(kind.description));
+  text += " " + lowered(description);
   return has_all() ? Match::kInDescription : Match::kNone;
+}
+/// In the user's language or, as books name the weaves, in English.
+Match match(const WeaveKind& kind, const std::vector<std::string>& words) {
+  return std::min(match(lowered(tr(kind.name)), tr(kind.family), tr(kind.description), words),
+                  match(lowered(kind.name), kind.family, kind.description, words));
 }
 
 /// The found weaves below the names of their families.
@@ -193,7 +205,7 @@ bool draw_weave_numbers(PanelContext& c, const WeaveKind& kind, WeaveValues& val
   bool changed = false;
   for (const WeaveParameter& n : kind.parameters)
     for (auto& [key, value] : values)
-      if (key == n.id) changed |= draw_value(c, n, values, value);
+      if (key == n.id && (!n.used || n.used(values))) changed |= draw_value(c, n, values, value);
   if (changed) values = allowed_values(kind, values);
   return changed;
 }

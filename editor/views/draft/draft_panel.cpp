@@ -260,7 +260,7 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   const ImVec2 min = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const DraftLayout l = pictures.held.of(
       lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y}), c.view,
-      ImGui::IsAnyMouseDown());
+      hand_of_frame());
   if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
   pictures.minimap.apply_input(c, l);
   bool pressed = false;

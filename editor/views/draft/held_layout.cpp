@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/imgui_compat.h"
+
 namespace weftlight::views {
 
 using ui::Axis, ui::clamp_scroll;
@@ -53,9 +55,15 @@ ImVec2 hand_at(const Style& style) {
   return io.MousePos;
 }
 
-DraftLayout HeldLayout::of(const DraftLayout& now, const DraftView& view, bool down) {
+Hand hand_of_frame() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool moves = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || io.MouseWheelH != 0;
+  return {ImGui::IsAnyMouseDown(), moves || ui::any_key_down()};
+}
+
+DraftLayout HeldLayout::of(const DraftLayout& now, const DraftView& view, Hand hand) {
   const bool scrolls = std::exchange(scrolls_, false);
-  if (!down || view_ != &view) held_.reset();
+  if ((!hand.down && hand.moves) || view_ != &view) held_.reset();
   if (!held_) return now;
   DraftLayout l = *held_;
   for (GridPane DraftLayout::*const pane : kPanes) {

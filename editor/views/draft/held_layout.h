@@ -1,6 +1,7 @@
 #pragma once
 // Freezes the layout of the grids while a mouse button is down, whatever an edit, the zoom or the window size changes
-// meanwhile. So a click is one cell, and a stroke follows the pointer.
+// meanwhile, and until the pointer moves on. So a click is one cell, a second click undoes the first, and a stroke
+// follows the pointer.
 
 #include <optional>
 
@@ -14,11 +15,18 @@ using ui::Style;
 /// The pointer; while a button is down and the pointer stays within a few pixels, the point where it went down.
 ImVec2 hand_at(const Style& style);
 
+/// What the hand does in this frame.
+struct Hand {
+  bool down = false;  // with a mouse button
+  bool moves = true;  // the pointer or the wheel, or it presses a key
+};
+Hand hand_of_frame();
+
 class HeldLayout {
  public:
-  /// The layout of this frame: `now`, or the held layout while one is held. `down`: a mouse button is down.
-  DraftLayout of(const DraftLayout& now, const DraftView& view, bool down);
-  /// A button went down over a grid: holds the layout until all buttons are released.
+  /// The layout of this frame: `now`, or the held layout while one is held.
+  DraftLayout of(const DraftLayout& now, const DraftView& view, Hand hand);
+  /// A button went down over a grid: holds the layout until all buttons are released and the hand moves.
   void hold(const DraftLayout& layout, const DraftView& view);
   /// The user scrolls during the press: the next frame uses the view's scroll.
   void let_scroll() { scrolls_ = true; }

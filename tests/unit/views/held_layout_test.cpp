@@ -41,9 +41,9 @@ class HeldLayoutTest : public testing::Test {
     settings_.tiled = toss();
     max_ = {static_cast<float>(260 + roll(500)), static_cast<float>(260 + roll(500))};
   }
-  DraftLayout frame(bool down) {
-    const DraftLayout l =
-        held_.of(lay_out_draft(design_.draft, view_.draft, settings_, Style{}, {0, 0}, max_), view_.draft, down);
+  DraftLayout frame(bool down, bool moves = true) {
+    const DraftLayout l = held_.of(lay_out_draft(design_.draft, view_.draft, settings_, Style{}, {0, 0}, max_),
+                                   view_.draft, {down, moves});
     settle(view_.draft, l);
     if (down) held_.hold(l, view_.draft);
     return l;
@@ -137,6 +137,19 @@ TEST_F(HeldLayoutTest, AStrokeIsTheCellsThatTheHandCameToInTheLayoutOfThePress) 
   }
 }
 
+TEST_F(HeldLayoutTest, ASecondClickWithoutAMoveIsOnTheSameCell) {
+  begin();
+  design_ = with_leading(std::move(design_), Leading::kDrawdown);
+  const DraftLayout pressed = frame(true);
+  const Cell at{pressed.drawdown.x.first_visible() + 1, pressed.drawdown.y.first_visible() + 1};
+  const Design before = design_;
+  apply(begin_stroke(view_, design_, GridId::kDrawdown, at, !drawdown(before.draft).get(at.b, at.a), true));
+  ASSERT_NE(places_of(lay_out_draft(design_.draft, view_.draft, settings_, Style{}, {0, 0}, max_)), places_of(pressed));
+  EXPECT_EQ(places_of(frame(false, false)), places_of(pressed));
+  EXPECT_EQ(places_of(frame(true)), places_of(pressed)) << "the second click";
+  EXPECT_NE(places_of(frame(false)), places_of(pressed)) << "the hand moves on";
+}
+
 TEST_F(HeldLayoutTest, TheHandItselfMayScroll) {
   for (int round = 0; round < 100; ++round) {
     begin();
@@ -164,7 +177,7 @@ TEST_F(HeldLayoutTest, AnotherDocumentIsLaidOutAnew) {
   frame(true);
   DraftView other;
   const DraftLayout l = lay_out_draft(straight_twill(6, 5).draft, other, settings_, Style{}, {0, 0}, max_);
-  EXPECT_EQ(places_of(held_.of(l, other, true)), places_of(l));
+  EXPECT_EQ(places_of(held_.of(l, other, {true, true})), places_of(l));
 }
 
 }  // namespace

@@ -262,7 +262,7 @@ int shafts_of(const OverUnder& order) { return std::accumulate(order.begin(), or
 
 /// Letters of a profile in a row, round its repeat, that are (`inside`) or are not one letter: the most there are.
 int letters(const WeaveValues& v, bool inside) {
-  std::vector<int> blocks = read_profile(text(v, "profile"));
+  std::vector<int> blocks = read_profile(text(v, "profile")).value;
   if (std::ranges::all_of(blocks, [](int b) { return b == 0; })) blocks.push_back(1);  // as the weaves add it
   const int n = static_cast<int>(blocks.size());
   int most = 0;
@@ -330,8 +330,8 @@ const std::map<std::string, Promise>& promises() {
       {"double_blocks",
        {[](V) { return 3; },
         [](V v) {
-          return std::ranges::count(read_profile(text(v, "profile")), 0) ==
-                         static_cast<int>(read_profile(text(v, "profile")).size())
+          return std::ranges::count(read_profile(text(v, "profile")).value, 0) ==
+                         static_cast<int>(read_profile(text(v, "profile")).value.size())
                      ? 2
                      : 1;
         }}},

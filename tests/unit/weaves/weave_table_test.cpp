@@ -152,7 +152,16 @@ TEST(Text, RatiosProfilesAndSequences) {
   EXPECT_EQ(read_ratio("3 1-1,3"), (OverUnder{3, 1, 1, 3}));
   EXPECT_EQ(read_ratio("4"), (OverUnder{4, 4}));
   for (const char* refused : {"x", "3/x", "3/1/1", "2/0", "0", "4000/4000"}) EXPECT_TRUE(read_ratio(refused).empty());
-  EXPECT_EQ(read_profile("A2 b CA"), (std::vector<int>{0, 0, 1, 2, 0}));
+  EXPECT_EQ(read_profile("A2 b CA").value, (std::vector<int>{0, 0, 1, 2, 0}));
+  EXPECT_EQ(read_profile("3x(A B) C").value, (std::vector<int>{0, 1, 0, 1, 0, 1, 2}));
+  EXPECT_EQ(read_profile("A 2x, (B C) 3x").value, (std::vector<int>{0, 0, 1, 2, 1, 2, 1, 2}));
+  EXPECT_EQ(read_profile("A 2(B A2 (C)*2)*2 X").value,
+            (std::vector<int>{0, 1, 0, 0, 2, 2, 1, 0, 0, 2, 2, 1, 0, 0, 2, 2, 1, 0, 0, 2, 2, 23}));
+  EXPECT_EQ(read_profile("A2(B)").value, (std::vector<int>{0, 0, 1}));
+  EXPECT_EQ(read_profile("A B-C").note, "'-' is not read");
+  EXPECT_EQ(read_profile("A 3 (B").note, "a bracket is not closed");
+  EXPECT_EQ(read_profile("A2 B 3x(A B) C").note, "");
+  EXPECT_EQ(read_profile("9999999(A 99999999)").value.size(), size_t{draft::kMaxThreads});
   EXPECT_EQ(read_sequence("1-3 2x(5 4) 3-1").value, (std::vector<int>{0, 1, 2, 4, 3, 4, 3, 2, 1, 0}));
   EXPECT_EQ(read_sequence("2(1 2(3))").value, (std::vector<int>{0, 2, 2, 0, 2, 2}));
   EXPECT_EQ(read_sequence("1 9", 8).note, "a number outside 1 to 8 at character 4");

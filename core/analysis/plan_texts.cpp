@@ -47,6 +47,9 @@ std::string bouts_text(const WarpingPlan& plan) {
   if (plan.bouts <= 1)
     return fill(tr_n("one bout of {count} end", "one bout of {count} ends", plan.ends_in_last),
                 arg("count", plan.ends_in_last));
+  if (plan.bouts == 2 && plan.ends_in_last != plan.ends_in_bout)
+    return fill(tr("2 bouts, of {first} and {last} ends"), arg("first", plan.ends_in_bout),
+                arg("last", plan.ends_in_last));
   const char* same = tr_n("{bouts} bouts of {ends} end", "{bouts} bouts of {ends} ends", plan.ends_in_bout);
   const char* shorter = tr("{bouts} bouts of {ends} ends, the last of {last}");
   return fill(plan.ends_in_last == plan.ends_in_bout ? same : shorter, arg("bouts", plan.bouts),

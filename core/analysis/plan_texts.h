@@ -16,7 +16,7 @@ std::string sleying_words(const std::vector<int>& sleying);
 std::string ends_text(const ClothMeasures& m);
 /// "20 repeats of the draft and 15 ends"; empty if the cloth is the draft.
 std::string repeats_text(const WarpingPlan& plan);
-/// "6 bouts of 100 ends, the last of 50".
+/// "6 bouts of 100 ends, the last of 50", "2 bouts, of 145 and 131 ends".
 std::string bouts_text(const WarpingPlan& plan);
 /// "55 groups of 10 ends", "57 groups of 10-9-10 ends in turn".
 std::string raddle_text(const WarpingPlan& plan);

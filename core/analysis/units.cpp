@@ -84,8 +84,8 @@ std::string weight_text(double g, Units units) {
 }
 
 std::string area_weight_text(double g_per_m2, Units units) {
-  return units == Units::kMetric ? shown(tr("{value:.0f} g/m2"), g_per_m2)
-                                 : shown(tr("{value:.1f} oz/yd2"), g_per_m2 * kYard_m * kYard_m / kOunce_g);
+  return units == Units::kMetric ? shown(tr("{value:.0f} g/m\xC2\xB2"), g_per_m2)
+                                 : shown(tr("{value:.1f} oz/yd\xC2\xB2"), g_per_m2 * kYard_m * kYard_m / kOunce_g);
 }
 
 std::string sett_text(double per_cm, System system, Units units) {

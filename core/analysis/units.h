@@ -30,7 +30,7 @@ std::string warp_length_text(double mm, Units units);
 std::string yarn_length_text(double m, Units units);
 /// "24 g", "1.20 kg"; "0.85 oz", "2.65 lb"; "under 1 g".
 std::string weight_text(double g, Units units);
-/// "214 g/m2", "6.3 oz/yd2".
+/// "214 g/m²", "6.3 oz/yd²".
 std::string area_weight_text(double g_per_m2, Units units);
 /// "10.0 ends per cm", "25.4 picks per inch".
 std::string sett_text(double per_cm, System system, Units units);

@@ -21,16 +21,9 @@ bool same(const Threads& t, int a, int b) {
   return t.color[i] == t.color[k] && t.yarn[i] == t.yarn[k];
 }
 
-/// Smallest period of the colours and yarns that divides their number (Knuth, Morris, Pratt 1977).
-int period_of(const Threads& t) {
-  const int n = t.size();
-  std::vector<int> border(static_cast<size_t>(n) + 1, 0);
-  for (int i = 1, k = 0; i < n; ++i) {
-    while (k > 0 && !same(t, i, k)) k = border[static_cast<size_t>(k)];
-    if (same(t, i, k)) ++k;
-    border[static_cast<size_t>(i) + 1] = k;
-  }
-  const int period = n - border[static_cast<size_t>(n)];
+/// Smallest period of the colours and yarns that divides their number.
+int whole_period_of(const Threads& t) {
+  const int n = t.size(), period = period_of(n, [&t](int a, int b) { return same(t, a, b); });
   return n % period == 0 ? period : n;
 }
 
@@ -69,11 +62,22 @@ int64_t ends_in(const std::vector<int>& raddle, int64_t groups) {
 
 }  // namespace
 
+// Knuth, Morris, Pratt 1977.
+int period_of(int n, const std::function<bool(int, int)>& same) {
+  std::vector<int> border(static_cast<size_t>(n) + 1, 0);
+  for (int i = 1, k = 0; i < n; ++i) {
+    while (k > 0 && !same(i, k)) k = border[static_cast<size_t>(k)];
+    if (same(i, k)) ++k;
+    border[static_cast<size_t>(i) + 1] = k;
+  }
+  return n - border[static_cast<size_t>(n)];
+}
+
 ThreadOrder thread_order(const Design& design, System system, int64_t threads) {
   const Threads& t = design.draft.threads(system);
   ThreadOrder order;
   if (t.size() == 0 || threads <= 0) return order;
-  const int period = period_of(t);
+  const int period = whole_period_of(t);
   order.repeat = runs_of(t, period);
   order.times = threads / period;
   order.rest = runs_of(t, static_cast<int>(threads % period));

@@ -3,6 +3,7 @@
 // the edges need floating selvedges.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "analysis/measures.h"
@@ -10,6 +11,9 @@
 namespace weftlight::analysis {
 
 using draft::BitMatrix, draft::Draft;
+
+/// The fewest of n things after which they repeat, to the last of them; `same(a, b)`: a and b are alike.
+int period_of(int n, const std::function<bool(int, int)>& same);
 
 /// Neighbouring threads of one colour and yarn.
 struct ThreadRun {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "analysis/plan_texts.h"
 #include "base/text.h"
 #include "draft/drawdown.h"
+#include "draft/hex_color.h"
 #include "print/lines.h"
 
 namespace weftlight::print {
@@ -19,7 +22,7 @@ using analysis::Heddles, analysis::ThreadOrder, analysis::ThreadRun, analysis::W
     analysis::width_text, analysis::yarn_length_text, analysis::yarn_report;
 using base::arg, base::fill, base::tr, base::tr_in, base::tr_n;
 using design::ClothPlan, design::Reed, design::sleying_text;
-using draft::System, draft::drawdown;
+using draft::System, draft::Threads, draft::drawdown, draft::hex_of;
 
 namespace {
 
@@ -30,16 +33,24 @@ void add(std::vector<ListLine>& out, std::string head, std::string text, int col
 }
 
 /// Sentences are longer than a column: a line for every `width` characters, broken at blanks.
-void add_wrapped(std::vector<ListLine>& out, std::string head, std::string_view text) {
-  constexpr size_t kWidth = 40;
+void add_wrapped(std::vector<ListLine>& out, std::string head, std::string_view text, int color = -1) {
+  constexpr size_t kWidth = 40, kChipWidth = 4;
   while (text.size() > kWidth) {
-    size_t at = text.rfind(' ', kWidth);
+    size_t at = text.rfind(' ', color < 0 ? kWidth : kWidth - kChipWidth);
     if (at == std::string_view::npos) at = text.find(' ');
     if (at == std::string_view::npos) break;
-    add(out, std::exchange(head, {}), std::string(text.substr(0, at)));
+    add(out, std::exchange(head, {}), std::string(text.substr(0, at)), std::exchange(color, -1));
     text.remove_prefix(at + 1);
   }
-  add(out, std::move(head), std::string(text));
+  add(out, std::move(head), std::string(text), color);
+}
+
+/// The yarns of each colour of the threads.
+std::map<int, std::set<int>> yarns_by_color(const Draft& draft) {
+  std::map<int, std::set<int>> yarns;
+  for (const Threads* threads : {&draft.warp, &draft.weft})
+    for (size_t i = 0; i < threads->color.size(); ++i) yarns[threads->color[i]].insert(threads->yarn[i]);
+  return yarns;
 }
 
 void list_sizes(std::vector<ListLine>& out, const PlannedCloth& c) {
@@ -69,19 +80,40 @@ void list_setts(std::vector<ListLine>& out, const PlannedCloth& c) {
   add(out, "", fill(tr_n("{count} dent", "{count} dents", m.dents), arg("count", m.dents)));
 }
 
-void add_runs(std::vector<ListLine>& out, const std::vector<ThreadRun>& runs) {
+void add_runs(std::vector<ListLine>& out, const std::vector<ThreadRun>& runs, double room_mm) {
   ListLine line;
+  double taken = 0;
   for (size_t i = 0; i < runs.size(); ++i) {
     if (i == kMaxRuns) return out.push_back({"", {{tr("and so on"), -1}}});
-    line.words.push_back({std::to_string(runs[i].threads), runs[i].color});
-    if (line.words.size() == kRunsInLine || i + 1 == runs.size()) out.push_back(std::exchange(line, {}));
+    Word word{std::to_string(runs[i].threads), runs[i].color};
+    const double room = room_for(word);
+    if (line.words.size() == kRunsInLine || (taken > 0 && taken + room > room_mm))
+      out.push_back(std::exchange(line, {})), taken = 0;
+    line.words.push_back(std::move(word));
+    taken += room;
   }
+  if (!line.words.empty()) out.push_back(std::move(line));
 }
 
 std::string number_text(double value) { return fill("{value:.1f}", arg("value", value)); }
 std::string cost_text(double value) { return fill("{value:.2f}", arg("value", value)); }
 
 }  // namespace
+
+ListLine line_of_times(int64_t times) {
+  return {"", {{fill(tr_n("repeat all {count} time", "repeat all {count} times", times), arg("count", times)), -1}}};
+}
+
+void list_palette(std::vector<ListLine>& out, const PlannedCloth& c) {
+  out.push_back({tr("Colours"), {}});
+  for (const auto& [color, yarns] : yarns_by_color(c.design.draft)) {
+    std::string names;
+    for (const int yarn : yarns)
+      names.append(names.empty() ? "" : ", ").append(c.design.yarns[static_cast<size_t>(yarn)].name);
+    if (names.empty()) names = "\xE2\x80\x93";
+    add_wrapped(out, hex_of(c.design.draft.palette[static_cast<size_t>(color)]), names, color);
+  }
+}
 
 void list_plan(std::vector<ListLine>& out, const PlannedCloth& c) {
   out.push_back({tr("Plan of the cloth"), {}});
@@ -100,27 +132,25 @@ void list_plan(std::vector<ListLine>& out, const PlannedCloth& c) {
 void list_warp_order(std::vector<ListLine>& out, const PlannedCloth& c) {
   const ThreadOrder order = thread_order(c.design, System::kWarp, c.measures.ends);
   out.push_back({tr("Warp colour order"), {}});
-  add_runs(out, order.repeat);
-  if (order.times > 1)
-    add(out, "",
-        fill(tr_n("repeat all {count} time", "repeat all {count} times", order.times), arg("count", order.times)));
+  add_runs(out, order.repeat, c.room_mm);
+  if (order.times > 1) out.push_back(line_of_times(order.times));
   if (order.rest.empty()) return;
   add(out, "", tr("then"));
-  add_runs(out, order.rest);
+  add_runs(out, order.rest, c.room_mm);
 }
 
 void list_sleyings(std::vector<ListLine>& out, const PlannedCloth& c) {
-  constexpr size_t kReeds = 6;
   constexpr double kFrom = 0.85, kTo = 1.18, kPitch_mm = 11;
   const double wanted = c.measures.wanted_ends_per_cm;
   const bool inch = c.units == Units::kImperial;
-  const auto near = nearest_reeds(wanted, inch, kReeds);
+  const auto most = static_cast<size_t>(std::clamp(c.room_mm / kPitch_mm, 1.0, 6.0));
+  const auto near = nearest_reeds(wanted, inch, most);
   if (near.empty()) return;
   std::vector<Reed> reeds;
   for (const auto& one : near) reeds.push_back(one.reed);
   std::ranges::sort(reeds, {}, &Reed::dents);
   out.push_back({inch ? tr("Sleying: ends per inch") : tr("Sleying: ends per cm"), {}});
-  ListLine head{tr("Reed"), {}, kPitch_mm};
+  ListLine head{tr("Reed"), {}, kPitch_mm, true};
   for (const Reed& reed : reeds)
     head.words.push_back({inch ? fill("{dents:.4g}", arg("dents", reed.dents)) : reed_text(reed), -1});
   out.push_back(std::move(head));
@@ -161,7 +191,8 @@ void list_yarn(std::vector<ListLine>& out, const PlannedCloth& c) {
                     {name(need.yarn), -1}}});
   out.push_back({tr("Yarn to buy"), {}});
   for (const YarnToBuy& one : r.buy) {
-    ListLine line{"", {{bought_text(one, c.units), one.color}, {name(one.yarn), -1}}};
+    const std::string hex = hex_of(c.design.draft.palette[static_cast<size_t>(one.color)]);
+    ListLine line{hex, {{bought_text(one, c.units), one.color}, {name(one.yarn), -1}}};
     if (one.cost >= 0) line.words.push_back({cost_text(one.cost), -1});
     out.push_back(std::move(line));
   }

@@ -24,7 +24,8 @@ TEST(Units, MeasuresInBoth) {
   EXPECT_EQ(yarn_length_text(0.4, Units::kImperial), "under 1 yd");
   EXPECT_EQ(sett_text(10, System::kWarp, Units::kMetric), "10.0 ends per cm");
   EXPECT_EQ(sett_text(10, System::kWeft, Units::kImperial), "25.4 picks per inch");
-  EXPECT_EQ(area_weight_text(33.9057, Units::kImperial), "1.0 oz/yd2");
+  EXPECT_EQ(area_weight_text(33.9057, Units::kImperial), "1.0 oz/yd\xC2\xB2");
+  EXPECT_EQ(area_weight_text(214, Units::kMetric), "214 g/m\xC2\xB2");
   EXPECT_EQ(reed_text({40, false}), "40/10");
   EXPECT_EQ(reed_text({12, true}), "12 dents per inch");
 }

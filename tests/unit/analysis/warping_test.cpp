@@ -61,6 +61,11 @@ TEST(Warping, BoutsAndRaddleGroupsHoldAllEnds) {
   EXPECT_EQ(w.more_ends, 22);
   EXPECT_EQ(bouts_text(w), "6 bouts of 96 ends, the last of 70");
   EXPECT_EQ(repeats_text(w), "22 repeats of the draft and 22 ends");
+  WarpingPlan two = w;
+  two.bouts = 2, two.ends_in_bout = 145, two.ends_in_last = 131;
+  EXPECT_EQ(bouts_text(two), "2 bouts, of 145 and 131 ends");
+  two.ends_in_last = 145;
+  EXPECT_EQ(bouts_text(two), "2 bouts of 145 ends");
   d.plan.floating_selvedges = true;
   EXPECT_EQ(warping_plan(d, cloth_measures(d)).ends, 552);
 }

@@ -4,14 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 
 #include "../files/sheet.h"
 #include "../scratch.h"
+#include "base/whole_files.h"
 #include "design/srgb.h"
+#include "paths.h"
 #include "sample_set.h"
+#include "wif/wif.h"
 
 namespace weftlight::texture_set {
 
@@ -53,11 +57,13 @@ class Recolour : public testing::Test {
   Scratch scratch_{"recolour"};
 };
 
-/// Mean difference of the base colour and white x sum of share x colour, in linear light; shares of either face.
+/// Mean difference of the base colour and white_scale x white x sum of share x colour, in linear light; shares of
+/// either face.
 double difference(const json& list, const std::function<Image(const std::string&)>& image, const std::string& name,
                   const std::string& face) {
   const Image base = image(name + "_BC.png"), white = image(name + "_white.png");
   const json& colors = list["recolour"]["colors"];
+  const float scale = list["recolour"]["white_scale"][name.ends_with("_back") ? "back" : "front"].get<float>();
   std::vector<Image> shares;
   for (const json& color : colors) shares.push_back(image(color["share"][face]));
   double off = 0;
@@ -67,7 +73,7 @@ double difference(const json& list, const std::function<Image(const std::string&
       const size_t channel = std::string("RGB").find(colors[k]["share"]["channel"].get<std::string>());
       sum += shares[k].texels[i / 3 * 3 + channel] * colors[k]["linear"][i % 3].get<float>();
     }
-    off += std::abs(static_cast<double>(srgb_decoded(white.texels[i]) * sum - srgb_decoded(base.texels[i])));
+    off += std::abs(static_cast<double>(scale * srgb_decoded(white.texels[i]) * sum - srgb_decoded(base.texels[i])));
   }
   return off / static_cast<double>(base.texels.size());
 }
@@ -80,6 +86,33 @@ TEST_F(Recolour, WhiteTimesTheColoursOfTheSharesIsTheBaseColour) {
   EXPECT_LT(difference(list, read, "T_sample", "front"), 0.008);
   EXPECT_LT(difference(list, read, "T_sample_back", "back"), 0.008);
   EXPECT_GT(difference(list, read, "T_sample", "back"), 0.03) << "shares of the other face";
+}
+
+TEST_F(Recolour, WhiteThatFitsIsNotScaled) {
+  const json scale = list_of(folder())["recolour"]["white_scale"];
+  Image white = image("T_sample_white.png");
+  const float most = std::ranges::max(white.texels);
+  if (scale["front"] == 1.0) EXPECT_LE(most, 1.0f);
+  else EXPECT_GT(most, 0.99f) << "as much of the 8 bits as there is";
+}
+
+/// Silk of dark colours, whose highlights make the fit brighten its base colour beyond that of white yarn.
+TEST(RecolourOptions, WhiteOfDarkShinyClothIsScaledToFit) {
+  const wif::WifRead read =
+      wif::read_wif(base::read_file(WEFTLIGHT_SOURCE_DIR "/presets/cloths/shot_taffeta.wif").value_or(""));
+  ASSERT_TRUE(read.file);
+  const Scratch scratch("taffeta");
+  TextureSetOptions options = options_for(targets::kUnreal, 128);
+  options.masks = true;
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", read.file->design, sheet(), options)), "");
+  const json list = list_of(scratch / "set");
+  EXPECT_GT(list["recolour"]["white_scale"]["front"], 1.5);
+  EXPECT_GT(list["recolour"]["white_scale"]["back"], 1.5);
+  const auto image = [&](const std::string& file) { return *read_image(scratch / ("set/" + file)); };
+  EXPECT_LT(difference(list, image, "T_sample", "front"), 0.02);
+  EXPECT_LT(difference(list, image, "T_sample_back", "back"), 0.02);
+  const Image white = image("T_sample_white.png");
+  EXPECT_LT(std::ranges::count(white.texels, 1.0f), static_cast<std::ptrdiff_t>(white.texels.size() / 50)) << "cut off";
 }
 
 TEST_F(Recolour, TheListNamesTheColoursThatThreadsHave) {

@@ -51,10 +51,6 @@ int index_of(const std::vector<ClothColor>& colors, const Linear& linear) {
 
 std::string hex(const Rgb& c) { return fmt::format("#{:06x}", draft::packed_rgb(c)); }
 
-std::string file_of(const SetImages& set, const RecolourImage& image, Face face) {
-  return set.target.images[0].prefix + set.name + face_suffix(set.target, face) + image.suffix + ".png";
-}
-
 size_t share_images(size_t colors) {
   return colors > kMaxSharedColors ? 0 : (colors + kSharesPerImage - 1) / kSharesPerImage;
 }
@@ -99,14 +95,18 @@ std::vector<RecolourImage> recolour_images(size_t colors) {
   std::vector<RecolourImage> out{
       {"_white", true, {"base colour of white yarn, red", "the same, green", "the same, blue"}},
       {"_threads", false, {"share of the warp", "share of the weft", "coverage"}},
-      {"_index", false, {"index of the colour", "mark of the index", "mark of the index"}}};
+      {"_index", false, {"index of the colour", "mark of the index", "mark of the index"}, true}};
   for (size_t k = 0; k < share_images(colors); ++k) {
-    RecolourImage image{"_shares" + std::to_string(k + 1), false, {}};
+    RecolourImage image{"_shares" + std::to_string(k + 1), false, {}, false};
     for (size_t i = k * kSharesPerImage; i < (k + 1) * kSharesPerImage; ++i)
       image.channels.push_back(i < colors ? "share of the colour with index " + std::to_string(i) : "none");
     out.push_back(std::move(image));
   }
   return out;
+}
+
+std::string recolour_file(const ExportTarget& target, const RecolourImage& image, const std::string& name, Face face) {
+  return target.images[0].prefix + name + face_suffix(target, face) + image.suffix + ".png";
 }
 
 RecolourSource::RecolourSource(const FaceSource& source, const std::vector<ClothColor>& colors)
@@ -276,8 +276,8 @@ base::Result<void> write_recolour_images(SetImages& set, const FaceSource& sourc
   set.white_scale[face == Face::kFront ? 0 : 1] = std::round(1000 * static_cast<double>(made.white_scale())) / 1000;
   std::vector<std::unique_ptr<ImageRows>> files;
   for (const RecolourImage& image : images) {
-    auto opened =
-        ImageRows::open(set.folder + "/" + file_of(set, image, face), size.width, size.height, 3, PixelType::kU8, {});
+    auto opened = ImageRows::open(set.folder + "/" + recolour_file(set.target, image, set.name, face), size.width,
+                                  size.height, 3, PixelType::kU8, {});
     if (!opened) return failed(opened);
     files.push_back(std::move(*opened));
   }
@@ -285,7 +285,7 @@ base::Result<void> write_recolour_images(SetImages& set, const FaceSource& sourc
   const TextureSize small{std::min(size.width, kThumbnailSide), std::min(size.height, kThumbnailSide)};
   const std::vector<Image> seen = made.rows(small, 0, small.height);
   for (size_t k = 0; k < images.size(); ++k) {
-    record(set, images[k], file_of(set, images[k], face), size, face);
+    record(set, images[k], recolour_file(set.target, images[k], set.name, face), size, face);
     set.sheet.push_back({images[k].suffix.substr(1) + face_suffix(set.target, face), thumbnail(seen[k])});
   }
   return {};
@@ -309,7 +309,7 @@ json recolour_json(const std::vector<ClothColor>& colors, const SetImages& set) 
                {"picks", c.picks}};
     if (const size_t k = 3 + i / kSharesPerImage; k < images.size()) {
       for (const Face face : {Face::kFront, Face::kBack})
-        entry["share"][face == Face::kFront ? "front" : "back"] = file_of(set, images[k], face);
+        entry["share"][face == Face::kFront ? "front" : "back"] = recolour_file(set.target, images[k], set.name, face);
       entry["share"]["channel"] = kLetters[i % kSharesPerImage];
     }
     list.push_back(std::move(entry));

@@ -36,9 +36,11 @@ struct RecolourImage {
   std::string suffix;
   bool srgb = false;
   std::vector<std::string> channels;  // descriptions
+  bool exact = false;                 // numbers that mean nothing between two texels
 };
 /// white, threads, index, and of few enough colours their shares, three to an image.
 std::vector<RecolourImage> recolour_images(size_t colors);
+std::string recolour_file(const ExportTarget& target, const RecolourImage& image, const std::string& name, Face face);
 
 /// Makes these images of a face, band by band and at any size. The bits do not depend on the bands.
 class RecolourSource {

@@ -258,7 +258,8 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                      images.constants,
                      images.embedded,
                      images.mips,
-                     options.uv};
+                     options.uv,
+                     options.masks};
   base::Result<void> done = set.target.write_material ? set.target.write_material(set) : base::Result<void>();
   if (progress.stop.stop_requested()) return stopped();
   if (done) done = write_sheet(images, set);

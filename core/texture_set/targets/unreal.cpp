@@ -1,6 +1,7 @@
 // Unreal Engine 5: images by its naming rules, and a script that imports them and builds cloth materials. Based on: its
 // manual of the cloth shading model and its Python API.
 
+#include "base/mark.h"
 #include "base/whole_files.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
@@ -176,6 +177,9 @@ const ExportTarget targets::kUnreal{
     .keeps_masks = true,
     .material = "_import.py",
     .write_material = write_material,
+    .note = base::mark("In Unreal turn on the Python Editor Script Plugin and run {name}_import.py by Tools > Execute "
+                       "Python Script. It imports the images into /Game/Weftlight/{name} and makes two materials "
+                       "there, of the front and of the back."),
 };
 
 }  // namespace weftlight::texture_set

@@ -125,6 +125,17 @@ TEST(RecolourOptions, WhiteOfDarkShinyClothIsScaledToFit) {
   }
 }
 
+TEST(RecolourOptions, ReadmeSaysWhatTheImagesAreFor) {
+  const Scratch scratch("readme");
+  TextureSetOptions options = options_for(targets::kU3m, 16);
+  const auto readme = [&] { return base::read_file(scratch / "set/README.md").value_or(""); };
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", three_colors(), sheet(), options)), "");
+  EXPECT_EQ(readme().find("recolour"), std::string::npos);
+  options.masks = true;
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", three_colors(), sheet(), options)), "");
+  EXPECT_NE(readme().find("`recolour` in texture_set.json"), std::string::npos) << readme();
+}
+
 TEST(RecolourOptions, UnityImportsThemAsNumbers) {
   const Scratch scratch("unity-masks");
   TextureSetOptions options = options_for(targets::kUnityUrp, 16);

@@ -121,7 +121,8 @@ TEST(RecolourOptions, WhiteOfDarkShinyClothIsScaledToFit) {
   for (const std::string face : {"front", "back"}) {
     const std::string name = face == "front" ? "sample" : "sample_back";
     EXPECT_GT(list["recolour"]["white_scale"][face], 2.0);
-    EXPECT_LT(std::ranges::max(differences(list, image, name, face, "_BaseMap")), 0.02) << "cut off: 0.036 of green";
+    EXPECT_LT(std::ranges::max(differences(list, image, name, face, "_BaseMap")), 0.02)
+        << "cut off at 1: 0.037 of green";
   }
 }
 

@@ -64,11 +64,13 @@ struct ExportTarget {
   base::Result<void> (*write_material)(const SetFacts&) = nullptr;  // all files but the images
   bool wears_mesh = false;                                          // the material comes on the chosen mesh
   bool embeds_images = false;                                       // and its file contains the images a second time
+  bool sized_material = false;  // its material gives the size of the tile, and takes no texture coordinates
 
   // Images that its material contains, made while the texels of a face are in memory.
   EmbeddedImages (*embedded)(const FaceSource&) = nullptr;
 
-  const char* note = "";  // sentence for the README of a set, after a blank; show tr(note)
+  // Line for the README of a set: what to do first, with {name} for the name of the set; show fill(tr(note), ...).
+  const char* note = "";
 };
 
 /// The model of the target's material. metal: there are metal yarns.

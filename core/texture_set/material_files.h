@@ -38,6 +38,7 @@ struct SetFacts {
   const std::array<EmbeddedImages, 2>& embedded;  // front, back
   MipChoice mips{};
   UvMapping uv{};
+  bool masks = false;  // there are images for recolouring
   const FaceSource& of(Face face) const { return face == Face::kFront ? front : back; }
 };
 

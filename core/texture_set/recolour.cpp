@@ -28,6 +28,7 @@ constexpr float kGapWeight = 1e-4f;  // as in surface_texels.cpp
 constexpr size_t kSharesPerImage = 3;
 constexpr int kMaxPieceSide = 16384;  // of a window of the maps
 constexpr int kThumbnailSide = 256;
+constexpr int kMeasuredSide = 1024;  // to which white is measured before it is written
 
 /// The first entry of the palette with this colour.
 int palette_entry(const Design& design, const Linear& color) {
@@ -49,10 +50,6 @@ int index_of(const std::vector<ClothColor>& colors, const Linear& linear) {
 }
 
 std::string hex(const Rgb& c) { return fmt::format("#{:06x}", draft::packed_rgb(c)); }
-
-std::string file_of(const SetImages& set, const RecolourImage& image, Face face) {
-  return set.target.images[0].prefix + set.name + face_suffix(set.target, face) + image.suffix + ".png";
-}
 
 size_t share_images(size_t colors) {
   return colors > kMaxSharedColors ? 0 : (colors + kSharesPerImage - 1) / kSharesPerImage;
@@ -98,14 +95,18 @@ std::vector<RecolourImage> recolour_images(size_t colors) {
   std::vector<RecolourImage> out{
       {"_white", true, {"base colour of white yarn, red", "the same, green", "the same, blue"}},
       {"_threads", false, {"share of the warp", "share of the weft", "coverage"}},
-      {"_index", false, {"index of the colour", "mark of the index", "mark of the index"}}};
+      {"_index", false, {"index of the colour", "mark of the index", "mark of the index"}, true}};
   for (size_t k = 0; k < share_images(colors); ++k) {
-    RecolourImage image{"_shares" + std::to_string(k + 1), false, {}};
+    RecolourImage image{"_shares" + std::to_string(k + 1), false, {}, false};
     for (size_t i = k * kSharesPerImage; i < (k + 1) * kSharesPerImage; ++i)
       image.channels.push_back(i < colors ? "share of the colour with index " + std::to_string(i) : "none");
     out.push_back(std::move(image));
   }
   return out;
+}
+
+std::string recolour_file(const ExportTarget& target, const RecolourImage& image, const std::string& name, Face face) {
+  return target.images[0].prefix + name + face_suffix(target, face) + image.suffix + ".png";
 }
 
 RecolourSource::RecolourSource(const FaceSource& source, const std::vector<ClothColor>& colors)
@@ -118,6 +119,43 @@ RecolourSource::RecolourSource(const FaceSource& source, const std::vector<Cloth
   };
   take(grey_.ends, color_[0]);
   take(grey_.picks, color_[1]);
+  const TextureSize size = source.size();
+  float most = most_white();
+  if (most > 1 && std::max(size.width, size.height) <= kMeasuredSide) most = measured_white();
+  white_scale_ = std::max(std::ceil(most * 1000) / 1000, 1.0f);
+}
+
+/// What a thread scatters of the light if its yarn is white, before the fit.
+glm::vec3 RecolourSource::scattered(const ThreadBody& body) const {
+  const Lobes& lobes = grey_.yarns[static_cast<size_t>(body.yarn)].lobes;
+  if (!lobes.metallic) return glm::vec3(lobes.body);
+  const Linear tint = linear_from_srgb(lobes.specular_tint);
+  return lobes.specular * glm::vec3(tint.r, tint.g, tint.b);
+}
+
+/// A bound of white in any texel: the maps hold colours up to 1, and grooves only darken.
+float RecolourSource::most_white() const {
+  float most = 0;
+  for (const std::vector<ThreadBody>* threads : {&grey_.ends, &grey_.picks})
+    for (const ThreadBody& body : *threads) {
+      const glm::vec3 white = scattered(body) * source_.fit().base / kGrey;
+      most = std::max({most, white.r, white.g, white.b});
+    }
+  return most;
+}
+
+/// The largest white of the face. It takes as long as writing it.
+float RecolourSource::measured_white() const {
+  const TextureSize size = source_.size();
+  const int band = source_.band();
+  std::vector<float> most(static_cast<size_t>(size.height / band));
+  for_each_job(static_cast<int>(most.size()), [&](int i) {
+    float& here = most[static_cast<size_t>(i)];
+    for_each_texel(size, i * band, (i + 1) * band, [&](const Texel& texel, size_t) {
+      here = std::max({here, texel.white.r, texel.white.g, texel.white.b});
+    });
+  });
+  return std::ranges::max(most);
 }
 
 void RecolourSource::sum_up(Texel& texel, const Maps& maps, int x, int y, int block) const {
@@ -128,12 +166,9 @@ void RecolourSource::sum_up(Texel& texel, const Maps& maps, int x, int y, int bl
     for (int i = x * block; i < (x + 1) * block; ++i) {
       const size_t system = maps.system.at(i, j), thread = maps.thread.at(i, j);
       const ThreadBody& body = (system == 0 ? grey_.ends : grey_.picks)[thread];
-      const Lobes& lobes = grey_.yarns[static_cast<size_t>(body.yarn)].lobes;
-      const Linear tint = linear_from_srgb(lobes.specular_tint);
       const float w = maps.coverage.at(i, j) + kGapWeight,
                   shade = maps.colour.at(i, j).g / kGrey * maps.groove.at(i, j);
-      texel.white +=
-          w * shade * (lobes.metallic ? lobes.specular * glm::vec3(tint.r, tint.g, tint.b) : glm::vec3(lobes.body));
+      texel.white += w * shade * scattered(body);
       texel.shares[static_cast<size_t>(color_[system][thread])] += w;
       texel.warp += system == 0 ? w : 0.0f;
       texel.coverage += maps.coverage.at(i, j);
@@ -152,7 +187,7 @@ void RecolourSource::put(std::vector<Image>& images, size_t at, const Texel& tex
     float* const out = images[image].texels.data() + 3 * at;
     out[0] = r, out[1] = g, out[2] = b;
   };
-  const auto encoded = [&](float v) { return srgb.encoded(std::min(v, 1.0f)); };
+  const auto encoded = [&](float v) { return srgb.encoded(v / white_scale_); };
   set(0, encoded(texel.white.r), encoded(texel.white.g), encoded(texel.white.b));
   set(1, texel.warp, 1 - texel.warp, texel.coverage);
   const auto most = static_cast<size_t>(std::ranges::max_element(texel.shares) - texel.shares.begin());
@@ -163,9 +198,9 @@ void RecolourSource::put(std::vector<Image>& images, size_t at, const Texel& tex
     set(3 + k, share(kSharesPerImage * k), share(kSharesPerImage * k + 1), share(kSharesPerImage * k + 2));
 }
 
-std::vector<Image> RecolourSource::rows(TextureSize size, int y0, int y1) const {
-  const auto texels = static_cast<size_t>(size.width) * static_cast<size_t>(y1 - y0);
-  std::vector<Image> out(3 + share_images(colors_), {size.width, y1 - y0, 3, std::vector<float>(3 * texels)});
+/// Calls use(texel, place) for all texels of rows [y0, y1); the place is that in an image of these rows.
+template <class Use>
+void RecolourSource::for_each_texel(TextureSize size, int y0, int y1, const Use& use) const {
   const int block = supersampling(grey_, size), step = std::min(size.width, kMaxPieceSide / block);
   const MapsSize whole{size.width * block, size.height * block, 0, 1};
   Texel texel;
@@ -175,10 +210,16 @@ std::vector<Image> RecolourSource::rows(TextureSize size, int y0, int y1) const 
       for (int x = 0; x < step; ++x) {
         sum_up(texel, maps, x, y, block);
         const int column = size.width - 1 - (x0 + x);  // u to the left
-        put(out, static_cast<size_t>(y) * static_cast<size_t>(size.width) + static_cast<size_t>(column), texel);
+        use(texel, static_cast<size_t>(y) * static_cast<size_t>(size.width) + static_cast<size_t>(column));
       }
     }
   }
+}
+
+std::vector<Image> RecolourSource::rows(TextureSize size, int y0, int y1) const {
+  const auto texels = static_cast<size_t>(size.width) * static_cast<size_t>(y1 - y0);
+  std::vector<Image> out(3 + share_images(colors_), {size.width, y1 - y0, 3, std::vector<float>(3 * texels)});
+  for_each_texel(size, y0, y1, [&](const Texel& texel, size_t at) { put(out, at, texel); });
   return out;
 }
 
@@ -232,10 +273,11 @@ base::Result<void> write_recolour_images(SetImages& set, const FaceSource& sourc
   const TextureSize size = source.size();
   const std::vector<RecolourImage> images = recolour_images(colors.size());
   const RecolourSource made(source, colors);
+  set.white_scale[face == Face::kFront ? 0 : 1] = std::round(1000 * static_cast<double>(made.white_scale())) / 1000;
   std::vector<std::unique_ptr<ImageRows>> files;
   for (const RecolourImage& image : images) {
-    auto opened =
-        ImageRows::open(set.folder + "/" + file_of(set, image, face), size.width, size.height, 3, PixelType::kU8, {});
+    auto opened = ImageRows::open(set.folder + "/" + recolour_file(set.target, image, set.name, face), size.width,
+                                  size.height, 3, PixelType::kU8, {});
     if (!opened) return failed(opened);
     files.push_back(std::move(*opened));
   }
@@ -243,7 +285,7 @@ base::Result<void> write_recolour_images(SetImages& set, const FaceSource& sourc
   const TextureSize small{std::min(size.width, kThumbnailSide), std::min(size.height, kThumbnailSide)};
   const std::vector<Image> seen = made.rows(small, 0, small.height);
   for (size_t k = 0; k < images.size(); ++k) {
-    record(set, images[k], file_of(set, images[k], face), size, face);
+    record(set, images[k], recolour_file(set.target, images[k], set.name, face), size, face);
     set.sheet.push_back({images[k].suffix.substr(1) + face_suffix(set.target, face), thumbnail(seen[k])});
   }
   return {};
@@ -267,12 +309,13 @@ json recolour_json(const std::vector<ClothColor>& colors, const SetImages& set) 
                {"picks", c.picks}};
     if (const size_t k = 3 + i / kSharesPerImage; k < images.size()) {
       for (const Face face : {Face::kFront, Face::kBack})
-        entry["share"][face == Face::kFront ? "front" : "back"] = file_of(set, images[k], face);
+        entry["share"][face == Face::kFront ? "front" : "back"] = recolour_file(set.target, images[k], set.name, face);
       entry["share"]["channel"] = kLetters[i % kSharesPerImage];
     }
     list.push_back(std::move(entry));
   }
-  return {{"formula", "base colour = white x sum over the colours of share x linear, in linear light"},
+  return {{"formula", "base colour = white_scale x white x sum over the colours of share x linear, in linear light"},
+          {"white_scale", {{"front", set.white_scale[0]}, {"back", set.white_scale[1]}}},
           {"colors", std::move(list)}};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What a set adds for an artist who recolours the cloth in another program: the base colour of white yarn, which system
 // of threads and which colour of the draft each texel shows, and the list of these colours. In linear light,
-//   base colour = white x sum over the colours of share x colour.
+//   base colour = white_scale x white x sum over the colours of share x colour.
 
 #include <string>
 #include <vector>
@@ -36,9 +36,11 @@ struct RecolourImage {
   std::string suffix;
   bool srgb = false;
   std::vector<std::string> channels;  // descriptions
+  bool exact = false;                 // numbers that mean nothing between two texels
 };
 /// white, threads, index, and of few enough colours their shares, three to an image.
 std::vector<RecolourImage> recolour_images(size_t colors);
+std::string recolour_file(const ExportTarget& target, const RecolourImage& image, const std::string& name, Face face);
 
 /// Makes these images of a face, band by band and at any size. The bits do not depend on the bands.
 class RecolourSource {
@@ -47,6 +49,9 @@ class RecolourSource {
   RecolourSource(const FaceSource& source, const std::vector<ClothColor>& colors);
   /// Rows [y0, y1) of all images at this size, as in the files; computed on the caller's thread only.
   std::vector<Image> rows(TextureSize size, int y0, int y1) const;
+  /// By which the stored white is to be multiplied, at least 1: threads of dark cloth, of which the fit wants more
+  /// light than they scatter, would be beyond 1 in white.
+  float white_scale() const { return white_scale_; }
 
  private:
   /// What one texel shows, from a block of the maps.
@@ -55,13 +60,19 @@ class RecolourSource {
     float warp = 0, coverage = 0;
     std::vector<float> shares;  // by colour, sum 1
   };
+  template <class Use>
+  void for_each_texel(TextureSize size, int y0, int y1, const Use& use) const;
   void sum_up(Texel& texel, const Maps& maps, int x, int y, int block) const;
+  glm::vec3 scattered(const cloth::ThreadBody& body) const;
+  float most_white() const;
+  float measured_white() const;
   void put(std::vector<Image>& images, size_t at, const Texel& texel) const;
 
   const FaceSource& source_;
   Cloth grey_;                             // the same cloth in one colour
   std::array<std::vector<int>, 2> color_;  // by system, then by thread
   size_t colors_ = 0;
+  float white_scale_ = 1;
 };
 
 /// Writes the images of a face and records them.

@@ -31,6 +31,7 @@ struct SetImages {
   nlohmann::json factors = nlohmann::json::array();
   Image swatch{};                            // of the contact sheet
   std::array<EmbeddedImages, 2> embedded{};  // by face, of targets that have them
+  std::array<double, 2> white_scale{1, 1};   // by face, of the images for recolouring
 };
 
 /// Writes all images of a face, whose horizons are released. kCancelled if keep_going() stopped it.

@@ -45,17 +45,54 @@ std::string rounded(float v) {
 
 std::string size_text(const SurfaceTexels& s) { return rounded(s.width_mm) + " x " + rounded(s.depth_mm) + " mm"; }
 
+std::string readme_of_tile(const FaceSource& face, const TextureSetOptions& o) {
+  const std::string size = size_text(face.small());
+  const ExportTarget& target = *o.target;
+  if (!*target.material || target.sized_material)
+    return fill(tr("Tile it once every {size}; normal maps are {normal}; end 1 is at the right, pick 1 at the top."),
+                arg("size", size), arg("normal", target.normal));
+  return fill(tr("Tile it once every {size} (the materials take texture coordinates in {unit}); normal maps are "
+                 "{normal}; end 1 is at the right, pick 1 at the top."),
+              arg("size", size), arg("normal", target.normal), arg("unit", tr(uv_unit_title(o.uv.unit))));
+}
+
+std::string readme_of_mips(const ExportTarget& target, MipFormat format) {
+  if (!is_dds(format)) return tr("The .ktx2 files are the same images with mipmaps, for programs that read them.");
+  return target.names_dds ? tr("The .dds files are the same images with mipmaps; the material uses them.")
+                          : tr("The .dds files are the same images with mipmaps, for programs that read them.");
+}
+
+/// Lines on what this set has and others do not.
+std::vector<std::string> readme_extras(const TextureSetOptions& o) {
+  std::vector<std::string> out;
+  const MipChoice mips = mips_for(*o.target, o.mips);
+  if (std::ranges::any_of(o.target->images, [&](const ImageRow& row) { return has_mips(row, mips); }))
+    out.push_back(readme_of_mips(*o.target, *mips.format));
+  if (o.masks)
+    out.emplace_back(
+        tr("The images that end in _white, _threads, _index and _shares are for recolouring the cloth; `recolour` in "
+           "texture_set.json lists the colours and has the formula."));
+  if (o.detail != ThreadDetail::kAll)
+    out.push_back(fill(tr("This is level of detail {level}: it has the tile of level 0, whose set is another, and "
+                          "takes its place on what is further away."),
+                       arg("level", static_cast<int>(o.detail))));
+  return out;
+}
+
 std::string readme(const FaceSource& face, const TextureSetOptions& o) {
-  const SurfaceTexels& s = face.small();
-  return fill(
-      tr("{name}: one seamless tile of {source}, {size} ({width} x {height} texels), for {target}; files with _back "
-         "show the other face.\n"
-         "Tile it once every {size} (the materials take texture coordinates in {unit}); normal maps are "
-         "{normal}; end 1 is at the right, pick 1 at the top.{note}\n"
-         "texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them.\n"),
-      arg("name", o.name), arg("source", o.source), arg("size", size_text(s)), arg("width", face.size().width),
-      arg("height", face.size().height), arg("target", o.target->id), arg("normal", o.target->normal),
-      arg("unit", tr(uv_unit_title(o.uv.unit))), arg("note", *o.target->note ? tr(o.target->note) : ""));
+  std::vector<std::string> lines{
+      fill(tr("{name}: one seamless tile of {source}, {size} ({width} x {height} texels), for {target}; files with "
+              "_back show the other face."),
+           arg("name", o.name), arg("source", o.source), arg("size", size_text(face.small())),
+           arg("width", face.size().width), arg("height", face.size().height), arg("target", o.target->id))};
+  if (*o.target->note) lines.push_back(fill(tr(o.target->note), arg("name", o.name)));
+  lines.push_back(readme_of_tile(face, o));
+  for (std::string& line : readme_extras(o)) lines.push_back(std::move(line));
+  lines.emplace_back(
+      tr("texture_set.json lists every image, its channels and its colour space; contact_sheet.png shows them."));
+  std::string out;
+  for (const std::string& line : lines) out += line + "\n";
+  return out;
 }
 
 /// The files of the set, without its list.
@@ -258,7 +295,8 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                      images.constants,
                      images.embedded,
                      images.mips,
-                     options.uv};
+                     options.uv,
+                     options.masks};
   base::Result<void> done = set.target.write_material ? set.target.write_material(set) : base::Result<void>();
   if (progress.stop.stop_requested()) return stopped();
   if (done) done = write_sheet(images, set);

@@ -403,7 +403,9 @@ int export_command(const ExportOptions& options, const MaterialOptions& material
   if (targets.size() > 1 && !options.name.empty() && options.name.find("{target}") == std::string::npos)
     return refuse(fill(tr("--name {name}: several targets need {{target}} in it"), arg("name", options.name)));
   if (material.lods && std::ranges::any_of(targets, &ExportTarget::raw))
-    return refuse(tr("--lods: a raw set has no material that levels of detail could make simpler"));
+    return refuse(
+        tr("--lods: a raw set has no material that levels of detail could make simpler; leave raw out, or export it by "
+           "itself, without --lods"));
   if (const std::string wrong = template_problem(options.name); !wrong.empty()) return refuse(wrong);
   const bool mesh_wanted = std::ranges::any_of(targets, &ExportTarget::wears_mesh);
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};

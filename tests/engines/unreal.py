@@ -50,7 +50,7 @@ class Editor:
 
 def check(weftlight, draft, folder):
     name = os.path.splitext(os.path.basename(draft))[0]
-    subprocess.run([weftlight, "export", draft, "--target", "unreal", "--size", "32", "-o", folder], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([weftlight, "export", draft, "--target", "unreal", "--size", "32", "--masks", "-o", folder], check=True, stdout=subprocess.DEVNULL)
     place = os.path.join(folder, name)
     with open(os.path.join(place, "texture_set.json")) as file:
         listed = json.load(file)

@@ -1,5 +1,6 @@
 // Cycles, of Blender 3.4 and 4: the principled material.
 
+#include "base/mark.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
 #include "texture_set/targets/blender.h"
@@ -112,6 +113,8 @@ const ExportTarget targets::kBlender{
     .write_material = write_material,
     .wears_mesh = true,
     .embedded = embedded_images,
+    .note = base::mark("Open {name}.py in Blender's Scripting tab and run it, or start blender -P {name}.py: it makes "
+                       "the material {name}, and gives it to the meshes that are selected. It is fitted to Cycles."),
 };
 
 }  // namespace weftlight::texture_set

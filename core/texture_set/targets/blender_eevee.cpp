@@ -10,6 +10,7 @@
 // The highlight is added to the diffuse shader, which loses nothing to it, so that numbers mean the same in all
 // versions.
 
+#include "base/mark.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
 #include "texture_set/targets/blender.h"
@@ -150,6 +151,8 @@ const ExportTarget targets::kEevee{
     .write_material = write_material,
     .wears_mesh = true,
     .embedded = embedded_images,
+    .note = base::mark("Open {name}.py in Blender's Scripting tab and run it, or start blender -P {name}.py: it makes "
+                       "the material {name}, and gives it to the meshes that are selected. It is fitted to EEVEE."),
 };
 
 }  // namespace weftlight::texture_set

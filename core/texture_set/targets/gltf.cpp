@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/mark.h"
 #include "design/srgb.h"
 #include "files/files.h"
 #include "files/mesh_uv.h"
@@ -110,6 +111,8 @@ const ExportTarget targets::kGltf{
     .write_material = write_material,
     .wears_mesh = true,
     .embeds_images = true,
+    .note = base::mark("Load {name}.glb, one file with its images, or {name}.gltf, which reads those of this folder; "
+                       "its materials are for your own meshes too."),
 };
 
 }  // namespace weftlight::texture_set

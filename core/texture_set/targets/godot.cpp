@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/mark.h"
 #include "base/whole_files.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
@@ -258,6 +259,8 @@ const ExportTarget targets::kGodot{
     .names_dds = true,
     .material = ".tres",
     .write_material = write_material,
+    .note = base::mark("Copy this folder into your Godot project and drag {name}.tres onto a mesh; it shows both "
+                       "faces, and needs the shader and the images beside it."),
 };
 
 }  // namespace weftlight::texture_set

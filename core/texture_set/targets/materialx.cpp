@@ -364,6 +364,9 @@ const ExportTarget targets::kMaterialX{
     .material = ".mtlx",
     .write_material = write_material,
     .embeds_images = true,
+    .note = base::mark("Take {name}.mtlx where a program reads MaterialX (OpenPBR), and {name}_openpbr.usda for the "
+                       "same on a USD stage. {name}.usda is for programs that know UsdPreviewSurface alone; "
+                       "{name}.usdz is that with its images in one file."),
 };
 
 }  // namespace weftlight::texture_set

@@ -30,6 +30,8 @@ const ExportTarget targets::kRaw{
     .model = {.sheen = formulas::kSheenNone, .most_f0 = 1, .grazing = true, .anisotropic = true},
     .raw = true,
     .keeps_masks = true,
+    .note = base::mark("There is no material: give the maps to a shader of your own. {name}_front_albedo.exr is the "
+                       "colour of the threads, {name}_front_height.exr their height in mm."),
 };
 
 }  // namespace weftlight::texture_set

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/json.h"
+#include "base/mark.h"
 #include "base/whole_files.h"
 #include "design/yarn_presets.h"
 #include "draft/drawdown.h"
@@ -272,6 +273,9 @@ const ExportTarget targets::kU3m{
     .material = ".u3m",
     .write_material = write_material,
     .embeds_images = true,
+    .sized_material = true,
+    .note = base::mark("Import {name}.u3ma, one file with all images, or {name}.u3m where a program reads a folder. "
+                       "{name}_physics.json has the numbers for a drape."),
 };
 
 }  // namespace weftlight::texture_set

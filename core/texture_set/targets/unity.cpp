@@ -1,6 +1,7 @@
 #include "texture_set/targets/unity.h"
 
 #include "base/whole_files.h"
+#include "texture_set/recolour.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::texture_set {
@@ -16,13 +17,13 @@ TextureImporter:
   serializedVersion: 12
   mipmaps:
     mipMapMode: 1
-    enableMipMap: 1
+    enableMipMap: {MIPS}
     sRGBTexture: {SRGB}
     mipMapsPreserveCoverage: {KEEP}
     alphaTestReferenceValue: 0.5
   textureSettings:
     serializedVersion: 2
-    filterMode: 2
+    filterMode: {FILTER}
     aniso: 8
     wrapU: 0
     wrapV: 0
@@ -32,6 +33,14 @@ TextureImporter:
   textureShape: 1
   alphaUsage: 1
   alphaIsTransparency: 0
+{PLATFORMS})";
+
+constexpr const char* kUncompressed = R"(  platformSettings:
+  - serializedVersion: 3
+    buildTarget: DefaultTexturePlatform
+    maxTextureSize: 8192
+    textureFormat: -1
+    textureCompression: 0
 )";
 
 constexpr const char* kDdsMeta = R"(fileFormatVersion: 2
@@ -85,16 +94,41 @@ std::string lines(const std::vector<std::string>& all) {
   return out;
 }
 
+/// How the importer is to read an image.
+struct Import {
+  bool srgb = false, keep_coverage = false, normal = false;
+  bool exact = false;  // as it is: not filtered, not compressed
+};
+
+base::Result<void> write_texture_meta(const SetFacts& set, const std::string& file, const Import& as) {
+  const auto flag = [](bool on) { return on ? "1" : "0"; };
+  return write_file_atomically(set.folder + "/" + file + ".meta",
+                               fill_template(kTextureMeta, {{"GUID", guid(file)},
+                                                            {"SRGB", flag(as.srgb)},
+                                                            {"KEEP", flag(as.keep_coverage)},
+                                                            {"TYPE", flag(as.normal)},
+                                                            {"MIPS", flag(!as.exact)},
+                                                            {"FILTER", as.exact ? "0" : "2"},
+                                                            {"PLATFORMS", as.exact ? kUncompressed : ""}}));
+}
+
+base::Result<void> write_recolour_settings(const SetFacts& set, Face face) {
+  if (!set.masks) return {};
+  for (const RecolourImage& image : recolour_images(colors_of(set.design, set.of(face).cloth()).size())) {
+    const std::string file = recolour_file(set.target, image, set.name, face);
+    base::Result<void> done = write_texture_meta(set, file, {.srgb = image.srgb, .exact = image.exact});
+    if (!done) return done;
+  }
+  return {};
+}
+
 base::Result<void> write_import_settings(const SetFacts& set, Face face) {
   for (const ImageRow& row : set.target.images) {
     const std::string file = image_file(set.target, row, set.name, face);
     const bool normal = std::string_view(row.suffix).starts_with("_Normal");
     const bool covers = row.channels[3] == Channel::kCoverage && set.alpha == Alpha::kMask;
-    base::Result<void> done = write_file_atomically(set.folder + "/" + file + ".meta",
-                                                    fill_template(kTextureMeta, {{"GUID", guid(file)},
-                                                                                 {"SRGB", row.srgb ? "1" : "0"},
-                                                                                 {"KEEP", covers ? "1" : "0"},
-                                                                                 {"TYPE", normal ? "1" : "0"}}));
+    base::Result<void> done =
+        write_texture_meta(set, file, {.srgb = row.srgb, .keep_coverage = covers, .normal = normal});
     if (done && has_dds(set, row, face)) {
       const std::string dds = dds_file(set.target, row, set.name, face);
       done = write_file_atomically(set.folder + "/" + dds + ".meta",
@@ -102,7 +136,7 @@ base::Result<void> write_import_settings(const SetFacts& set, Face face) {
     }
     if (!done) return done;
   }
-  return {};
+  return write_recolour_settings(set, face);
 }
 
 /// The texture of each slot, scaled to repeats.

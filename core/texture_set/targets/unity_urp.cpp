@@ -1,5 +1,6 @@
 // Unity's Universal Render Pipeline: URP/Lit. Based on: its manual.
 
+#include "base/mark.h"
 #include "texture_set/targets.h"
 #include "texture_set/targets/unity.h"
 
@@ -69,6 +70,8 @@ const ExportTarget targets::kUnityUrp{
     .keeps_masks = true,
     .material = ".mat",
     .write_material = [](const SetFacts& set) { return write_unity_material(set, kLit); },
+    .note = base::mark("Copy this folder with its .meta files into Assets of your Unity project. {name}.mat is the "
+                       "material of the front, {name}_back.mat that of the back: drag one onto a mesh."),
 };
 
 }  // namespace weftlight::texture_set

@@ -1,6 +1,7 @@
 // Unreal Engine 5: images by its naming rules, and a script that imports them and builds cloth materials. Based on: its
 // manual of the cloth shading model and its Python API.
 
+#include "base/mark.h"
 #include "base/whole_files.h"
 #include "texture_set/material_files.h"
 #include "texture_set/targets.h"
@@ -45,12 +46,25 @@ KINDS = {  # suffix: (sRGB, compression)
     "_FC": (True, COMPRESSION.TC_DEFAULT),
     "_CW": (False, COMPRESSION.TC_ALPHA),
 }
+RECOLOUR = {  # images for recolouring, of sets that have them; indices are neither compressed nor filtered
+    "_white": (True, COMPRESSION.TC_DEFAULT),
+    "_threads": (False, COMPRESSION.TC_MASKS),
+    "_index": (False, COMPRESSION.TC_VECTOR_DISPLACEMENTMAP),
+    "_shares1": (False, COMPRESSION.TC_MASKS),
+    "_shares2": (False, COMPRESSION.TC_MASKS),
+    "_shares3": (False, COMPRESSION.TC_MASKS),
+    "_shares4": (False, COMPRESSION.TC_MASKS),
+}
+KINDS.update(RECOLOUR)
 lib = unreal.MaterialEditingLibrary
+
+def image(side, kind):
+    return os.path.join(FOLDER, "T_" + NAME + side + kind + ".png")
 
 def texture(side, kind):
     srgb, compression = KINDS[kind]
     task = unreal.AssetImportTask()
-    task.filename = os.path.join(FOLDER, "T_" + NAME + side + kind + ".png")
+    task.filename = image(side, kind)
     task.destination_path, task.automated, task.replace_existing, task.save = INTO, True, True, True
     unreal.AssetToolsHelpers.get_asset_tools().import_asset_tasks([task])
     asset = unreal.load_asset(INTO + "/T_" + NAME + side + kind)
@@ -58,6 +72,9 @@ def texture(side, kind):
     asset.set_editor_property("compression_settings", compression)
     if kind == "_OM":  # keeps the coverage in every mip level
         asset.set_editor_property("alpha_coverage_thresholds", unreal.Vector4(0, 0, 0, 0.5))
+    if kind == "_index":
+        asset.set_editor_property("filter", unreal.TextureFilter.TF_NEAREST)
+        asset.set_editor_property("mip_gen_settings", unreal.TextureMipGenSettings.TMGS_NO_MIPMAPS)
     unreal.EditorAssetLibrary.save_loaded_asset(asset)
     return asset
 
@@ -117,6 +134,10 @@ def material(side, specular):
 
 material("", {SPECULAR})
 material("_back", {BACK_SPECULAR})
+for side in ("", "_back"):
+    for kind in RECOLOUR:
+        if os.path.isfile(image(side, kind)):
+            texture(side, kind)
 )";
 
 base::Result<void> write_material(const SetFacts& set) {
@@ -156,6 +177,9 @@ const ExportTarget targets::kUnreal{
     .keeps_masks = true,
     .material = "_import.py",
     .write_material = write_material,
+    .note = base::mark("In Unreal turn on the Python Editor Script Plugin and run {name}_import.py by Tools > Execute "
+                       "Python Script. It imports the images into /Game/Weftlight/{name} and makes two materials "
+                       "there, of the front and of the back."),
 };
 
 }  // namespace weftlight::texture_set

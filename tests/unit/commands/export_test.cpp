@@ -59,7 +59,9 @@ TEST_F(Export, levels_of_detail_share_the_tile) {
     EXPECT_EQ(of["lod"], lod) << set;
     EXPECT_EQ(of["size_mm"], list("a")["size_mm"]) << set;
   }
-  EXPECT_EQ(exported({"--lods", "--target", "raw"}).code, kUsage);
+  const Ran refused = exported({"--lods", "--target", "gltf,raw"});
+  EXPECT_EQ(refused.code, kUsage);
+  EXPECT_NE(refused.said.find("leave raw out, or export it by itself"), std::string::npos) << refused.said;
   EXPECT_EQ(exported({"--lods", "--px-per-mm", "6", "--name", "dense/{name}"}).code, kDone);
   EXPECT_EQ(list("dense/b-lod1")["size_mm"], list("dense/b")["size_mm"]);
   EXPECT_EQ(4 * list("dense/b-lod1")["size_texels"][0].get<int>(), list("dense/b")["size_texels"][0].get<int>());

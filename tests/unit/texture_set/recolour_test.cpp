@@ -4,14 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 
 #include "../files/sheet.h"
 #include "../scratch.h"
+#include "base/whole_files.h"
 #include "design/srgb.h"
+#include "paths.h"
 #include "sample_set.h"
+#include "wif/wif.h"
 
 namespace weftlight::texture_set {
 
@@ -53,23 +58,36 @@ class Recolour : public testing::Test {
   Scratch scratch_{"recolour"};
 };
 
-/// Mean difference of the base colour and white x sum of share x colour, in linear light; shares of either face.
-double difference(const json& list, const std::function<Image(const std::string&)>& image, const std::string& name,
-                  const std::string& face) {
-  const Image base = image(name + "_BC.png"), white = image(name + "_white.png");
+using ImageReader = std::function<Image(const std::string&)>;
+
+/// Mean difference of the base colour and white_scale x white x sum of share x colour, in linear light, by channel;
+/// shares of either face.
+std::array<double, 3> differences(const json& list, const ImageReader& image, const std::string& name,
+                                  const std::string& face, const std::string& base_suffix) {
+  const Image base = image(name + base_suffix + ".png"), white = image(name + "_white.png");
   const json& colors = list["recolour"]["colors"];
+  const float scale = list["recolour"]["white_scale"][name.ends_with("_back") ? "back" : "front"].get<float>();
   std::vector<Image> shares;
   for (const json& color : colors) shares.push_back(image(color["share"][face]));
-  double off = 0;
-  for (size_t i = 0; i < base.texels.size(); ++i) {
+  const auto step = static_cast<size_t>(base.channels);
+  std::array<double, 3> off{};
+  for (size_t i = 0; i < white.texels.size(); ++i) {
+    const size_t at = i / 3, c = i % 3;
     float sum = 0;
     for (size_t k = 0; k < shares.size(); ++k) {
       const size_t channel = std::string("RGB").find(colors[k]["share"]["channel"].get<std::string>());
-      sum += shares[k].texels[i / 3 * 3 + channel] * colors[k]["linear"][i % 3].get<float>();
+      sum += shares[k].texels[at * 3 + channel] * colors[k]["linear"][c].get<float>();
     }
-    off += std::abs(static_cast<double>(srgb_decoded(white.texels[i]) * sum - srgb_decoded(base.texels[i])));
+    off[c] += std::abs(
+        static_cast<double>(scale * srgb_decoded(white.texels[i]) * sum - srgb_decoded(base.texels[at * step + c])));
   }
-  return off / static_cast<double>(base.texels.size());
+  for (double& channel : off) channel /= static_cast<double>(white.texels.size() / 3);
+  return off;
+}
+
+double difference(const json& list, const ImageReader& image, const std::string& name, const std::string& face) {
+  const std::array<double, 3> off = differences(list, image, name, face, "_BC");
+  return (off[0] + off[1] + off[2]) / 3;
 }
 
 // A wrong order of colours, a mirrored row or a factor of the fit that is left out would all show here. Measured: 0.004
@@ -80,6 +98,72 @@ TEST_F(Recolour, WhiteTimesTheColoursOfTheSharesIsTheBaseColour) {
   EXPECT_LT(difference(list, read, "T_sample", "front"), 0.008);
   EXPECT_LT(difference(list, read, "T_sample_back", "back"), 0.008);
   EXPECT_GT(difference(list, read, "T_sample", "back"), 0.03) << "shares of the other face";
+}
+
+TEST_F(Recolour, WhiteThatFitsIsNotScaled) {
+  const json scale = list_of(folder())["recolour"]["white_scale"];
+  Image white = image("T_sample_white.png");
+  const float most = std::ranges::max(white.texels);
+  EXPECT_TRUE(scale["front"] == 1.0 || most > 0.99f) << "as much of the 8 bits as there is: " << most;
+}
+
+/// Silk of dark colours, whose highlights make the fit brighten its base colour beyond that of white yarn.
+TEST(RecolourOptions, WhiteOfDarkShinyClothIsScaledToFit) {
+  const wif::WifRead read =
+      wif::read_wif(base::read_file(WEFTLIGHT_SOURCE_DIR "/presets/cloths/shot_taffeta.wif").value_or(""));
+  ASSERT_TRUE(read.file);
+  const Scratch scratch("taffeta");
+  TextureSetOptions options = options_for(targets::kUnityUrp, 128);
+  options.masks = true;
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", read.file->design, sheet(), options)), "");
+  const json list = list_of(scratch / "set");
+  const auto image = [&](const std::string& file) { return *read_image(scratch / ("set/" + file)); };
+  for (const std::string face : {"front", "back"}) {
+    const std::string name = face == "front" ? "sample" : "sample_back";
+    EXPECT_GT(list["recolour"]["white_scale"][face], 2.0);
+    EXPECT_LT(std::ranges::max(differences(list, image, name, face, "_BaseMap")), 0.02)
+        << "cut off at 1: 0.037 of green";
+  }
+}
+
+TEST(RecolourOptions, ReadmeSaysWhatTheImagesAreFor) {
+  const Scratch scratch("readme");
+  TextureSetOptions options = options_for(targets::kU3m, 16);
+  const auto readme = [&] { return base::read_file(scratch / "set/README.md").value_or(""); };
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", three_colors(), sheet(), options)), "");
+  EXPECT_EQ(readme().find("recolour"), std::string::npos);
+  options.masks = true;
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", three_colors(), sheet(), options)), "");
+  EXPECT_NE(readme().find("`recolour` in texture_set.json"), std::string::npos) << readme();
+}
+
+TEST(RecolourOptions, UnityImportsThemAsNumbers) {
+  const Scratch scratch("unity-masks");
+  TextureSetOptions options = options_for(targets::kUnityUrp, 16);
+  options.masks = true;
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", three_colors(), sheet(), options)), "");
+  const auto says = [&](const std::string& image, const std::string& line) {
+    const std::string meta = base::read_file(scratch / ("set/" + image + ".png.meta")).value_or("");
+    return meta.find(" " + line + "\n") != std::string::npos;
+  };
+  for (const std::string face : {"sample", "sample_back"}) {
+    EXPECT_TRUE(says(face + "_white", "sRGBTexture: 1")) << face;
+    for (const char* of : {"_threads", "_shares1", "_index"}) EXPECT_TRUE(says(face + of, "sRGBTexture: 0")) << of;
+    EXPECT_TRUE(says(face + "_shares1", "enableMipMap: 1")) << face;
+    for (const char* line : {"enableMipMap: 0", "filterMode: 0", "textureCompression: 0"})
+      EXPECT_TRUE(says(face + "_index", line)) << line;
+  }
+}
+
+TEST(RecolourOptions, UnrealsScriptImportsThem) {
+  const Scratch scratch("unreal-masks");
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", three_colors(), sheet(), options_for(targets::kUnreal, 16))),
+            "");
+  const std::string script = base::read_file(scratch / "set/sample_import.py").value_or("");
+  std::vector<RecolourImage> all = recolour_images(kMaxSharedColors);
+  for (const RecolourImage& image : all)
+    EXPECT_NE(script.find("\"" + image.suffix + "\": (" + (image.srgb ? "True" : "False")), std::string::npos)
+        << image.suffix;
 }
 
 TEST_F(Recolour, TheListNamesTheColoursThatThreadsHave) {

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "../files/sheet.h"
 #include "../scratch.h"
@@ -48,7 +50,7 @@ const ExportTarget kMadeUp{
     .open = Alpha::kHashed,
     .material = ".mu",
     .write_material = write_material,
-    .note = " Made up for a test.",
+    .note = "Made up for a test: open {name}.mu.",
 };
 
 std::string text_of(const std::string& path) {
@@ -79,7 +81,7 @@ TEST(ExportTargets, ANewOneIsAFileAndARow) {
   EXPECT_EQ(list["maps"][1]["type"], "16-bit");
   EXPECT_EQ(list["maps"][1]["channels"]["G"], "normal y, down");
   EXPECT_EQ(text_of(folder + "/sample.mu"), "use mu-sample_back_color.png\n");
-  EXPECT_NE(text_of(folder + "/README.md").find("Made up for a test."), std::string::npos);
+  EXPECT_NE(text_of(folder + "/README.md").find("Made up for a test: open sample.mu."), std::string::npos);
   EXPECT_EQ(alpha_for(*target, Alpha::kAuto, 0.5f), Alpha::kHashed);
 }
 
@@ -95,6 +97,54 @@ TEST(ExportTargets, AreWholeAndDifferent) {
       EXPECT_TRUE(files.insert(image_file(*target, row, "a", Face::kFront)).second) << target->id << row.suffix;
     EXPECT_FALSE(files.empty()) << target->id;
   }
+}
+
+/// The words of the text that are file names of the set.
+std::vector<std::string> files_named(const std::string& text, const std::string& set) {
+  std::vector<std::string> out;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    while (!word.empty() && std::string_view(".,;:)").find(word.back()) != std::string_view::npos) word.pop_back();
+    if (word.starts_with(set) && word.find('.') != std::string::npos) out.push_back(word);
+  }
+  return out;
+}
+
+TEST(ExportTargets, ReadmesNameAFileToBeginWith) {
+  const Scratch scratch("readmes");
+  for (const ExportTarget* target : kTargets) {
+    const std::string folder = scratch / target->id;
+    TextureSetOptions options = options_for(*target, 32);
+    options.source = "a draft";
+    ASSERT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), options)), "") << target->id;
+    const std::string readme = text_of(folder + "/README.md");
+    const std::vector<std::string> named = files_named(readme, "sample");
+    EXPECT_FALSE(named.empty()) << readme;
+    for (const std::string& file : named) EXPECT_TRUE(fs::exists(folder + "/" + file)) << target->id << ": " << file;
+    const bool opens = std::ranges::find(named, std::string("sample") + target->material) != named.end();
+    EXPECT_TRUE(opens || !*target->material) << readme;
+    EXPECT_EQ(readme.find("texture coordinates in") == std::string::npos,
+              target == &targets::kRaw || target == &targets::kU3m)
+        << readme;
+    EXPECT_EQ(readme.find('{'), std::string::npos) << readme;
+  }
+}
+
+TEST(ExportTargets, ReadmesNameMipsAndLevelsOnlyWhereTheyAre) {
+  const Scratch scratch("readme-extras");
+  TextureSetOptions options = options_for(targets::kGltf, 64);
+  const auto readme_with = [&](const TextureSetOptions& of) {
+    const std::string folder = scratch / of.name;
+    EXPECT_EQ(problem_of(write_texture_set(folder, sample_design(), sheet(), of)), "");
+    return text_of(folder + "/README.md");
+  };
+  const std::string plain = readme_with(options);
+  EXPECT_EQ(plain.find("mipmaps"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("level of detail"), std::string::npos) << plain;
+  options.mips = MipFormat::kKtx2;
+  const std::string further = readme_with(at_lod(options, 1));
+  EXPECT_NE(further.find("The .ktx2 files"), std::string::npos) << further;
+  EXPECT_NE(further.find("level of detail 1"), std::string::npos) << further;
 }
 
 TEST(ExportTargets, DocsNameThem) {

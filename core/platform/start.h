@@ -10,8 +10,8 @@ namespace weftlight::platform {
 /// it first in main.
 std::vector<std::string> start(int argc, char** argv);
 
-/// From now on freed memory is kept for the next that is taken, where it would go back to the system: for a command that
-/// takes large blocks again and again and then ends.
+/// From now on freed memory is kept for the next that is taken, where it would go back to the system: for a command
+/// that takes large blocks again and again and then ends.
 void keep_freed_memory();
 
 }  // namespace weftlight::platform

@@ -340,7 +340,10 @@ TEST_F(WindowTest, StartsADraftFromAWeave) {
   ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.warp.size() == 16 && w.live() != bytes_of(draft_); }));
   EXPECT_NE(drawdown_of(folder_ / "live.wif"), drawdown_of(draft_));
-  quit(w);
+  display_.key("ctrl+q");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Do not save"); })) << "a new draft is work";
+  display_.click(w.middle_of("dialog:Do not save"));
+  EXPECT_EQ(w.process().wait(), 0);
 }
 
 TEST_F(WindowTest, TheThicknessOfSelectedEndsIsSaved) {

@@ -1,9 +1,10 @@
-// A handler of signals may call only what is safe in the middle of anything else: it raises a semaphore, for which a
-// thread waits that makes the request.
+// A handler of signals may call only what is safe in the middle of anything else: it writes into a pipe, and a thread
+// that waits for it makes the request.
 
 #include "platform/stop_request.h"
 
-#include <semaphore.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
 
-sem_t asked;
+int from_handler[2];          // the pipe: reading end, writing end
 std::atomic<int> request{0};  // the signal; 0: none yet
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -25,14 +26,17 @@ void on_request(int signal) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  ::sem_post(&asked);
+  // A full pipe is read already.
+  [[maybe_unused]] const auto written = ::write(from_handler[1], "", 1);
 }
 
 std::stop_source watch_requests() {
   std::stop_source source;
-  if (::sem_init(&asked, 0, 0) != 0) return source;
+  if (::pipe(from_handler) != 0) return source;
+  for (const int end : from_handler) ::fcntl(end, F_SETFD, FD_CLOEXEC);
   std::thread([source]() mutable {
-    while (::sem_wait(&asked) != 0) {  // interrupted
+    char byte = 0;
+    while (::read(from_handler[0], &byte, 1) < 0) {  // interrupted
     }
     source.request_stop();
   }).detach();

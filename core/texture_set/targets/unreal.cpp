@@ -50,11 +50,8 @@ RECOLOUR = {  # images for recolouring, of sets that have them; indices are neit
     "_white": (True, COMPRESSION.TC_DEFAULT),
     "_threads": (False, COMPRESSION.TC_MASKS),
     "_index": (False, COMPRESSION.TC_VECTOR_DISPLACEMENTMAP),
-    "_shares1": (False, COMPRESSION.TC_MASKS),
-    "_shares2": (False, COMPRESSION.TC_MASKS),
-    "_shares3": (False, COMPRESSION.TC_MASKS),
-    "_shares4": (False, COMPRESSION.TC_MASKS),
 }
+RECOLOUR.update({"_shares%d" % k: (False, COMPRESSION.TC_MASKS) for k in range(1, 5)})
 KINDS.update(RECOLOUR)
 lib = unreal.MaterialEditingLibrary
 

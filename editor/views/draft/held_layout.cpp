@@ -58,12 +58,14 @@ ImVec2 hand_at(const Style& style) {
 Hand hand_of_frame() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool moves = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || io.MouseWheelH != 0;
-  return {ImGui::IsAnyMouseDown(), moves || ui::any_key_down()};
+  return {ImGui::IsAnyMouseDown(), moves || ui::any_key_down(), io.DisplaySize};
 }
 
 DraftLayout HeldLayout::of(const DraftLayout& now, const DraftView& view, Hand hand) {
   const bool scrolls = std::exchange(scrolls_, false);
-  if ((!hand.down && hand.moves) || view_ != &view) held_.reset();
+  const ImVec2 before = std::exchange(window_, hand.window);
+  const bool resized = before.x != hand.window.x || before.y != hand.window.y;
+  if ((!hand.down && (hand.moves || resized)) || view_ != &view) held_.reset();
   if (!held_) return now;
   DraftLayout l = *held_;
   for (GridPane DraftLayout::*const pane : kPanes) {

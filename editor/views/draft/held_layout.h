@@ -19,6 +19,7 @@ ImVec2 hand_at(const Style& style);
 struct Hand {
   bool down = false;  // with a mouse button
   bool moves = true;  // the pointer or the wheel, or it presses a key
+  ImVec2 window{};    // the size of the window
 };
 Hand hand_of_frame();
 
@@ -26,7 +27,8 @@ class HeldLayout {
  public:
   /// The layout of this frame: `now`, or the held layout while one is held.
   DraftLayout of(const DraftLayout& now, const DraftView& view, Hand hand);
-  /// A button went down over a grid: holds the layout until all buttons are released and the hand moves.
+  /// A button went down over a grid: holds the layout until all buttons are released and the hand moves, or
+  /// the window changes its size.
   void hold(const DraftLayout& layout, const DraftView& view);
   /// The user scrolls during the press: the next frame uses the view's scroll.
   void let_scroll() { scrolls_ = true; }
@@ -35,6 +37,7 @@ class HeldLayout {
  private:
   std::optional<DraftLayout> held_;
   const DraftView* view_ = nullptr;  // of the held layout
+  ImVec2 window_;                    // of the last frame
   bool scrolls_ = false;
 };
 

@@ -219,6 +219,14 @@ TEST(History, StrokesTakeFewBytes) {
   EXPECT_EQ(h.steps(), kStrokes + 1);
 }
 
+TEST(History, AStepOfSeveralEditsHasTheNameOfTheLast) {
+  History h(called("a"));
+  h.commit(called("b"), "Weave: Twill", 7);
+  h.commit(called("c"), "Weave: Tartan", 7);
+  EXPECT_EQ(h.steps(), 2u);
+  EXPECT_EQ(h.undo_label(), "Weave: Tartan");
+}
+
 TEST(History, ThePlaceAtTheLoomIsNoStep) {
   History h(called("a"));
   const auto weave_to = [&h](int pick) {

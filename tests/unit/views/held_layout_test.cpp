@@ -41,9 +41,9 @@ class HeldLayoutTest : public testing::Test {
     settings_.tiled = toss();
     max_ = {static_cast<float>(260 + roll(500)), static_cast<float>(260 + roll(500))};
   }
-  DraftLayout frame(bool down, bool moves = true) {
+  DraftLayout frame(bool down, bool moves = true, ImVec2 window = {}) {
     const DraftLayout l = held_.of(lay_out_draft(design_.draft, view_.draft, settings_, Style{}, {0, 0}, max_),
-                                   view_.draft, {down, moves});
+                                   view_.draft, {down, moves, window});
     settle(view_.draft, l);
     if (down) held_.hold(l, view_.draft);
     return l;
@@ -148,6 +148,14 @@ TEST_F(HeldLayoutTest, ASecondClickWithoutAMoveIsOnTheSameCell) {
   EXPECT_EQ(places_of(frame(false, false)), places_of(pressed));
   EXPECT_EQ(places_of(frame(true)), places_of(pressed)) << "the second click";
   EXPECT_NE(places_of(frame(false)), places_of(pressed)) << "the hand moves on";
+}
+
+TEST_F(HeldLayoutTest, AWindowOfAnotherSizeIsLaidOutAnew) {
+  begin();
+  const DraftLayout pressed = frame(true);
+  max_ = {max_.x - 50, max_.y - 50};
+  EXPECT_EQ(places_of(frame(false, false)), places_of(pressed));
+  EXPECT_NE(places_of(frame(false, false, {100, 100})), places_of(pressed));
 }
 
 TEST_F(HeldLayoutTest, TheHandItselfMayScroll) {

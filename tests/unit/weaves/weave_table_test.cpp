@@ -63,6 +63,14 @@ TEST(WeaveTable, EveryWeaveMakesADraftWithDefaultAndExtremeParameters) {
   }
 }
 
+TEST(WeaveTable, NamesOfChoicesAreThoseOfEachChoice) {
+  for (const WeaveKind& kind : weave_kinds())
+    for (const WeaveParameter& n : kind.parameters)
+      if (!n.names.empty()) {
+        EXPECT_EQ(n.names.size(), n.choices.size()) << kind.id << " " << n.id;
+      }
+}
+
 TEST(WeaveTable, InvalidTextMakesADraftAndIsReported) {
   std::mt19937 random(5);
   for (const WeaveKind& kind : weave_kinds())

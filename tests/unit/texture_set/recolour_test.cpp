@@ -161,6 +161,11 @@ TEST(RecolourOptions, UnrealsScriptImportsThem) {
             "");
   const std::string script = base::read_file(scratch / "set/sample_import.py").value_or("");
   std::vector<RecolourImage> all = recolour_images(kMaxSharedColors);
+  const auto shares =
+      std::erase_if(all, [](const RecolourImage& image) { return image.suffix.starts_with("_shares") && !image.srgb; });
+  EXPECT_NE(script.find("{\"_shares%d\" % k: (False, COMPRESSION.TC_MASKS) for k in range(1, " +
+                        std::to_string(shares + 1) + ")}"),
+            std::string::npos);
   for (const RecolourImage& image : all)
     EXPECT_NE(script.find("\"" + image.suffix + "\": (" + (image.srgb ? "True" : "False")), std::string::npos)
         << image.suffix;

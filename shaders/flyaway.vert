@@ -14,7 +14,8 @@ in vec4 in_flyaway;  // x: seed, 0..1; y: fibres that it represents; z: minimum 
 
 out vec4 strip_color;
 
-const float kMinWidth = 0.85;   // pixels
+const float kMinWidth = 0.85;     // pixels
+const float kCrowdWidth = 2.6;    // pixels, of a strip that stands for a crowd of fibres: faint, or it would be a dot
 
 // Based on: O'Neill 2014, "PCG".
 float random(inout uint state) {
@@ -93,7 +94,7 @@ void main() {
   float pixel_mm = 2.0 * clip.w / (frame.picture.y * length(row));
   float pixels = kFlyawayWidth * in_flyaway.y / max(pixel_mm, 1e-9);
   float edge = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
-  float drawn = max(pixels, kMinWidth);
+  float drawn = max(pixels, mix(kMinWidth, kCrowdWidth, clamp((in_flyaway.y - 1.0) / 8.0, 0.0, 1.0)));
   clip.xy += across * (edge * drawn * clip.w) / frame.picture.xy;
   // Against its own cloth a fibre is part of the fuzz lobe, so it is drawn only where the background is further away
   // than the edge of the silhouette.

@@ -57,15 +57,19 @@ struct FaceLayout {
   vec2 cells;    // in the period
   vec2 size;     // of a cell, mm
   float drawn;   // 0: none
+  float nap;     // 0 to 1: fibres that lie over the threads in all directions
+  float lit;     // fraction of the key light that reaches threads under a nap; 0 without one
 };
 
-FaceLayout face_layout(int face, ThreadGrid g, float yarns) {
-  YarnData warp = cloth.systems[face * 2].yarn;
-  YarnData weft = cloth.systems[face * 2 + 1].yarn;
+FaceLayout face_layout(Side side, ThreadGrid g, Footprint f, vec3 l) {
+  YarnData warp = cloth.systems[side.face * 2].yarn;
+  YarnData weft = cloth.systems[side.face * 2 + 1].yarn;
   FaceLayout a;
   a.fuzz = max(warp.fuzz, weft.fuzz);
   a.depth = max(warp.fuzz_depth, weft.fuzz_depth);
-  a.drawn = flyaway_fraction(a.fuzz) > 0.0 ? face_flyaways_drawn(yarns) : 0.0;
+  a.drawn = flyaway_fraction(a.fuzz) > 0.0 ? face_flyaways_drawn(f.yarns) : 0.0;
+  a.nap = nap_of(a.fuzz);
+  a.lit = a.nap > 0.0 ? thread_visibility(side, f, l).x : 0.0;
   a.cells = max(floor(g.period / face_cell(a.fuzz, a.depth, g.spacing)), vec2(1.0));
   a.size = g.period / a.cells;
   return a;
@@ -113,13 +117,24 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
   return sum;
 }
 
+// In cloth without gaps a ray that slips between round threads would meet the fibres that fill the room between them:
+// those of the thread nearest to it at the middle plane.
+ThreadHit nearest_thread(ThreadGrid g, vec2 at) {
+  Crossing c = crossing_near(g, at);
+  vec3 p = vec3(at, 0.0);
+  return hit_of(c, p, near_distances(c, p));
+}
+
 // One sample at `at`, of size dx by dy, all on the middle plane in mm; l: to a point of the light. Masking and
 // shadowing are by that point alone; shading is over the whole disc of the light and the whole area of the sample.
 // measured, weight: by system, of the visible sky (view_table()) and of hidden directions (Interreflection). faces: the
 // fibres that are drawn over it and not in its lobes.
 void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, vec2 measured, vec2 weight, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
-  if (hit.system < 0) return;
+  if (hit.system < 0) {
+    if (cloth.open > 0.5) return;
+    hit = nearest_thread(g, at);
+  }
   sums.cover += 1.0;
   int thread = hit.strand.thread;
   float length_mm = hit.system == 0 ? g.period.y : g.period.x;
@@ -145,7 +160,10 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, v
   // may occlude itself, too, so the ray starts a little above it.
   bool side = l.z < 0.0 && dot(p.normal, l) > 0.0;
   vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
-  if (a.key.r + a.key.g + a.key.b > 0.0 && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread)) a.key = vec3(0.0);
+  bool blocked = a.key.r + a.key.g + a.key.b > 0.0 && (faces.nap < 1.0 || l.z <= 0.0)
+              && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread);
+  // A nap scatters the light into the shadows between the threads: all have the mean.
+  a.key *= mix(blocked ? 0.0 : 1.0, faces.lit, l.z > 0.0 ? faces.nap : 0.0);
   sums.key += a.key;
   float seen_sky = hit.system == 0 ? measured.x : measured.y;
   vec3 mirrored = reflect(-x.v, n);
@@ -175,7 +193,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec4 measured = view_table(side.face, 4, x.v);
   Interreflection around = interreflection(side, x, f);
   float own = pixel_noise();
-  FaceLayout faces = face_layout(side.face, g, f.yarns);
+  FaceLayout faces = face_layout(side, g, f, x.l);
   faces.drawn *= clamp(3.0 * x.v.z - 0.5, 0.0, 1.0);   // seen along the face they overlap, as the lobe's do
   // Where a pixel covers much of a yarn, equal samples would hit equal points of the weave in many pixels. So many
   // steps of R2 spread them over the whole pixel instead of along a line.

@@ -25,8 +25,8 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kSparse = 0.5f;  // largest total width, in pixels, of the fibres that one stands for
-constexpr float kMinPixels = 1.0f / 3,
-                kFullPixels = 0.6f;     // mean length at which fibres start to appear, and all have
+// Mean length at which fibres start to appear, and are there in full. Shorter ones would be dots, not fibres.
+constexpr float kMinPixels = 1.5f, kFullPixels = 4;
 constexpr float kMinBend = 1.0f / 300;  // 1/mm, so that a plane seen edge-on has fibres, too
 constexpr float kPolygon = 0.35f;       // distance of the mesh's silhouette from the true one, in triangles
 constexpr float kMinChance = 0.01f;
@@ -212,11 +212,13 @@ class FlyawayScatterer {
     const float pixel_mm = glm::dot(rows_[3], glm::vec4(root.at, 1)) * pixel_scale_;
     const float pixels = growth_.length_mm[s] / std::max(pixel_mm, 1e-9f);
     const float come = std::clamp((pixels - kMinPixels) / (kFullPixels - kMinPixels), 0.0f, 1.0f);
-    if (kept * chance >= chance_of(needed_mm, s) * come) return;
+    if (kept * chance >= chance_of(needed_mm, s)) return;
     // A limit, so that they do not form a ribbon; on a mesh with few triangles some are left out instead.
     const float most = std::max(1.0f, pixel_mm / formulas::kFlyawayWidth);
-    flyaways_.push_back({root.at, root.normal * side, root.uv_mm, s ? root.sky.y : root.sky.x, side, which,
-                         std::min(1 / std::max(fraction, 1e-9f), most), needed_mm, radius_mm_});
+    // They appear all together and faintly: few at full strength would be dots.
+    const float stands_for = come * std::min(1 / std::max(fraction, 1e-9f), most);
+    flyaways_.push_back({root.at, root.normal * side, root.uv_mm, s ? root.sky.y : root.sky.x, side, which, stands_for,
+                         needed_mm, radius_mm_});
   }
 
   const FlyawayGrowth& growth_;

@@ -48,9 +48,10 @@ struct Flyaway {
   glm::vec2 uv_mm{0};            // from uv_origin_mm
   float sky = 1, side = 1;       // side: +1 the mesh's front, -1 its back
   float seed = 0;                // 0..1
-  float stands_for = 1;          // number of fibres; more than one where they cannot be told apart
-  float least_mm = 0;            // shorter fibres do not reach past the silhouette
-  float radius_mm = 0;           // radius of curvature at the silhouette
+  float stands_for =
+      1;  // number of fibres; more than one where they cannot be told apart, less where short ones fade out
+  float least_mm = 0;   // shorter fibres do not reach past the silhouette
+  float radius_mm = 0;  // radius of curvature at the silhouette
 };
 
 /// Roots on the triangles of prepared.fine, at most about kMaxFlyaways: beyond, each stands for more fibres, so that

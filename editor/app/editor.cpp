@@ -272,6 +272,8 @@ void Editor::apply_key(const std::string& key) {
   if (view.select.tool == Tool::kType &&
       editing_.commit(type_key(view, editing_.document().now(), settings_, key, Window::seconds())))
     return;
+  // Escape closes the messages once it has nothing of the draft to cancel.
+  if (key == "Escape" && !actions_.is_enabled("select_none") && messages_.close_remarks()) return;
   // Redo by Ctrl+Y, too, unless it was given to another command.
   if (!actions_.run_key(key) && key == "Ctrl+Y") actions_.run("redo");
 }

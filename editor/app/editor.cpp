@@ -60,6 +60,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
   if (!options.file.empty()) files_.start_with(options.file);
+  if (!options.notice.empty()) messages_.refuse(options.notice);
   // No tour if a program drives the window.
   const bool driven = !options.ui_map.empty() || !options.live_export.empty();
   if (!settings_.toured && !driven) settings_.tour = 0;

@@ -178,7 +178,7 @@ void scrollbar(DraftContext& c, const char* id, const Axis& axis, Scroll scroll,
   c.map.add_item(id);
   const float length = across ? max.x - min.x : max.y - min.y;
   const float all = static_cast<float>(axis.count), seen = axis.length / axis.pitch;
-  const float grip = std::max(c.style.px(24), length * seen / all);
+  const float grip = std::min(length, std::max(c.style.px(24), length * seen / all));
   const float most = std::max(1e-6f, all - seen), way = length - grip;
   if (ImGui::IsItemActive() && way > 0) {
     const float moved = across ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;

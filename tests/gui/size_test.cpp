@@ -36,6 +36,14 @@ TEST_F(SizeTest, FiguresStandInTheMiddleOfTheirSliders) {
   }
 }
 
+TEST_F(SizeTest, ADraftIsFittedBelowTheMenuBar) {
+  settings({{"interface_percent", 150}});
+  put(draft_, straight_draft(16, 2));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("scroll.picks") && !w.has("scroll.ends"); })) << "a part is out of sight";
+}
+
 TEST_F(SizeTest, EverythingIsReachedAtTwiceTheSizeInASmallWindow) {
   settings({{"cloth", true}, {"interface_percent", 200}});
   Window w(display_, folder_, draft_);

@@ -261,7 +261,9 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   const DraftLayout l = pictures.held.of(
       lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y}), c.view,
       hand_of_frame());
-  if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
+  // In its first frame ImGui does not know yet how high the menu bar is: a draft fitted to that room would not fit.
+  const bool room_is_known = ImGui::GetFrameCount() > 1;
+  if (room_is_known && !is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
   pictures.minimap.apply_input(c, l);
   bool pressed = false;
   for (const GridPane* pane : l.panes()) {

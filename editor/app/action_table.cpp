@@ -31,6 +31,10 @@ void ActionTable::run(const std::string& id) {
     }
 }
 
+bool ActionTable::is_enabled(const std::string& id) const {
+  return std::ranges::any_of(actions_, [&](const Action& a) { return a.item.id == id && (!a.enabled || a.enabled()); });
+}
+
 bool ActionTable::run_key(const std::string& key) {
   for (const Action& a : actions_)
     if (a.item.shortcut == key) {

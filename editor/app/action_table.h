@@ -26,6 +26,8 @@ class ActionTable {
   /// As the panels show them.
   std::vector<ActionItem> items() const { return show(actions_); }
   void run(const std::string& id);
+  /// Whether the action can be run now.
+  bool is_enabled(const std::string& id) const;
   /// Runs the action with that shortcut; false if there is none.
   bool run_key(const std::string& key);
 

@@ -17,9 +17,11 @@
 #include "base/text.h"
 #include "base/user_folders.h"
 #include "commands/built_commit.h"
+#include "platform/catalogue.h"
 #include "platform/crash_report.h"
 #include "platform/file.h"
 #include "platform/language.h"
+#include "platform/missing_font.h"
 #include "platform/turns.h"
 #include "session/files/own_output.h"
 #include "session/files/stale_files.h"
@@ -118,6 +120,16 @@ class OpenedEditor {
   std::optional<KeepsWork> keeps_work_;
 };
 
+/// A language without a font for its letters could not be read: the window is in English then. What it says of that.
+std::string use_readable_language() {
+  const std::string font = platform::missing_font(platform::catalogue_language());
+  if (font.empty()) return {};
+  platform::use_language("en", base::languages_dir());
+  return base::fill(base::tr("No installed font has the letters of your language, so the window is in English. Install "
+                             "{font} and start again."),
+                    base::arg("font", font));
+}
+
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
@@ -126,11 +138,13 @@ int run_editor(const EditorOptions& options) {
   const Settings settings = load_settings();
   if (!options.language_asked && !settings.language.empty())
     platform::use_language(settings.language, base::languages_dir());
+  EditorOptions readable = options;
+  readable.notice = use_readable_language();
   for (const std::string& file : {options.live_export, options.ui_map}) session::remove_stale_files(file);
   auto window = Window::open(settings.width, settings.height);
   if (!window) return fail(window.error());
   Window::when_lost([] { end_without_window(nullptr); });
-  const auto opened = std::make_shared<OpenedEditor>(std::move(*window), options);
+  const auto opened = std::make_shared<OpenedEditor>(std::move(*window), readable);
   platform::take_turns([opened] { return opened->turn(); });
   return kDone;
 }

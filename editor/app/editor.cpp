@@ -60,6 +60,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
   if (!options.file.empty()) files_.start_with(options.file);
+  if (!options.notice.empty()) messages_.refuse(options.notice);
   // No tour if a program drives the window.
   const bool driven = !options.ui_map.empty() || !options.live_export.empty();
   if (!settings_.toured && !driven) settings_.tour = 0;
@@ -272,6 +273,8 @@ void Editor::apply_key(const std::string& key) {
   if (view.select.tool == Tool::kType &&
       editing_.commit(type_key(view, editing_.document().now(), settings_, key, Window::seconds())))
     return;
+  // Escape closes the messages once it has nothing of the draft to cancel.
+  if (key == "Escape" && !actions_.is_enabled("select_none") && messages_.close_remarks()) return;
   // Redo by Ctrl+Y, too, unless it was given to another command.
   if (!actions_.run_key(key) && key == "Ctrl+Y") actions_.run("redo");
 }

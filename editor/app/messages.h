@@ -37,6 +37,8 @@ class Messages {
   std::span<const Diagnostic> remarks() const { return remarks_; }
   void show_remarks() { remarks_open_ = true; }
   void toggle_remarks() { remarks_open_ = !remarks_open_; }
+  /// False if it was closed.
+  bool close_remarks() { return std::exchange(remarks_open_, false); }
   /// Draws their window.
   void draw_remarks(PanelContext& c);
 

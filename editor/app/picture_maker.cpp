@@ -37,8 +37,8 @@ PictureMaker::PictureMaker(Pipeline& pipeline, double refine_ms) : pipeline_(pip
   else problem_ = fill(tr("The cloth cannot be shown: {problem}"), arg("problem", message(made.error())));
 }
 
-void PictureMaker::submit(std::shared_ptr<const Design> design) {
-  pipeline_.submit(design);
+void PictureMaker::submit(std::shared_ptr<const Design> design, uint64_t draft) {
+  pipeline_.submit(design, draft);
   follow(std::move(design));
 }
 

@@ -37,7 +37,8 @@ class PictureMaker {
   /// picture.
   explicit PictureMaker(Pipeline& pipeline, double refine_ms = kRefineMs);
 
-  void submit(std::shared_ptr<const Design> design);
+  /// `draft`: as for the pipeline.
+  void submit(std::shared_ptr<const Design> design, uint64_t draft = 0);
   /// The pipeline has it already.
   void follow(std::shared_ptr<const Design> design);
   /// Takes finished work of the pipeline and the tracer. True if there is something new to show.

@@ -38,6 +38,7 @@ void PreviewPane::submit(std::shared_ptr<const Design> design, const ClothSubjec
   {
     const std::lock_guard lock(mutex_);
     design_ = std::move(design);
+    draft_ = subject.document;
     new_design_ = true;
   }
   wake_.notify_one();
@@ -97,7 +98,7 @@ std::shared_ptr<const Design> PreviewPane::first_design(Pipeline& pipeline) {
   wake_.wait(lock, [this] { return leaving_ || new_design_; });
   if (leaving_) return nullptr;
   new_design_ = false;
-  pipeline.submit(design_);
+  pipeline.submit(design_, draft_);
   return design_;
 }
 
@@ -143,6 +144,7 @@ bool PreviewPane::draw_while_there(PictureMaker& maker, const gl::ResetWatch& wa
     else wake_.wait_for(lock, std::chrono::duration<double>(next_s), asked);
     if (leaving_) return false;
     const std::shared_ptr<const Design> design = std::exchange(new_design_, false) ? design_ : nullptr;
+    const uint64_t draft = draft_;
     new_request_ = false;
     std::optional<PictureRequest> request;
     base::Result<void> done = caught([&] { request = request_; });
@@ -150,7 +152,7 @@ bool PreviewPane::draw_while_there(PictureMaker& maker, const gl::ResetWatch& wa
     lock.unlock();
     if (done)
       done = caught([&] {
-        if (design) maker.submit(design);
+        if (design) maker.submit(design, draft);
         if (request) make(maker, *request, moving);
         failed_ = false;
         next_s = maker.next_s(seconds());

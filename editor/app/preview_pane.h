@@ -3,6 +3,7 @@
 // The window requests a picture and is woken when there is something new to show.
 
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -58,6 +59,7 @@ class PreviewPane {
   std::condition_variable wake_;
   // Guarded by the mutex.
   std::shared_ptr<const Design> design_;
+  uint64_t draft_ = 0;  // that it is of
   bool new_design_ = false, new_request_ = false, moving_ = false, leaving_ = false;
   std::optional<PictureRequest> request_;
   std::optional<DrawnPicture> drawn_;

@@ -22,7 +22,8 @@ PreviewSlices::PreviewSlices(const std::function<void()>& /*wake*/) : begun_s_(s
 void PreviewSlices::submit(std::shared_ptr<const Design> design, const ClothSubject& subject) {
   shown_.submit(design, subject);
   // The cloth is computed while the first frames are drawn.
-  if (!maker_) pipeline_->submit(design);
+  if (!maker_) pipeline_->submit(design, subject.document);
+  draft_ = subject.document;
   design_ = std::move(design);
   new_design_ = true;
 }
@@ -41,7 +42,7 @@ bool PreviewSlices::begin_anew() {
   if (given_up_) return false;
   watch_ = gl::ResetWatch();
   begun_s_ = seconds();
-  if (design_) pipeline_->submit(design_);
+  if (design_) pipeline_->submit(design_, draft_);
   new_request_ = request_.has_value();
   return true;
 }
@@ -71,7 +72,7 @@ bool PreviewSlices::make() {
     maker_->follow(design_);
     new_design_ = false;
   }
-  if (std::exchange(new_design_, false)) maker_->submit(design_);
+  if (std::exchange(new_design_, false)) maker_->submit(design_, draft_);
   new_request_ = false;
   const bool told = maker_->poll(), drawn = maker_->draw(*request_, moving_, seconds());
   const double next = maker_->next_s(seconds());

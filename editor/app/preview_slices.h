@@ -3,6 +3,7 @@
 // pictures as PreviewPane's, drawn by poll() in the window's own context, a pass at a time. Maps are computed on the
 // pipeline's thread as ever. Where the context was lost and is there again, the next poll() begins anew.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -40,6 +41,7 @@ class PreviewSlices {
   std::optional<gl::Pipeline> pipeline_;
   std::unique_ptr<PictureMaker> maker_;  // once the window has shown itself
   std::shared_ptr<const Design> design_;
+  uint64_t draft_ = 0;  // that it is of
   bool new_design_ = false, new_request_ = false, moving_ = false, failed_ = false;
   std::optional<PictureRequest> request_;
   double next_s_ = 0;  // when there is more to do; negative: when it is asked for

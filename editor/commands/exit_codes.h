@@ -14,6 +14,7 @@ enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWri
 struct EditorOptions {
   std::string file, live_export, ui_map;
   bool language_asked = false;  // --language; else that of the settings
+  std::string notice;           // what the window says at its start; translated
 };
 
 /// Prints "weftlight: problem" on stderr.

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <utility>
 
 #include "base/tasks.h"
 #include "base/text.h"
@@ -41,9 +42,12 @@ struct Pipeline::Parts {
   bool quick_drawn = true;
   std::condition_variable_any drawn;
   Stages stages;
+  uint64_t draft = 0;  // that `stages` are of; for the runner
   // Constructed last and destroyed first: its tasks use all of the above.
   base::TaskRunner runner;
 
+  void begin_anew();
+  void follow(uint64_t submitted);
   void fail(const base::Error& error);
   void compute(const std::shared_ptr<const Design>& design, Effort effort, const std::stop_token& stop = {});
   void wait_for_picture(const std::stop_token& stop);
@@ -67,13 +71,25 @@ void Pipeline::Parts::compute(const std::shared_ptr<const Design>& design, Effor
   hand_over(design, std::move(result), std::move(copy));
 }
 
-/// The next design is computed from the start: stages that threw may hold half of this one.
-void Pipeline::Parts::fail(const base::Error& error) {
-  const std::lock_guard hold(maps);
-  const std::lock_guard lock(mutex);
+/// The next design is computed from the start. Under both mutexes.
+void Pipeline::Parts::begin_anew() {
   stages = Stages();
   all_maps = false;
   patches = {};
+}
+
+void Pipeline::Parts::follow(uint64_t submitted) {
+  if (std::exchange(draft, submitted) == submitted) return;
+  const std::lock_guard hold(maps);
+  const std::lock_guard lock(mutex);
+  begin_anew();
+}
+
+/// Stages that threw may hold half of the design.
+void Pipeline::Parts::fail(const base::Error& error) {
+  const std::lock_guard hold(maps);
+  const std::lock_guard lock(mutex);
+  begin_anew();
   made = base::failure(error.kind, base::fill(base::tr("The cloth cannot be computed: {problem}"),
                                               base::arg("problem", message(error))));
 }
@@ -133,9 +149,10 @@ bool Pipeline::Parts::upload(Renderer& renderer, bool wait) {
 Pipeline::Pipeline() : parts_(std::make_unique<Parts>()) {}
 Pipeline::~Pipeline() = default;
 
-void Pipeline::submit(std::shared_ptr<const Design> design) {
+void Pipeline::submit(std::shared_ptr<const Design> design, uint64_t draft) {
   base::Task task;
-  task.work = [parts = parts_.get(), design = std::move(design)](const base::RunningTask& running) {
+  task.work = [parts = parts_.get(), design = std::move(design), draft](const base::RunningTask& running) {
+    parts->follow(draft);
     // A quick update is finished even if a newer design waits, so that a stroke shows while it is drawn.
     parts->compute(design, Effort::kQuick);
     parts->wait_for_picture(running.stop());

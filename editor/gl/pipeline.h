@@ -3,6 +3,7 @@
 // input: what an edit did not touch is not computed again, and a painted cell rebakes a rectangle. A full update stops
 // for a newer design. The window shows the last good result and never waits.
 
+#include <cstdint>
 #include <memory>
 
 #include "base/result.h"
@@ -20,8 +21,9 @@ class Pipeline {
   Pipeline();
   ~Pipeline();
 
-  /// From the editing thread: the newest design is computed, those between are skipped.
-  void submit(std::shared_ptr<const Design> design);
+  /// From the editing thread: the newest design is computed, those between are skipped. `draft`: which draft it is of.
+  /// That of another begins anew, so that its first picture has nothing of the last one's cloth.
+  void submit(std::shared_ptr<const Design> design, uint64_t draft = 0);
   /// The visible part, for quick updates after edits of many cells.
   void set_visible_part(const VisiblePart& visible);
   /// From the thread with the GL context: uploads what is finished (maps, patches, a new mesh). True if the picture

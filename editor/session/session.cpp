@@ -119,7 +119,7 @@ namespace {
 constexpr size_t kMaxKept = 1000;  // selections of a document
 
 void keep_selection(OpenDocument& open, uint64_t step, const Selection& selected) {
-  open.selections[step] = {selected, open.view.chosen};
+  open.selections[step] = {selected, open.view.chosen, open.view.drawing.color, open.view.drawing.yarn};
   if (open.selections.size() > kMaxKept) open.selections.erase(open.selections.begin());
 }
 
@@ -139,6 +139,18 @@ void bring_selection_back(OpenDocument& open) {
   open.view.chosen = kept->second.chosen;
   open.view.chosen.dragging = false;
   limit_choice(open.view.chosen, draft);
+}
+
+/// Where an active colour or yarn went with its step, what was active before it is so again.
+void bring_active_back(OpenDocument& open, int color, int yarn) {
+  const auto kept = open.selections.find(open.document.history().mark().step);
+  if (kept == open.selections.end()) return;
+  const Design& design = open.document.now();
+  const auto exists = [](int index, const auto& list) { return index < static_cast<int>(list.size()); };
+  DrawingState& drawing = open.view.drawing;
+  if (!exists(color, design.draft.palette) && exists(kept->second.color, design.draft.palette))
+    drawing.color = kept->second.color;
+  if (!exists(yarn, design.yarns) && exists(kept->second.yarn, design.yarns)) drawing.yarn = kept->second.yarn;
 }
 
 }  // namespace
@@ -162,8 +174,10 @@ bool Session::gone(Go go) {
   OpenDocument& open = active();
   const std::shared_ptr<const Design> before = open.document.snapshot();
   keep_selection(open, open.document.history().mark().step, open.view.select.selected);
+  const auto [color, yarn] = std::pair(open.view.drawing.color, open.view.drawing.yarn);
   if (!followed(open, go(open.document))) return false;
   bring_selection_back(open);
+  bring_active_back(open, color, yarn);
   follow_given(open.view.drawing.given, before->draft, open.document.now().draft, true);
   return true;
 }

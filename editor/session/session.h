@@ -24,10 +24,11 @@ using wif::Diagnostic;
 /// draft by the next shipped one, so that browsing the library does not pile up tabs.
 enum class Origin { kOwn, kFirst, kShipped };
 
-/// What was selected at a step of the history.
+/// What was selected, and active on the colour bars, at a step of the history.
 struct KeptSelection {
   Selection selected;
   ThreadChoice chosen;
+  int color = 0, yarn = 0;
 };
 
 struct OpenDocument {

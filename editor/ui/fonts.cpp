@@ -10,6 +10,7 @@
 #include "base/whole_files.h"
 #include "platform/catalogue.h"
 #include "platform/installed_fonts.h"
+#include "platform/missing_font.h"
 #include "ui/imgui_compat.h"
 
 namespace weftlight::ui {
@@ -65,7 +66,7 @@ void add_texts(ImFontGlyphRangesBuilder& letters, const std::string& language) {
 
 Letters letters_of_language() {
   const std::string language = platform::catalogue_language();
-  if (language != "ja") return {};
+  if (!platform::needs_own_font(language)) return {};
   static std::vector<ImWchar> ranges;
   ImFontGlyphRangesBuilder letters;
   letters.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesJapanese());

@@ -107,7 +107,8 @@ bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign al
 /// In the column of figures, `room_after` pixels before the end.
 bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
-  const float pad = c.style.finger > 0 ? ImGui::GetStyle().FramePadding.y : c.style.px(4);
+  // As high as the track beside it, though its letters are smaller: both have one middle.
+  const float pad = std::max(0.0f, (ImGui::GetFrameHeight() - font_size(c.style.font.mono_small)) / 2);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), pad});
   ImGui::SetNextItemWidth(span.room_after > 0 ? -span.room_after : -FLT_MIN);
   const bool mixed = span.low != span.high;

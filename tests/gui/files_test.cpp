@@ -68,6 +68,16 @@ TEST_F(FilesTest, TwoWindowsOnOneFile) {
   EXPECT_EQ(bytes_of(draft_), theirs) << "cancelling saves nothing";
 }
 
+TEST_F(FilesTest, EscapeClosesTheMessagesAboutAFileAfterWhatItCancelsInTheDraft) {
+  put(draft_, straight_draft() + "\n[STRANGE]\nno equals sign\n");
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "remarks"));
+  ASSERT_TRUE(comes_true([&] { return w.has("remarks.panel"); }));
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("remarks.panel"); }));
+}
+
 TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
   const fs::path taken = folder_ / "taken.wif";
   put(taken, "somebody's work");

@@ -47,6 +47,38 @@ TEST_F(LanguageTest, LongTextsStayInTheirDialogs) {
   EXPECT_LE(right_of(w, "export.for:raw"), right_of(w, "export.alpha"));
 }
 
+TEST_F(LanguageTest, ALongNameThatIsCutIsToldByATip) {
+  Window w(display_, folder_, draft_, {"LC_ALL=C.UTF-8", "LANGUAGE=de"});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.find"); }));
+  display_.click(w.middle_of("weave.find"));
+  display_.type("Angeheftetes");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:stitched") && !w.has("weave:twill"); }));
+  display_.move(w.middle_of("weave:stitched"));
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "\"Angeheftetes Doppelgewebe\" is not shown whole";
+}
+
+TEST_F(LanguageTest, WithoutAFontForItsLettersIsEnglishAndSaysSo) {
+  const std::filesystem::path fonts = folder_ / "fonts.conf";
+  put(fonts, R"(<?xml version="1.0"?><fontconfig><dir>/usr/share/fonts/opentype/inter</dir></fontconfig>)");
+  const auto in = [&](const char* language) {
+    return std::vector<std::string>{"LC_ALL=C.UTF-8", std::string("LANGUAGE=") + language,
+                                    "FONTCONFIG_FILE=" + fonts.string()};
+  };
+  double english = 0;
+  {
+    Window w(display_, folder_, draft_, in("en"));
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    EXPECT_FALSE(w.has("message.refusal"));
+    english = width_of_menu(w);
+  }
+  Window w(display_, folder_, draft_, in("ja"));
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_TRUE(comes_true([&] { return w.has("message.refusal"); })) << "nothing is said of it";
+  EXPECT_EQ(width_of_menu(w), english);
+}
+
 TEST_F(LanguageTest, IsChosenInAMenuForTheNextStartAndChangesNoFile) {
   double english = 0;
   std::string saved;

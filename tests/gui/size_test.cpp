@@ -26,6 +26,24 @@ TEST_F(SizeTest, TheInterfaceChangesItsSizeAtOnceAndKeepsIt) {
   EXPECT_EQ(kept_settings()["interface_percent"], 150);
 }
 
+TEST_F(SizeTest, FiguresStandInTheMiddleOfTheirSliders) {
+  for (const int percent : {100, 150}) {
+    settings({{"interface_percent", percent}});
+    Window w(display_, folder_, draft_);
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Analysis"));
+    ASSERT_TRUE(comes_true([&] { return w.has("floats.limit:figure"); }));
+    EXPECT_NEAR(w.middle_of("floats.limit:figure").y, w.middle_of("floats.limit").y, 1) << percent;
+  }
+}
+
+TEST_F(SizeTest, ADraftIsFittedBelowTheMenuBar) {
+  settings({{"interface_percent", 150}});
+  put(draft_, straight_draft(16, 2));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("scroll.picks") && !w.has("scroll.ends"); })) << "a part is out of sight";
+}
+
 TEST_F(SizeTest, EverythingIsReachedAtTwiceTheSizeInASmallWindow) {
   settings({{"cloth", true}, {"interface_percent", 200}});
   Window w(display_, folder_, draft_);

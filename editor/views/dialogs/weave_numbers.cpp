@@ -18,8 +18,8 @@
 namespace weftlight::views {
 
 using base::arg, base::fill, base::tr;
-using ui::begin_combo, ui::begin_padded_child, ui::end_combo, ui::key_pressed, ui::letter_down, ui::muted_text,
-    ui::row_label;
+using ui::begin_combo, ui::begin_padded_child, ui::end_combo, ui::fitted, ui::key_pressed, ui::letter_down,
+    ui::muted_text, ui::row_label, ui::tooltip;
 using weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues, weaves::allowed_values,
     weaves::weave_kinds;
 
@@ -143,7 +143,9 @@ void draw_found(PanelContext& c, const std::vector<int>& found, const std::strin
     if (family != kind.family) muted_text(c, tr((family = kind.family).c_str()));
     const std::string id = std::string("weave:") + kind.id;
     const bool was = i == chosen;
-    if (list_row(c, id.c_str(), (std::string("  ") + tr(kind.name)).c_str(), was)) chosen = i;
+    const std::string name = std::string("  ") + tr(kind.name), shown = fitted(name, ImGui::GetContentRegionAvail().x);
+    if (list_row(c, id.c_str(), shown.c_str(), was)) chosen = i;
+    if (shown != name) tooltip(c, tr(kind.name));
     if (was && scroll && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   }
   if (found.empty()) muted_text(c, fill(tr("No weave matches \"{typed}\"."), arg("typed", typed)));

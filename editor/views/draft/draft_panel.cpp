@@ -178,7 +178,7 @@ void scrollbar(DraftContext& c, const char* id, const Axis& axis, Scroll scroll,
   c.map.add_item(id);
   const float length = across ? max.x - min.x : max.y - min.y;
   const float all = static_cast<float>(axis.count), seen = axis.length / axis.pitch;
-  const float grip = std::max(c.style.px(24), length * seen / all);
+  const float grip = std::min(length, std::max(c.style.px(24), length * seen / all));
   const float most = std::max(1e-6f, all - seen), way = length - grip;
   if (ImGui::IsItemActive() && way > 0) {
     const float moved = across ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
@@ -261,7 +261,9 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   const DraftLayout l = pictures.held.of(
       lay_out_draft(c.design.draft, c.view, c.settings, c.style, min, {min.x + room.x, min.y + room.y}), c.view,
       hand_of_frame());
-  if (!is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
+  // In its first frame ImGui does not know yet how high the menu bar is: a draft fitted to that room would not fit.
+  const bool room_is_known = ImGui::GetFrameCount() > 1;
+  if (room_is_known && !is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
   pictures.minimap.apply_input(c, l);
   bool pressed = false;
   for (const GridPane* pane : l.panes()) {

@@ -86,9 +86,11 @@ MaybeEdit draw_active_color(Panel& c) {
   c.map.add_item("palette.color");
   ImGui::SameLine();
   if (icon_button(c, "palette.add", icon::kPlus, "+", tr("Add a copy of this colour to the palette"))) {
+    // The edit first: its undo brings back what was active before it.
+    c.wanted.add(Edit{tr("Add colour"), [color](Design d) { return with_new_palette_color(std::move(d), color); }});
     c.wanted.change_view(
         [next = static_cast<int>(c.design.draft.palette.size())](DocumentView& v) { v.drawing.color = next; });
-    return Edit{tr("Add colour"), [color](Design d) { return with_new_palette_color(std::move(d), color); }};
+    return {};
   }
   if (!changed) return {};
   const Rgb next{rgb[0], rgb[1], rgb[2]};

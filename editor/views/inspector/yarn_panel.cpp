@@ -64,16 +64,16 @@ void activate(PanelContext& c, int yarn) {
   c.wanted.change_view([yarn](DocumentView& v) { v.drawing.yarn = yarn; });
 }
 
-MaybeEdit add_yarn(PanelContext& c, const Yarn& yarn) {
+/// The edit first: its undo brings back what was active before it.
+void add_yarn(PanelContext& c, const Yarn& yarn) {
+  c.wanted.add(Edit{tr("Add yarn"), [yarn](Design d) { return with_new_yarn(std::move(d), yarn); }});
   activate(c, static_cast<int>(c.design.yarns.size()));
-  return Edit{tr("Add yarn"), [yarn](Design d) { return with_new_yarn(std::move(d), yarn); }};
 }
 
 /// The menu of the plus button.
-MaybeEdit draw_yarn_presets(Panel& c) {
-  if (!ImGui::BeginPopup("yarn presets")) return {};
-  MaybeEdit edit;
-  if (ImGui::MenuItem(tr("Copy of this one"))) edit = add_yarn(c, c.design.yarns[static_cast<size_t>(c.view.yarn)]);
+void draw_yarn_presets(Panel& c) {
+  if (!ImGui::BeginPopup("yarn presets")) return;
+  if (ImGui::MenuItem(tr("Copy of this one"))) add_yarn(c, c.design.yarns[static_cast<size_t>(c.view.yarn)]);
   c.map.add_item("yarn.add:like");
   if (ImGui::MenuItem(tr("From the library\xE2\x80\xA6"))) c.wanted.add_action("yarns.library");
   c.map.add_item("yarn.add:library");
@@ -84,15 +84,14 @@ MaybeEdit draw_yarn_presets(Panel& c) {
   c.map.add_item("yarn.delete");
   ImGui::Separator();
   for (const Yarn& yarn : yarn_presets()) {
-    if (ImGui::MenuItem(yarn.name.c_str())) edit = add_yarn(c, yarn);
+    if (ImGui::MenuItem(yarn.name.c_str())) add_yarn(c, yarn);
     c.map.add_item("yarn.add:" + yarn.name);
   }
   ImGui::EndPopup();
-  return edit;
 }
 
 /// The list of yarns as a drop-down, and a button for a new one.
-MaybeEdit draw_choice(Panel& c) {
+void draw_choice(Panel& c) {
   const auto& yarns = c.design.yarns;
   const float add = ImGui::GetFrameHeight() + c.style.px(12);
   row_label(c, tr("Active yarn"),
@@ -115,7 +114,7 @@ MaybeEdit draw_choice(Panel& c) {
                   tr("Add a copy of this yarn, a preset or a yarn from the library; add this one to the library, or "
                      "delete it")))
     ImGui::OpenPopup("yarn presets");
-  return draw_yarn_presets(c);
+  draw_yarn_presets(c);
 }
 
 bool draw_name(PanelContext& c, Yarn& yarn) {
@@ -281,8 +280,7 @@ MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, Yar
   ImGui::Dummy({ImGui::GetContentRegionAvail().x, c.style.px(kStripHeight)});
   MaybeEdit edit;
   if (section(c, "section.yarns", tr("Yarns"))) {
-    edit = draw_choice(c);
-    if (edit) return edit;
+    draw_choice(c);
     if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, mark("Name"));
     if (const char* what = draw_properties(c, yarn)) edit = changed(c.view.yarn, yarn, what);
   }

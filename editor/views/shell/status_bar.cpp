@@ -159,6 +159,8 @@ void draw_remarks(PanelContext& c, std::span<const Diagnostic> remarks, bool& op
   ImGui::PushStyleColor(ImGuiCol_WindowBg, c.style.color.raised);
   if (ImGui::Begin(tr("File messages"), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
     for (const Diagnostic& d : remarks) draw_remark(c, d);
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  c.map.add("remarks.panel", at.x, at.y, size.x, size.y);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);

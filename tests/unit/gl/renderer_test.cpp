@@ -1,5 +1,6 @@
 #include <epoxy/gl.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -423,6 +424,29 @@ TEST_F(PictureTest, TheLastSubmittedDesignIsDrawn) {
   const Mean m = middle(draw());
   EXPECT_GT(m.b, 2 * m.r);
   EXPECT_FALSE(pipeline.busy());
+}
+
+// A quick update keeps the far field of the design before it, which is that of another cloth after a change of tabs.
+TEST_F(PictureTest, TheFirstPictureOfAnotherDraftHasNothingOfTheLastOnesCloth) {
+  look.method = Method::kCloth;
+  Design red = twill(4, 2, kRed, kRed), blue = twill(4, 2, kBlue, kBlue);
+  red.scene.mesh = blue.scene.mesh = "";
+  Pipeline pipeline;
+  pipeline.submit(std::make_shared<const Design>(red), 1);
+  pipeline.finish(*renderer);
+  const auto shown = std::make_shared<const Design>(blue);
+  pipeline.submit(shown, 2);
+  while (pipeline.uploaded() != shown) {
+    pipeline.poll(*renderer);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  renderer->set_mesh(square(100));
+  const Mean first = middle(draw());
+  pipeline.finish(*renderer);
+  renderer->set_mesh(square(100));
+  const Mean finished = middle(draw());
+  EXPECT_NEAR(first.b, finished.b, 0.1 * finished.b);
+  EXPECT_NEAR(first.r, finished.r, 0.1 * finished.b);
 }
 
 // The window once took its first picture for the final one while better maps were ready.

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
+#include "../scratch.h"
+#include "../variable.h"
 #include "platform/installed_fonts.h"
+#include "platform/missing_font.h"
 
 namespace weftlight::platform {
 namespace {
@@ -25,6 +29,16 @@ TEST(Fonts, a_face_has_the_letters_of_its_language) {
   EXPECT_TRUE(std::filesystem::exists(english.file)) << english.file;
   EXPECT_GE(english.index, 0);
   EXPECT_EQ(font_face_of_language("xx-none").file, "") << "no font has the letters of no language";
+}
+
+TEST(Fonts, of_letters_that_no_font_has_one_is_named_to_install) {
+  const Scratch scratch;
+  std::ofstream(scratch / "fonts.conf") << "<?xml version=\"1.0\"?><fontconfig></fontconfig>";
+  const Variable none("FONTCONFIG_FILE", scratch / "fonts.conf");
+  for (const char* language : {"", "en", "de", "pt_BR", "jam"}) EXPECT_EQ(missing_font(language), "") << language;
+  if (!font_face_of_language("ja").file.empty()) GTEST_SKIP() << "this system's fonts are not those of fontconfig";
+  for (const char* language : {"ja", "ja_JP"})
+    EXPECT_NE(missing_font(language).find("fonts-noto-cjk"), std::string::npos) << language;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace weftlight::session {
 
-using design::Design, design::History, design::with_threading;
+using design::Design, design::History, design::with_new_palette_color, design::with_new_yarn, design::with_threading;
 using draft::BitGrid, draft::Selection, draft::blank_draft, draft::drawdown;
 using wif::Diagnostic, wif::write_new_wif;
 
@@ -127,6 +127,25 @@ TEST_F(SessionTest, UndoAndRedoBringTheSelectionBack) {
   EXPECT_EQ(chosen.threads, (std::vector<int>{1, 2}));
   ASSERT_TRUE(s->redo());
   EXPECT_EQ(select.selected, second);
+}
+
+TEST_F(SessionTest, UndoOfAColourOrYarnActivatesTheOneBefore) {
+  const auto s = session();
+  DrawingState& drawing = s->active().view.drawing;
+  const auto colors = [&] { return static_cast<int>(s->active().document.now().draft.palette.size()); };
+  const auto yarns = [&] { return static_cast<int>(s->active().document.now().yarns.size()); };
+  ASSERT_GE(colors(), 2);
+  s->commit({"Add colour", [](Design d) { return with_new_palette_color(std::move(d), {0.5f, 0.5f, 0.5f}); }}, 0);
+  drawing.color = colors() - 1;
+  s->commit({"Add yarn", [](Design d) { return with_new_yarn(std::move(d), d.yarns[0]); }}, 0);
+  s->commit({"Add yarn", [](Design d) { return with_new_yarn(std::move(d), d.yarns[0]); }}, 0);
+  drawing.yarn = yarns() - 1;
+  ASSERT_TRUE(s->undo());
+  ASSERT_TRUE(s->undo());
+  EXPECT_EQ(drawing.yarn, 0);
+  EXPECT_EQ(drawing.color, colors() - 1) << "is still there";
+  ASSERT_TRUE(s->undo());
+  EXPECT_EQ(drawing.color, 0) << "not the last one that is left";
 }
 
 TEST_F(SessionTest, RevisionsOfTwoDocumentsDiffer) {

@@ -250,6 +250,19 @@ TEST_F(WeaverVerbs, weave_keeps_its_parameters_in_the_file) {
   EXPECT_EQ(weave_command({"twill", "", {}, 8, 8, false}), kUsage);
 }
 
+TEST_F(WeaverVerbs, weave_warns_of_a_repeat_that_is_cut) {
+  const Ran cut =
+      run({"weave", "sett", "-o", path("cut.wif"), "--set", "sett=R20 K20 G40", "--ends", "60", "--picks", "80"});
+  EXPECT_EQ(cut.code, kDone);
+  EXPECT_NE(cut.said.find("cut.wif: warning: The repeat has 80 ends and 80 picks, and there is room for 60 by 80"),
+            std::string::npos)
+      << cut.said;
+  EXPECT_EQ(
+      run({"weave", "sett", "-o", path("whole.wif"), "--set", "sett=R20 K20 G20", "--ends", "60", "--picks", "60"})
+          .said,
+      "");
+}
+
 TEST_F(WeaverVerbs, join_puts_two_drafts_in_one_cloth) {
   ASSERT_EQ(weave_command({"plain", path("a.wif"), {}, 8, 8, false}), kDone);
   ASSERT_EQ(weave_command({"twill", path("b.wif"), {}, 8, 8, false}), kDone);

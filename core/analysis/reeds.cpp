@@ -81,16 +81,21 @@ std::vector<int> even_numbers(double mean, int most) {
   return numbers;
 }
 
+SleyedReed best_sleyed(const Reed& reed, double ends_per_cm) {
+  SleyedReed best;
+  for (const std::vector<int>& sleying : sleying_patterns()) {
+    SleyedReed one = sleyed(reed, sleying, ends_per_cm);
+    if (!(std::abs(one.deviation) <= kMaxSettDeviation)) continue;
+    if (best.sleying.empty() || badness(one) < badness(best)) best = std::move(one);
+  }
+  return best;
+}
+
 std::vector<SleyedReed> nearest_reeds(double ends_per_cm, bool per_inch, size_t most) {
   std::vector<SleyedReed> all;
   if (!(ends_per_cm > 0)) return all;
   for (const float dents : standard_reeds(per_inch)) {
-    SleyedReed best;
-    for (const std::vector<int>& sleying : sleying_patterns()) {
-      SleyedReed one = sleyed({dents, per_inch}, sleying, ends_per_cm);
-      if (std::abs(one.deviation) > kMaxSettDeviation) continue;
-      if (best.sleying.empty() || badness(one) < badness(best)) best = std::move(one);
-    }
+    SleyedReed best = best_sleyed({dents, per_inch}, ends_per_cm);
     if (!best.sleying.empty()) all.push_back(std::move(best));
   }
   std::ranges::stable_sort(all, {}, badness);

@@ -38,6 +38,9 @@ struct SleyedReed {
   double deviation = 0;  // from the sett that was asked for, as a fraction of it
   bool operator==(const SleyedReed&) const = default;
 };
+/// The one of sleying_patterns() that suits a sett best in this reed. Without a sleying if none comes within
+/// kMaxSettDeviation.
+SleyedReed best_sleyed(const Reed& reed, double ends_per_cm);
 /// The standard reeds that come nearest to a sett, each with the sleying that suits it best: `most` of them, best
 /// first. None is further off than kMaxSettDeviation. A long pattern, an empty dent or a crowd in one dent (it leaves
 /// reed marks) counts like a deviation of 1% or 2%.

@@ -14,10 +14,13 @@ LoomSize loom_size(const Design& design) {
   return {most(design.loom.shafts, design.draft.shafts), most(design.loom.treadles, design.draft.treadles)};
 }
 
-base::Result<void> weaves_on_loom(const Design& design, const draft::Draft& next) {
+LoomSize known_size(const Design& design) {
   const LoomSize known = loom_size(design);
-  return fits(next, {design.loom.shafts > 0 ? known.shafts : kMaxShafts,
-                     design.loom.treadles > 0 ? known.treadles : kMaxShafts});
+  return {design.loom.shafts > 0 ? known.shafts : kMaxShafts, design.loom.treadles > 0 ? known.treadles : kMaxShafts};
+}
+
+base::Result<void> weaves_on_loom(const Design& design, const draft::Draft& next) {
+  return fits(next, known_size(design));
 }
 
 bool leads(const Design& design, BitGrid grid) {

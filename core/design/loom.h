@@ -16,8 +16,11 @@ using draft::BitGrid, draft::LoomSize;
 inline constexpr int kDefaultLimit = 32;
 LoomSize loom_size(const Design& design);
 
-/// Whether this draft may take the place of the design's, or the error: it asks more than the loom has, and more than
-/// the design's own did. A loom that is unknown has all.
+/// Shafts and treadles that another draft in its place may take: those of the loom, or of its own draft if that has
+/// more. A loom that is unknown has all.
+LoomSize known_size(const Design& design);
+
+/// Whether this draft may take the place of the design's, or the error: it asks more than known_size.
 base::Result<void> weaves_on_loom(const Design& design, const draft::Draft& next);
 
 /// True if other grids follow this one; false if it follows.

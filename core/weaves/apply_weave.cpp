@@ -111,6 +111,15 @@ ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values) {
   return {period(thread_ids(d.threading, d.warp.color)), period(thread_ids(lifts(d), d.weft.color))};
 }
 
+std::string cut_repeat_note(const WeaveKind& kind, const WeaveValues& values, ClothSize room) {
+  const ClothSize repeat = repeat_of(kind, values);
+  if (repeat.ends <= room.ends && repeat.picks <= room.picks) return {};
+  return fill(tr("The repeat has {ends} ends and {picks} picks, and there is room for {ends_here} by "
+                 "{picks_here}; the rest of it is left out."),
+              arg("ends", repeat.ends), arg("picks", repeat.picks), arg("ends_here", room.ends),
+              arg("picks_here", room.picks));
+}
+
 ClothSize whole_repeats(ClothSize repeat, ClothSize about) {
   const auto whole = [](int one, int wanted) {
     return one <= 0 ? wanted : std::max(1, (wanted + one / 2) / one) * one;

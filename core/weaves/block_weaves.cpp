@@ -45,10 +45,10 @@ std::vector<int> pattern_picks(const std::vector<int>& blocks, int ends, const s
                                const OvershotTreadling& how) {
   std::vector<int> order;
   if (how.as_writ) {
-    // Two neighbouring ends are the block of the lower one; where a block was skipped, that of the later end.
+    // Two neighbouring ends are the block of the lower one, also where a block was skipped.
     for (size_t i = 0; i < threading.size(); ++i) {
       const int a = threading[i], b = threading[(i + 1) % threading.size()];
-      order.push_back((b + 1) % shafts == a ? b : (a + 1) % shafts == b ? a : b);
+      order.push_back((b + 1) % shafts == a ? b : (a + 1) % shafts == b ? a : std::min(a, b));
     }
   } else {
     const int picks = how.picks > 0 ? std::min(how.picks, 64) : std::max(1, ends / 2);
@@ -87,8 +87,14 @@ Design overshot(const std::vector<int>& blocks, int length, ClothSize size, Over
   const auto add_end = [&](int block) {
     recipe.threading.push_back(shaft_of_block(block, recipe.threading.size() % 2 == 1, shafts));
   };
-  for (const int block : order)
-    for (int i = 0; i < ends; ++i) add_end(block);
+  // Each block ends on the shaft on which it began: it shares the next block's first end where the profile goes on, and
+  // is the same both ways where the profile turns.
+  for (auto block = order.begin(); block != order.end();) {
+    const auto next = std::find_if(block, order.end(), [&](int other) { return other != *block; });
+    const int of_run = static_cast<int>(next - block) * ends;
+    for (int i = 0; i < of_run - (of_run % 2 == 0 ? 1 : 0); ++i) add_end(*block);
+    block = next;
+  }
   if (recipe.threading.size() % 2 == 1) add_end(order.back());  // odd and even ends alternate over the repeat, too
   for (int b = 0; b < shafts; ++b) recipe.tieup.push_back(lifts_of_block(b, shafts));
   for (const int odd : {0, 1}) {

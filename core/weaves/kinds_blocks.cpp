@@ -85,7 +85,9 @@ std::vector<WeaveKind> block_kinds() {
        family,
        mark("A thick pattern weft floats in blocks over a tabby ground, with half tones between. The coverlet weave, "
             "with large figures from few shafts."),
-       {profile_parameter("A B C D C B"), count_parameter("block", mark("Block"), mark("Ends in a block"), 2, 64, "4"),
+       {profile_parameter("A B C D C B"),
+        count_parameter("block", mark("Block"), mark("Ends in a block, with the one that it shares with the next"), 2,
+                        64, "4"),
         choice_parameter(
             "fashion", mark("Fashion"),
             mark("Star weaves the blocks in the order of the threading; rose exchanges A with B, C with D"),

@@ -90,7 +90,8 @@ std::vector<WeaveKind> color_kinds() {
        mark("Stripes of a written sett, in warp and weft. For kilts, scarves and blankets of a clan or of your own."),
        {ratio_parameter("2/2"), lean_parameter(),
         text_parameter("sett", mark("Sett"),
-                       mark("Colours and threads: R8 K4 G24; with strokes, R/8 K4 G/24, it reverses at the pivots"),
+                       mark("Colours and threads: R8 K4 G24; with strokes, R/8 K4 G/24, it reverses at the pivots; "
+                            "between dots, ...R8 K4 G24..., it does not"),
                        "B/24 K4 B4 K4 B4 K20 G20 K2 W4 K2 G20 K20 B20 R/4")},
        make_sett,
        WeaveColors::kOwn},

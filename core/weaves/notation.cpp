@@ -25,8 +25,10 @@ int number_at(std::string_view text, size_t& at) {
   return value;
 }
 
+constexpr std::string_view kBlanks = " ,\t\n";
+
 void skip_blanks(std::string_view text, size_t& at) {
-  while (at < text.size() && (text[at] == ' ' || text[at] == ',' || text[at] == '\t' || text[at] == '\n')) ++at;
+  while (at < text.size() && kBlanks.find(text[at]) != kBlanks.npos) ++at;
 }
 
 constexpr int kMaxDepth = 32;  // of nested brackets
@@ -222,6 +224,24 @@ int palette_index(std::vector<Rgb>& palette, Rgb color) {
   return static_cast<int>(palette.size()) - 1;
 }
 
+std::string_view without_blanks(std::string_view text) {
+  size_t begin = 0;
+  skip_blanks(text, begin);
+  text.remove_prefix(begin);
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
+
+/// Takes the dots before and behind a sett away; true if there were any.
+bool take_dots(std::string_view& text) {
+  text = without_blanks(text);
+  bool taken = false;
+  for (const std::string_view dots : {"...", "\xE2\x80\xA6"}) {
+    if (text.starts_with(dots)) text.remove_prefix(dots.size()), taken = true;
+    if (text.ends_with(dots)) text.remove_suffix(dots.size()), taken = true;
+  }
+  return taken;
+}
+
 }  // namespace
 
 OverUnder read_ratio(std::string_view text) {
@@ -257,6 +277,7 @@ Noted<Sett> read_sett(std::string_view text) {
   Noted<Sett> read;
   Sett& out = read.value;
   bool pivots = false;
+  const bool full = take_dots(text);
   for (size_t at = 0; at < text.size();) {
     skip_blanks(text, at);
     if (at >= text.size()) break;
@@ -282,7 +303,7 @@ Noted<Sett> read_sett(std::string_view text) {
     }
     out.stripes.push_back({palette_index(out.palette, *color), threads});
   }
-  if (pivots)
+  if (pivots && !full)
     for (int i = static_cast<int>(out.stripes.size()) - 2; i > 0; --i)
       out.stripes.push_back(Stripe(out.stripes[static_cast<size_t>(i)]));
   return read;

@@ -20,6 +20,8 @@ Noted<std::vector<int>> read_profile(std::string_view text);
 /// may be nested.
 Noted<std::vector<int>> read_sequence(std::string_view text, int most = kMaxShafts);
 /// A tartan sett, runs of threads of one colour: "R8 K4 G24"; with pivots "R/8 K4 G/24" it reverses at both ends.
+/// Between dots, "...R8 K4 G24..." or with the sign for them, it repeats as it is written, as the Scottish Register of
+/// Tartans gives a full sett.
 struct Sett {
   std::vector<Rgb> palette;
   std::vector<Stripe> stripes;

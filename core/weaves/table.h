@@ -2,6 +2,7 @@
 // The table of weaves. Dialogs, commands and files use it.
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/result.h"
@@ -24,6 +25,8 @@ WeaveValues allowed_values(const WeaveKind& kind, const WeaveValues& given);
 base::Result<void> check_values(const WeaveKind& kind, const WeaveValues& values);
 /// One repeat of the weave with its colours. 0 if that is more than 1,024 threads.
 ClothSize repeat_of(const WeaveKind& kind, const WeaveValues& values);
+/// Said of a weave whose repeat is longer than the threads that it gets; empty: it is not, or repeat_of knows none.
+std::string cut_repeat_note(const WeaveKind& kind, const WeaveValues& values, ClothSize room);
 /// The whole number of repeats nearest to `about`, at least one; `about` if there is no repeat.
 ClothSize whole_repeats(ClothSize repeat, ClothSize about);
 

@@ -81,8 +81,9 @@ struct OvershotTreadling {
   int picks = 0;  // pattern picks in a block; 0: half of its ends, which weaves it square
 };
 /// Blocks of two neighbouring shafts each, on as many shafts as there are blocks, rounded up to an even number of at
-/// least four; `length` ends each, with tabby between the pattern picks. The pattern weft covers its block, passes
-/// below the block opposite and half of the others. Weft yarn 1 is the pattern's, 0 the tabby's.
+/// least four, with tabby between the pattern picks. Each has `length` ends, the last of an even number being the first
+/// of the next block, so that a profile that reads the same both ways gives such a threading. The pattern weft covers
+/// its block, passes below the block opposite and half of the others. Weft yarn 1 is the pattern's, 0 the tabby's.
 /// Based on: Mary Meigs Atwater, The Shuttle-Craft Book of American Hand-Weaving, 1928.
 Design overshot(const std::vector<int>& blocks, int length, ClothSize size, OvershotTreadling treadling = {});
 /// Two tie-down shafts and one shaft a block; `blocks` is the order of units of four ends.

@@ -26,6 +26,17 @@ int row_base(const WifSection& section, int count) {
   return zero ? 0 : 1;
 }
 
+void note_short_list(const WifSection& section, int count, Diagnostics& diagnostics, const std::string& rest) {
+  const WifKey* last = nullptr;
+  for (const WifKey& key : section.keys)
+    if (key.number >= 0 && (last == nullptr || key.number > last->number)) last = &key;
+  if (last == nullptr || last->number >= count - (row_base(section, count) == 0 ? 1 : 0)) return;
+  diagnostics.add(Severity::kNote, last->line, {},
+                  fill(tr("[{section}] ends with line {number}, but there are {count} threads"),
+                       arg("section", section.name), arg("number", last->number), arg("count", count)),
+                  rest);
+}
+
 namespace {
 
 struct Reader {
@@ -290,18 +301,32 @@ void read_shed_control(Reader& r, WifFile* info) {
   }
 }
 
-/// Some programs fill a small draft up to their largest size with unused threads.
-void note_empty_tail(const Reader& r, const BitMatrix& rows, System system) {
+/// Some programs fill a small draft up to their largest size with unused threads. True if this one is such.
+bool note_empty_tail(const Reader& r, const BitMatrix& rows, System system) {
   constexpr int kMinThreads = 100, kMinRatio = 4;
   int used = rows.rows();
   while (used > 0 && rows.first(used - 1) < 0) --used;
-  if (used == 0 || rows.rows() < kMinThreads || rows.rows() < used * kMinRatio) return;
+  if (used == 0 || rows.rows() < kMinThreads || rows.rows() < used * kMinRatio) return false;
   const bool warp = system == System::kWarp;
   const char* text = warp ? tr("only the first {used} of {count} ends are used")
                           : tr("only the first {used} of {count} picks are used");
   r.diagnostics.add(Severity::kNote, r.line_of(warp ? "WARP" : "WEFT"), {},
                     fill(text, arg("used", used), arg("count", rows.rows())),
                     fill(tr("resize the draft to {used} to see its cloth alone"), arg("used", used)));
+  return true;
+}
+
+void note_threads_without_lines(const Reader& r) {
+  const Draft& draft = r.draft();
+  const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
+  const auto note = [&r](const char* name, const BitMatrix& rows, System system) {
+    const WifSection* section = r.text.find(name);
+    if (note_empty_tail(r, rows, system) || section == nullptr) return;
+    note_short_list(*section, rows.rows(), r.diagnostics,
+                    tr("those after it are empty; add their lines, or lower Threads"));
+  };
+  note("THREADING", draft.threading, System::kWarp);
+  note(liftplan ? "LIFTPLAN" : "TREADLING", liftplan ? draft.liftplan : draft.treadling, System::kWeft);
 }
 
 void read_notes(const Reader& r) {
@@ -393,8 +418,7 @@ std::optional<ParsedWif> parse_wif(std::string_view bytes, Diagnostics& diagnost
   read_rising(r, info);
   read_lists(r, "THREADING", draft.threading, true);
   read_shed_control(r, info);
-  note_empty_tail(r, draft.threading, System::kWarp);
-  note_empty_tail(r, draft.shed_control == ShedControl::kLiftplan ? draft.liftplan : draft.treadling, System::kWeft);
+  note_threads_without_lines(r);
   read_threads(r.text, diagnostics, r.dialect, draft, info);
   read_notes(r);
   r.dialect.has_yarns = r.text.find(std::string(kPrivate) + "YARNS") != nullptr;

@@ -148,6 +148,11 @@ void read_colors(Context& c, const char* system, Threads& threads, ColumnDialect
                threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.dialect.palette_base, row.line);
              }
            });
+  // With Color=, a list may name the exceptions alone.
+  if (!stated)
+    note_short_list(*rows, threads.size(), c.diagnostics,
+                    fill(tr("those after it were given color {number}; add their lines, or Color= in [{section}]"),
+                         arg("number", fallback + c.dialect.palette_base), arg("section", system)));
 }
 
 void read_units(Context& c, const char* system, SystemDialect& dialect) {

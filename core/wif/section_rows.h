@@ -1,6 +1,7 @@
 #pragma once
 // Iterates over the numbered rows of a data section.
 
+#include <string>
 #include <vector>
 
 #include "base/text.h"
@@ -11,6 +12,10 @@ namespace weftlight::wif {
 
 /// 0 if the rows count from 0: row 0 has a value and there is no row `count`; otherwise 1.
 int row_base(const WifSection& section, int count);
+
+/// Notes a list that ends before the last thread; `rest` is what those without a line are given. A list without lines
+/// is none.
+void note_short_list(const WifSection& section, int count, Diagnostics& diagnostics, const std::string& rest);
 
 /// Calls use(index, key) for each numbered row with a value; index is 0-based and less than `count`. Of equal keys the
 /// first is used; the others and rows out of range are reported.

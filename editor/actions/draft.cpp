@@ -6,13 +6,15 @@
 #include "design/crossings.h"
 #include "design/edits.h"
 #include "design/loom.h"
+#include "design/turned.h"
 #include "session/editing/version_edits.h"
 
 namespace weftlight::actions {
 
 using base::fill, base::tr, base::tr_n;
 using design::Design, design::Leading, design::loom_size, design::to_liftplan, design::to_skeleton,
-    design::to_treadling, design::weaves_on_loom, design::with_leading, design::with_lock, design::with_rising;
+    design::to_treadling, design::turned, design::weaves_on_loom, design::with_leading, design::with_lock,
+    design::with_rising;
 using draft::ShedControl, draft::treadles_needed;
 using session::Edit, session::go_to_version_edit, session::larger_loom_edit, session::next_version;
 
@@ -78,6 +80,11 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
   add(all, "Draft", "picture", tr("Weave a picture\xE2\x80\xA6"), "", dialogs.picture);
   add_versions(all, draft, dialogs);
   add(all, "Draft", "size", tr("Size and loom limits\xE2\x80\xA6"), "", dialogs.size);
+  add(all, "Draft", "turn", tr("Turn the draft, warp becomes weft"), "", [&draft] {
+    draft.compute({tr("Turn the draft, warp becomes weft"), tr("Turning the draft"),
+                   [](const Design& d, const base::TaskProgress&) { return turned(d); },
+                   tr("Turned, the draft is the same.")});
+  });
   const auto shed = [&all, &draft](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [&draft, rising] {
       draft.commit({rising ? tr("Rising shed") : tr("Sinking shed"),

@@ -48,6 +48,7 @@ struct ConvertOptions {
   ConvertShedControl shed_control = ConvertShedControl::kAsIs;
   draft::LoomSize loom{};  // the size that the result has to fit
   bool closest = false;    // a draft that does not fit is replaced by the closest weave
+  bool turned = false;     // by a quarter: warp becomes weft
   bool tidy = false;       // equal colours and yarns are merged, unused ones go
   std::string version{};   // the name of the version to take; empty: the draft as it is
   files::PictureDraft picture{};

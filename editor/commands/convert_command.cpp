@@ -1,5 +1,5 @@
-// `convert`: a copy of the draft, the same bytes unless another shed control, another loom or the plain form is asked
-// for.
+// `convert`: a copy of the draft, the same bytes unless it is turned, or another shed control, another loom or the
+// plain form is asked for.
 
 #include <cstdio>
 #include <utility>
@@ -9,13 +9,14 @@
 #include "commands/open_design.h"
 #include "design/edits.h"
 #include "design/palette_edits.h"
+#include "design/turned.h"
 #include "design/versions.h"
 #include "draft/factor.h"
 
 namespace weftlight::commands {
 
 using base::ErrorKind, base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
-using design::Design, design::Version, design::at_version, design::to_liftplan, design::to_treadling,
+using design::Design, design::Version, design::at_version, design::to_liftplan, design::to_treadling, design::turned,
     design::version_named, design::with_merged_colors, design::with_merged_yarns, design::without_unused_colors,
     design::without_unused_yarns;
 using draft::ClosestDraft, draft::LoomSize, draft::ShedControl, draft::closest_drawdown, draft::drawdown,
@@ -35,7 +36,8 @@ std::string converted(const WifFile& file, const Design& design, const ConvertOp
                                    : treadling ? PlainShedControl::kTreadling
                                                : PlainShedControl::kAsIs);
   }
-  const bool changed = liftplan || treadling || asks_for_loom(options) || options.tidy || !options.version.empty();
+  const bool changed =
+      liftplan || treadling || asks_for_loom(options) || options.turned || options.tidy || !options.version.empty();
   return changed ? write_wif(file, design) : file.bytes;
 }
 
@@ -65,6 +67,14 @@ base::Result<Design> at_named_version(Design design, const ConvertOptions& optio
   const char* why = names.empty() ? tr("the draft has no versions, so none is called '{name}'")
                                   : tr("no version is called '{name}'; there are: {names}");
   return base::failure(ErrorKind::kInput, fill(why, arg("name", options.version), arg("names", names)), options.in);
+}
+
+base::Result<Design> turned_if_asked(Design design, const ConvertOptions& options) {
+  if (!options.turned) return design;
+  return turned(design).map_error([&](base::Error error) {
+    error.file = options.in;
+    return error;
+  });
 }
 
 /// Makes the draft fit the loom.
@@ -104,6 +114,7 @@ int convert_command(const ConvertOptions& options) {
   const base::Result<Design> design =
       at_named_version(opened.design, options)
           .map([&](Design taken) { return tidied(std::move(taken), options); })
+          .and_then([&](Design taken) { return turned_if_asked(std::move(taken), options); })
           .and_then([&](Design taken) { return with_shed_control(std::move(taken), options); })
           .and_then([&](Design changed) { return fitted_to_loom(std::move(changed), options); });
   if (!design) return fail(design.error());

@@ -316,6 +316,7 @@ RunVerb add_convert(CLI::App& verb) {
       verb.add_option("--treadles", o.loom.treadles, tr("Number of treadles that the loom has; default: any"))
           ->check(whole_number(1, kMaxShafts))
           ->excludes(liftplan);
+  verb.add_flag("--turned", o.turned, tr("Turn the cloth by a quarter, so that warp becomes weft"));
   verb.add_flag("--tidy", o.tidy, tr("Merge identical colours and yarns, and remove unused ones"));
   verb.add_option("--take-version", o.version,
                   tr("Version or colourway of the draft to copy; default: the current draft"))

@@ -1,9 +1,12 @@
 #include "commands/plan_options.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
+#include "analysis/reeds.h"
 #include "base/text.h"
 #include "commands/exit_codes.h"
 #include "commands/open_design.h"
@@ -12,7 +15,8 @@
 
 namespace weftlight::commands {
 
-using analysis::kUnitsNames, analysis::length_mm_from_text, analysis::reed_from_text;
+using analysis::best_sleyed, analysis::kMaxSettDeviation, analysis::kUnitsNames, analysis::length_mm_from_text,
+    analysis::reed_from_text, analysis::sett_in_reed, analysis::sett_text, analysis::SleyedReed;
 using base::arg, base::fill, base::tr;
 using design::ClothPlan, design::Yarn, design::YarnPurchase, design::kMaxClothMm, design::kMaxPieces, design::kMaxPrice,
     design::kMaxSettPerCm, design::kMaxShrinkage, design::kMaxSpare, design::kMaxTakeUp, design::sleying_from_text,
@@ -135,6 +139,34 @@ void apply_numbers(const PlanOptions& o, ClothPlan& plan) {
   plan.pieces = o.pieces.value_or(plan.pieces);
 }
 
+/// Whether the reed with its sleying makes about that sett.
+bool makes_sett(const ClothPlan& plan, double ends_per_cm) {
+  return std::abs(sett_in_reed(plan.reed, plan.sleying) / ends_per_cm - 1) <= kMaxSettDeviation;
+}
+
+/// Reed, sleying and sett, each of which follows from the others: a reed of the file that does not make the sett asked
+/// for is left out, and a reed asked for is sleyed to that sett. Returns what cannot be, or an empty string.
+std::string apply_reed(const PlanOptions& o, ClothPlan& plan) {
+  if (!o.reed.empty()) plan.reed = reed_from_text(o.reed).value_or(design::Reed{});
+  if (!o.sleying.empty()) plan.sleying = sleying_from_text(o.sleying);
+  const double sett = static_cast<double>(o.ends_per_cm.value_or(0));
+  if (sett <= 0 || plan.reed.dents <= 0 || makes_sett(plan, sett)) return {};
+  if (o.reed.empty()) {
+    plan.reed = {};
+    return {};
+  }
+  if (!o.sleying.empty())
+    return fill(tr("--reed {reed} with --sleying {sleying} makes {sett}; leave one of the three out"),
+                arg("reed", o.reed), arg("sleying", o.sleying),
+                arg("sett", sett_text(sett_in_reed(plan.reed, plan.sleying), draft::System::kWarp, o.units)));
+  SleyedReed sleyed = best_sleyed(plan.reed, sett);
+  if (sleyed.sleying.empty())
+    return fill(tr("no usual sleying of --reed {reed} makes that sett; give another reed, or --sleying instead"),
+                arg("reed", o.reed));
+  plan.sleying = std::move(sleyed.sleying);
+  return {};
+}
+
 }  // namespace
 
 void add_units(CLI::App& verb, Units& units) {
@@ -162,8 +194,11 @@ void add_plan_options(CLI::App& verb, PlanOptions& o) {
 
 std::optional<Design> with_options(Design design, const PlanOptions& o) {
   apply_numbers(o, design.plan);
-  if (!o.reed.empty()) design.plan.reed = reed_from_text(o.reed).value_or(design::Reed{});
-  if (!o.sleying.empty()) design.plan.sleying = sleying_from_text(o.sleying);
+  if (const std::string wrong = apply_reed(o, design.plan); !wrong.empty()) {
+    refuse(fill(tr("--ends-per-cm {value}: {problem}"), arg("value", fmt::format("{:g}", *o.ends_per_cm)),
+                arg("problem", wrong)));
+    return {};
+  }
   design.plan.floating_selvedges = design.plan.floating_selvedges || o.floating_selvedges;
   for (const std::string& one : o.prices) {
     const std::string wrong = apply_price(design, one);

@@ -34,7 +34,9 @@ void add_plan_options(CLI::App& verb, PlanOptions& options);
 /// Adds --units.
 void add_units(CLI::App& verb, Units& units);
 
-/// The design with that plan. Empty, with a line on stderr, if a price is none or names no yarn of the draft.
+/// The design with that plan. A sett and a reed that are both asked for are heeded by the sleying; a reed of the file
+/// gives way to the sett. Empty, with a line on stderr, if reed, sleying and sett contradict each other, or if a price
+/// is none or names no yarn of the draft.
 std::optional<Design> with_options(Design design, const PlanOptions& options);
 
 void print_plan(const Design& design, Units units);

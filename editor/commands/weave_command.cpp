@@ -12,7 +12,7 @@ namespace weftlight::commands {
 
 using base::arg, base::fill, base::tr, base::write_file_atomically;
 using weaves::GeneratedWeave, weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues,
-    weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
+    weaves::cut_repeat_note, weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
 using wif::write_new_wif;
 
 namespace {
@@ -55,6 +55,12 @@ bool read_values(const WeaveKind& kind, const std::vector<std::string>& set, Wea
   return true;
 }
 
+void warn(const WeaveOptions& options, const std::string& problem) {
+  if (problem.empty()) return;
+  const std::string line = fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", problem));
+  std::fprintf(stderr, "%s\n", line.c_str());
+}
+
 }  // namespace
 
 int weave_command(const WeaveOptions& options) {
@@ -72,11 +78,8 @@ int weave_command(const WeaveOptions& options) {
   if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));
   GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
   generated.design.title = kind->name;
-  if (!generated.note.empty()) {
-    const std::string line =
-        fill(tr("{file}: warning: {problem}"), arg("file", options.out), arg("problem", generated.note));
-    std::fprintf(stderr, "%s\n", line.c_str());
-  }
+  warn(options, generated.note);
+  warn(options, cut_repeat_note(*kind, values, {options.ends, options.picks}));
   return finish(write_file_atomically(options.out, write_new_wif(generated.design)));
 }
 

@@ -17,8 +17,8 @@ using base::arg, base::fill, base::mark, base::tr;
 using design::Design;
 using session::Edit, session::MaybeEdit;
 using ui::begin_list, ui::muted_text;
-using weaves::ClothSize, weaves::GeneratedWeave, weaves::WeaveKind, weaves::WeaveUse, weaves::allowed_values,
-    weaves::repeat_of, weaves::weave_kinds, weaves::with_weave;
+using weaves::GeneratedWeave, weaves::WeaveKind, weaves::WeaveUse, weaves::allowed_values, weaves::cut_repeat_note,
+    weaves::weave_kinds, weaves::with_weave;
 
 namespace {
 
@@ -26,24 +26,16 @@ constexpr float kListWidth = 190, kHeight = 360, kColumn = 300;  // pixels at 96
 
 const WeaveKind& kind_of(const WeaveOverPrompt& p) { return weave_kinds()[static_cast<size_t>(p.kind)]; }
 
-/// Said of a repeat that is not laid as a whole; `first`: nothing is said before.
-std::string too_long(const WeaveKind& kind, const WeaveUse& use, bool first) {
-  const ClothSize repeat = repeat_of(kind, use.values);
-  if (repeat.ends <= use.ends && repeat.picks <= use.picks) return {};
-  return (first ? "" : "\n") +
-         fill(tr("The repeat has {ends} ends and {picks} picks, and there is room for {ends_here} by "
-                 "{picks_here}; the rest of it is left out."),
-              arg("ends", repeat.ends), arg("picks", repeat.picks), arg("ends_here", use.ends),
-              arg("picks_here", use.picks));
-}
-
 /// Every change in the dialog starts again from the draft as it was, and all of them are one undo step.
 MaybeEdit preview_edit(WeaveOverPrompt& p) {
   p.use.weave = kind_of(p).id;
   base::Result<GeneratedWeave> made = with_weave(*p.base, p.use);
   p.refused = !made;
   p.why = made ? std::move(made->note) : problem_of(made);
-  if (made) p.why += too_long(kind_of(p), p.use, p.why.empty());
+  if (made) {
+    const std::string cut = cut_repeat_note(kind_of(p), p.use.values, {p.use.ends, p.use.picks});
+    p.why += (cut.empty() || p.why.empty() ? "" : "\n") + cut;
+  }
   return Edit{
       fill(tr("Weave: {weave}"), arg("weave", tr(kind_of(p).name))),
       [next = made ? std::make_shared<const Design>(std::move(made->design)) : p.base](const Design&) { return *next; },

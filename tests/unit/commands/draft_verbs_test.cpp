@@ -126,6 +126,17 @@ TEST_F(DraftVerbs, convert_changes_the_shed_control_and_keeps_the_drawdown) {
   }
 }
 
+TEST_F(DraftVerbs, convert_turns_the_cloth_by_a_quarter) {
+  ASSERT_EQ(run({"convert", fixture_path("twill.wif"), path("turned.wif"), "--turned"}).code, kDone);
+  const BitMatrix before = drawdown(open_design(fixture_path("twill.wif")).design.draft),
+                  after = drawdown(open_design(path("turned.wif")).design.draft);
+  ASSERT_EQ(after.rows(), before.cols());
+  ASSERT_EQ(after.cols(), before.rows());
+  for (int p = 0; p < after.rows(); ++p)
+    for (int e = 0; e < after.cols(); ++e)
+      EXPECT_NE(after.get(p, e), before.get(e, before.cols() - 1 - p)) << "end " << e + 1 << " pick " << p + 1;
+}
+
 TEST_F(DraftVerbs, exit_codes_tell_the_kind_of_error) {
   ::testing::internal::CaptureStderr();
   EXPECT_EQ(info_command({path("none.wif"), false}), kBadInput);

@@ -171,6 +171,27 @@ TEST_F(WeaverVerbs, analyse_plans_a_cloth_in_either_unit) {
   }
 }
 
+TEST_F(WeaverVerbs, analyse_heeds_a_sett_beside_a_reed) {
+  const auto plan_with = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"analyse", fixture_path("plan.wif"), "--json"});
+    return nlohmann::json::parse(run(options).out)["plan"];
+  };
+  EXPECT_EQ(plan_with({"--reed", "40/10", "--ends-per-cm", "8"})["reed"]["sleying"], "2");
+  EXPECT_EQ(plan_with({"--reed", "40/10", "--ends-per-cm", "6"})["reed"]["sleying"], "1-2");
+  EXPECT_EQ(plan_with({"--reed", "40/10", "--ends-per-cm", "8", "--sleying", "2"})["reed"]["sleying"], "2");
+  const auto without_reed = plan_with({"--ends-per-cm", "17.5"});
+  EXPECT_FALSE(without_reed.contains("reed")) << "the file's reed makes another sett";
+  EXPECT_NE(without_reed.dump().find("17.5"), std::string::npos) << without_reed.dump();
+
+  const Ran three =
+      run({"analyse", fixture_path("plan.wif"), "--reed", "40/10", "--ends-per-cm", "8", "--sleying", "1"});
+  EXPECT_EQ(three.code, kUsage);
+  EXPECT_NE(three.said.find("--reed 40/10 with --sleying 1 makes 4"), std::string::npos) << three.said;
+  const Ran crowded = run({"analyse", fixture_path("plan.wif"), "--reed", "40/10", "--ends-per-cm", "60"});
+  EXPECT_EQ(crowded.code, kUsage);
+  EXPECT_NE(crowded.said.find("no usual sleying"), std::string::npos) << crowded.said;
+}
+
 TEST_F(WeaverVerbs, diff_of_a_file_with_itself_and_another) {
   ::testing::internal::CaptureStdout();
   EXPECT_EQ(diff_command({fixture_path("twill.wif"), fixture_path("twill.wif")}), kDone);
@@ -227,6 +248,19 @@ TEST_F(WeaverVerbs, weave_keeps_its_parameters_in_the_file) {
   EXPECT_EQ(weave_command({"twill", path("t.wif"), {"color=red"}, 8, 8, false}), kUsage);
   EXPECT_EQ(weave_command({"nonsense", path("t.wif"), {}, 8, 8, false}), kUsage);
   EXPECT_EQ(weave_command({"twill", "", {}, 8, 8, false}), kUsage);
+}
+
+TEST_F(WeaverVerbs, weave_warns_of_a_repeat_that_is_cut) {
+  const Ran cut =
+      run({"weave", "sett", "-o", path("cut.wif"), "--set", "sett=R20 K20 G40", "--ends", "60", "--picks", "80"});
+  EXPECT_EQ(cut.code, kDone);
+  EXPECT_NE(cut.said.find("cut.wif: warning: The repeat has 80 ends and 80 picks, and there is room for 60 by 80"),
+            std::string::npos)
+      << cut.said;
+  EXPECT_EQ(
+      run({"weave", "sett", "-o", path("whole.wif"), "--set", "sett=R20 K20 G20", "--ends", "60", "--picks", "60"})
+          .said,
+      "");
 }
 
 TEST_F(WeaverVerbs, join_puts_two_drafts_in_one_cloth) {

@@ -17,9 +17,9 @@ using design::Yarn, design::with_new_palette_color, design::with_thickness, desi
     design::with_thread_yarn, design::yarn_presets;
 using draft::Face, draft::System;
 using weaves::Lean, weaves::Recipe, weaves::glen_check, weaves::herringbone, weaves::houndstooth, weaves::log_cabin,
-    weaves::WeaveKind, weaves::complete_values, weaves::find_weave, weaves::make_design, weaves::overshot,
-    weaves::plain, weaves::satin, weaves::shadow_weave, weaves::summer_and_winter, weaves::twill, weaves::twill_damask,
-    weaves::undulating_twill, weaves::waffle, weaves::with_colors, weaves::with_sett;
+    weaves::WeaveKind, weaves::complete_values, weaves::find_weave, weaves::make_design, weaves::plain, weaves::satin,
+    weaves::shadow_weave, weaves::summer_and_winter, weaves::twill, weaves::twill_damask, weaves::undulating_twill,
+    weaves::waffle, weaves::with_colors, weaves::with_pattern_yarn, weaves::with_sett;
 
 namespace {
 
@@ -145,8 +145,19 @@ Design honeycomb() {
                 {"Cells of plain weave and of floats, outlined by two picks of thick wool."});
 }
 
+/// Four ends of its own in each block, as the coverlet of the figures was drafted.
+Recipe coverlet() {
+  Recipe out{4, {}, {{2, 3}, {0, 3}, {0, 1}, {1, 2}, {0, 2}, {1, 3}}, {}};
+  for (const int block : {0, 1, 2, 3, 0, 1, 2, 3, 0, 3, 2, 1, 0, 3, 2, 1}) {
+    const int other = (block + 1) % 4, even = block % 2 == 0 ? block : other, odd = block % 2 == 0 ? other : block;
+    for (const int shaft : {even, odd, even, odd}) out.threading.push_back(shaft);
+    for (const int treadle : {block, 4, block, 5}) out.treadling.push_back(treadle);
+  }
+  return out;
+}
+
 Design overshot_coverlet() {
-  Design d = overshot({0, 1, 2, 3, 0, 1, 2, 3, 0, 3, 2, 1, 0, 3, 2, 1}, 4, {128, 128});
+  Design d = with_pattern_yarn(make_design(coverlet(), {128, 128}), System::kWeft, {true, false});
   d = with_colors(std::move(d), palette({0xefe6d2, 0x24365e}), {{0, 1}}, {{1, 1}, {0, 1}});
   Yarn pattern = with_thickness(yarn("Wool"), 0.72f);  // twice the tabby, to cover it
   pattern.name = "Pattern wool";

@@ -127,13 +127,13 @@ TEST(WeaveKinds, EchoRaisesOneOfEachPair) {
 }
 
 TEST(Overshot, SixBlocksOnSixShafts) {
-  const WeaveValues values = {{"profile", "A B C D E F"}, {"block", "2"}};
+  const WeaveValues values = {{"profile", "A B C D E F"}, {"block", "4"}, {"picks", "1"}};
   const Rows rows = repeat_rows("overshot", values);
   ASSERT_EQ(rows.size(), 12u) << "a pattern pick and a tabby for each block";
-  // Ends on shafts 1 2 3 2 3 4 5 4 5 6 1 6. Block A is covered, E (opposite) is above, the others are half tones.
-  EXPECT_EQ(rows[0], "001010101101");
-  EXPECT_EQ(rows[1], "101010101010");
-  EXPECT_EQ(rows[3], "010101010101");
+  // Ends on shafts 1 2 1, 2 3 2, ... 6 1 6. Block A is covered, E (opposite) is above, the others are half tones.
+  EXPECT_EQ(rows[0], "000010101010111101");
+  EXPECT_EQ(rows[1], "101010101010101010");
+  EXPECT_EQ(rows[3], "010101010101010101");
 }
 
 TEST(Overshot, FashionsAndTrompAsWrit) {
@@ -148,10 +148,10 @@ TEST(Overshot, FashionsAndTrompAsWrit) {
   const std::vector<int> star = pattern_treadles({}), rose = pattern_treadles({{"fashion", "rose"}});
   EXPECT_EQ(std::vector<int>(star.begin(), star.begin() + 5), (std::vector<int>{0, 1, 0, 2, 3}));
   EXPECT_EQ(std::vector<int>(rose.begin(), rose.begin() + 5), (std::vector<int>{1, 0, 1, 3, 2}));
-  // Tromp as writ: three pairs of ends within a block of four, and the pair across to the next,
-  // which is of block B on both its sides.
+  // Tromp as writ: the pairs of ends within a block, and those across to the next, which are of block A on both sides
+  // of B.
   const std::vector<int> writ = pattern_treadles({{"treadling", "tromp as writ"}});
-  EXPECT_EQ(std::vector<int>(writ.begin(), writ.begin() + 8), (std::vector<int>{0, 0, 0, 1, 1, 1, 1, 0}));
+  EXPECT_EQ(std::vector<int>(writ.begin(), writ.begin() + 8), (std::vector<int>{0, 0, 0, 1, 1, 0, 0, 0}));
 }
 
 TEST(Substitution, TheSatinTemplateIsASatinWithACleanCut) {

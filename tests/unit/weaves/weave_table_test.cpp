@@ -185,6 +185,13 @@ TEST(Text, SettsOfTartans) {
   EXPECT_EQ(turning.palette.size(), 3u);
   EXPECT_EQ(read_sett("LB2 #ff0000 6 DG3").value.stripes.size(), 3u);
   EXPECT_FALSE(read_sett("Q7").note.empty());
+  for (const char* full : {"...R8 K4 G24...", "\xE2\x80\xA6 R8 K4 G24 \xE2\x80\xA6", "R8 K4 G24...",
+                           "\xE2\x80\xA6R/8 K4 G/24\xE2\x80\xA6"}) {
+    const auto [sett, note] = read_sett(full);
+    EXPECT_EQ(note, "") << full;
+    EXPECT_EQ(sett.stripes.size(), 3u) << full << ": it repeats, and does not reverse";
+  }
+  EXPECT_FALSE(read_sett("R8 ... G24").note.empty());
 }
 
 TEST(Network, StaysOnTheNetworkAndFollowsTheLine) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,14 +49,63 @@ TEST(Generators, FloatsStayShort) {
   EXPECT_EQ(longest(advancing_twill({2, 2}, 4, 1, {16, 16})), 2);
 }
 
+/// The shaft of each end.
+std::vector<int> shafts_of(const Design& design) {
+  std::vector<int> shafts;
+  for (int e = 0; e < design.draft.ends(); ++e) shafts.push_back(design.draft.threading.first(e));
+  return shafts;
+}
+
 TEST(Generators, OvershotTabbiesWeavePlain) {
   const Design d = overshot({0, 1, 2, 3}, 4, {16, 16});
+  EXPECT_EQ(shafts_of(d), (std::vector<int>{0, 1, 0, 1, 2, 1, 2, 3, 2, 3, 0, 3, 0, 1, 0, 1}))
+      << "with the end shared with the next, four in each block";
   const BitMatrix cells = drawdown(d.draft);
   for (int p = 1; p < 16; p += 2) {
     for (int e = 0; e < 16; ++e) EXPECT_EQ(cells.get(p, e), (e + p / 2) % 2 == 0);
   }
   EXPECT_EQ(d.draft.weft.yarn[0], 1);
   EXPECT_EQ(d.draft.weft.yarn[1], 0);
+}
+
+/// The list up to where it repeats; it holds two repeats or more.
+std::vector<int> one_repeat(const std::vector<int>& list) {
+  size_t period = 1;
+  while (!std::equal(list.begin() + static_cast<std::ptrdiff_t>(period), list.end(), list.begin())) ++period;
+  return {list.begin(), list.begin() + static_cast<std::ptrdiff_t>(period)};
+}
+
+/// Whether a list that repeats reads the same both ways from some place in it.
+bool is_palindrome(const std::vector<int>& list) {
+  const size_t n = list.size();
+  const auto same_both_ways = [&](size_t middle) {
+    for (size_t i = 0; i < n; ++i)
+      if (list[(middle + i) % n] != list[(middle + n - i) % n]) return false;
+    return true;
+  };
+  for (size_t middle = 0; middle < n; ++middle)
+    if (same_both_ways(middle)) return true;
+  return false;
+}
+
+TEST(Generators, OvershotOfASymmetricProfileIsSymmetric) {
+  for (const std::vector<int>& profile : std::vector<std::vector<int>>{
+           {0, 1, 2, 3, 2, 1}, {0, 1, 2, 1, 0}, {1, 0, 0, 1, 2, 3, 3, 2}, {0, 1, 2, 3, 0, 3, 2, 1}, {0, 2, 0, 4, 5, 4}})
+    for (const int length : {2, 3, 4, 5, 8})
+      for (const bool as_writ : {false, true}) {
+        const Design d = overshot(profile, length, {300, 300}, {false, as_writ, 2});
+        std::vector<int> shafts = shafts_of(d), treadles;
+        for (int p = 0; p < d.draft.picks(); ++p) treadles.push_back(d.draft.treadling.first(p));
+        EXPECT_TRUE(is_palindrome(one_repeat(shafts))) << "ends in a block: " << length;
+        EXPECT_TRUE(is_palindrome(one_repeat(treadles))) << "ends in a block: " << length;
+        for (size_t e = 0; e < shafts.size(); ++e) ASSERT_EQ(shafts[e] % 2, static_cast<int>(e % 2));
+        for (size_t p = 1; p < treadles.size(); p += 2)
+          ASSERT_EQ(treadles[p], d.draft.shafts + static_cast<int>(p / 2 % 2));
+      }
+  const std::vector<int> shafts = shafts_of(overshot({0, 1, 2, 1, 0}, 4, {15, 4}));
+  std::vector<int> back = shafts;
+  std::ranges::reverse(back);
+  EXPECT_EQ(shafts, back) << "from the first end to the last";
 }
 
 TEST(Generators, DamaskBlocksMeetInACleanCut) {

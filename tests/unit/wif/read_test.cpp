@@ -229,6 +229,24 @@ TEST(read, a_long_tail_of_unused_threads_is_reported) {
   EXPECT_TRUE(says(read, 1, "first 2 of 1200 ends"));
 }
 
+TEST(read, lists_that_end_before_the_last_thread_are_reported) {
+  const std::string head = "[WIF]\nVersion=1.1\n[WEAVING]\nShafts=2\nTreadles=2\n[WARP]\nThreads=6\n",
+                    rest =
+                        "[WEFT]\nThreads=4\nColor=2\n[COLOR PALETTE]\nRange=0,255\n[COLOR TABLE]\n1=0,0,0\n2=9,9,9\n"
+                        "[THREADING]\n1=1\n2=2\n3=1\n4=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n3=1\n"
+                        "[WARP COLORS]\n1=1\n2=2\n[WEFT COLORS]\n1=1\n";
+  const WifRead read = read_wif(head + rest);
+  EXPECT_TRUE(says(read, 20, "[THREADING] ends with line 4, but there are 6 threads"));
+  EXPECT_TRUE(says(read, 27, "[TREADLING] ends with line 3, but there are 4 threads"));
+  EXPECT_TRUE(says(read, 30, "[WARP COLORS] ends with line 2, but there are 6 threads"));
+  EXPECT_FALSE(says(read, 32, "[WEFT COLORS] ends")) << "Color= gives the others theirs";
+  EXPECT_FALSE(says(read_wif(head + "Color=1\n" + rest), 31, "[WARP COLORS] ends"));
+  EXPECT_EQ(write_wif(*read.file, read.file->design), head + rest) << "nothing is mended unasked";
+  EXPECT_FALSE(says(read_wif(head + "[THREADING]\n0=1\n5=2\n" + rest.substr(0, rest.find("[THREADING]"))), 10,
+                    "[THREADING] ends"))
+      << "counted from 0";
+}
+
 // Time for such files: tests/bench (read_sections, read_yarns).
 TEST(read, fifty_thousand_sections_are_kept_unchanged) {
   constexpr int kSections = 50000;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "base/resources.h"
+#include "base/whole_files.h"
 #include "picture.h"
 #include "render_data/reference_scene.h"
+#include "wif/wif.h"
 
 namespace weftlight::gl {
 
@@ -76,6 +79,49 @@ TEST_F(Fireflies, ThePreviewHasNone) {
       const double most = brightest_among_neighbours(values, image.width, image.height);
       EXPECT_LT(most, 2.5) << method_name(method) << ' ' << yarns;
     }
+}
+
+Design shipped_cloth(const std::string& name) {
+  const wif::WifRead read =
+      wif::read_wif(base::read_file(base::presets_dir() + "/cloths/" + name + ".wif").value_or(""));
+  EXPECT_TRUE(read.file) << name;
+  return read.file ? read.file->design : Design{};
+}
+
+// Rays slipped between the round warp threads of heavy denim, which let the backdrop through in white dots.
+TEST_F(Fireflies, ClothWithoutGapsHidesTheBackdropAtASlant) {
+  frame.transparent = true;
+  scene.view_azimuth = 50;
+  for (const char* name : {"denim", "cotton_denim", "tweed"}) {
+    upload(shipped_cloth(name), square(80));
+    for (const float yarns : {0.1f, 0.8f}) {
+      frame.yarns_per_pixel = yarns;
+      const Image image = draw();
+      float least = 1;
+      for (size_t y = kSide / 4; y < kSide * 3 / 4; ++y)
+        for (size_t x = kSide / 4; x < kSide * 3 / 4; ++x)
+          least = std::min(least, image.texels[(y * kSide + x) * 4 + 3]);
+      EXPECT_GT(least, 0.999f) << name << ' ' << yarns;
+    }
+  }
+}
+
+// Single samples in the shadow between threads were black dots on flannel, whose nap covers them.
+TEST_F(Fireflies, ANapHasNoPepper) {
+  upload(shipped_cloth("flannel"), square(80));
+  frame.yarns_per_pixel = 0.6f;
+  frame.width = frame.height = 4 * kSide;
+  scene.view_azimuth = 30;
+  scene.light_azimuth = -50, scene.light_elevation = 20;
+  const Image image = draw();
+  const double mean = middle(image).sum();
+  int dark = 0;
+  for (size_t y = kSide; y < size_t{3} * kSide; ++y)
+    for (size_t x = kSide; x < size_t{3} * kSide; ++x) {
+      const float* p = image.texels.data() + (y * 4 * kSide + x) * 4;
+      dark += static_cast<double>(p[0] + p[1] + p[2]) < 0.75 * mean;
+    }
+  EXPECT_LT(dark, 0.001 * 4 * kSide * kSide);
 }
 
 }  // namespace

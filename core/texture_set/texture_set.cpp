@@ -58,7 +58,7 @@ std::string readme_of_tile(const FaceSource& face, const TextureSetOptions& o) {
 
 std::string readme_of_mips(const ExportTarget& target, MipFormat format) {
   if (!is_dds(format)) return tr("The .ktx2 files are the same images with mipmaps, for programs that read them.");
-  return target.names_dds ? tr("The .dds files are the same images with mipmaps; the material uses them.")
+  return target.names_dds ? tr("A .dds is the image of the same name with mipmaps; the material uses it.")
                           : tr("The .dds files are the same images with mipmaps, for programs that read them.");
 }
 
@@ -84,7 +84,8 @@ std::string readme(const FaceSource& face, const TextureSetOptions& o) {
       fill(tr("{name}: one seamless tile of {source}, {size} ({width} x {height} texels), for {target}; files with "
               "_back show the other face."),
            arg("name", o.name), arg("source", o.source), arg("size", size_text(face.small())),
-           arg("width", face.size().width), arg("height", face.size().height), arg("target", o.target->id))};
+           arg("width", face.size().width), arg("height", face.size().height),
+           arg("target", std::string(tr(o.target->title))))};
   if (*o.target->note) lines.push_back(fill(tr(o.target->note), arg("name", o.name)));
   lines.push_back(readme_of_tile(face, o));
   for (std::string& line : readme_extras(o)) lines.push_back(std::move(line));

@@ -23,8 +23,9 @@ constexpr int kRounds = 3;  // rounds of least squares, for the coupling between
 constexpr int kTintRounds = 4;
 constexpr size_t kSearchedTexels = 64;                           // for the descent
 constexpr float kMinBase = 0.25f, kMaxBase = 8, kMaxSheen = 40;  // factors of the colours
-constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;            // of the descent, in logarithms
-constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;      // factors of the variances, at footprint weight 1
+constexpr glm::vec3 kLeastSheen(1e-3f);                // in the equations: at 0 a factor would have none, and stay 0
+constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;  // of the descent, in logarithms
+constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // factors of the variances, at footprint weight 1
 // Starts of the descent: factors along the fibres and across, and along the weft. There are several minima.
 constexpr std::array<float, 2> kStarts[] = {{0.15f, 1}, {1, 1}};
 // Half vectors of the fit are 5 degrees (0.087) apart. Without this limit organza had a highlight of 0.034 and 0.004 of
@@ -39,6 +40,10 @@ constexpr float kHighlightWeight = 0.2f;
 constexpr float kRoundWeight = 30;
 constexpr float kDarkChannel = 0.15f;  // of the brightest: below, errors are relative to this
 constexpr float kHue = 0.005f;         // pull of colour factors to their mean: a dark channel is poorly determined
+// Pull of the sheen's factors to those of a neighbour: shot taffeta in Unreal is nearly as well off with a red sheen at
+// 0 as at its bound.
+constexpr float kSheenHold = 0.02f;
+constexpr float kNeighbourLoss = 1.02f;  // error that a neighbour's widths may have over that of the best
 constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
 constexpr std::array<float, 3> kChannelWeight{0.3f, 0.5f, 0.2f};
 
@@ -62,7 +67,7 @@ std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model,
     const EngineLobe lobe = engine_lobe(t, fit.lobe, texels.footprint_weight);
     EngineMaterial m = t.material;
     m.base = glm::min(m.base * fit.base, glm::vec3(1));
-    m.sheen = glm::min(m.sheen * fit.sheen, glm::vec3(1));
+    m.sheen = glm::min(m.sheen * glm::max(fit.sheen, kLeastSheen), glm::vec3(1));
     m.sheen_roughness = fit.sheen_roughness, m.f0 = fit.f0, m.f90 = fit.f90;
     m.alpha = model.anisotropic ? lobe.alpha() : glm::vec2(std::sqrt(lobe.alpha().x * lobe.alpha().y));
     out.push_back({m, formulas::lobe_frame(flattened(t.normal, fit.relief), {lobe.axis, 0}), t.weight / total});
@@ -86,7 +91,7 @@ std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Engin
       const EnginePair& pair = directions.pairs[i];
       const EngineParts p = formulas::engine_parts(t.material, model.sheen, wi[pair.light], wo[pair.view]);
       out[i].body += p.body * (p.kept * t.weight) / fit.base;
-      out[i].fuzz += p.fuzz * t.weight / glm::max(fit.sheen, glm::vec3(1e-3f));
+      out[i].fuzz += p.fuzz * t.weight / glm::max(fit.sheen, kLeastSheen);
       out[i].gloss += p.gloss * (p.kept * t.weight);
       out[i].grazing += p.grazing * (p.kept * t.weight);
     }
@@ -118,7 +123,7 @@ Layout layout_of(const EngineModel& model) {
   return {model.tinted, has_sheen(model) && model.sheen != formulas::kSheenDisney};
 }
 
-/// UnknownBounds of the unknowns: base colour and sheen up to white, and what the model can do.
+/// Of the unknowns: base colour and sheen up to white, and what the model can do.
 struct UnknownBounds {
   Unknowns least{}, most{};
 };
@@ -142,7 +147,7 @@ UnknownBounds bounds_of(const EngineTexels& texels, const EngineModel& model) {
 struct Normal {
   std::array<std::array<double, kUnknowns>, kUnknowns> a{};
   std::array<double, kUnknowns> b{};
-  double wanted2 = 0;
+  double wanted2 = 0, held2 = 0;
   void add(const Unknowns& row, float wanted, float weight) {
     for (size_t i = 0; i < kUnknowns; ++i) {
       if (row[i] == 0) continue;
@@ -158,6 +163,12 @@ struct Normal {
         static_cast<double>(kHue) * std::max({a[first][first], a[first + 1][first + 1], a[first + 2][first + 2]});
     for (size_t i = first; i < first + 3; ++i)
       for (size_t j = first; j < first + 3; ++j) a[i][j] += by * (i == j ? 2.0 / 3 : -1.0 / 3);
+  }
+  /// Pulls an unknown to a value.
+  void hold(size_t i, float to, float strength) {
+    const double by = static_cast<double>(strength) * a[i][i];
+    a[i][i] += by, b[i] += by * static_cast<double>(to);
+    held2 += by * static_cast<double>(to * to);
   }
   void solve(Unknowns& x, const UnknownBounds& bounds) const {
     for (int round = 0; round < 200; ++round) {
@@ -176,7 +187,7 @@ struct Normal {
     }
   }
   float error(const Unknowns& x) const {
-    double sum = wanted2;
+    double sum = wanted2 + held2;
     for (size_t i = 0; i < kUnknowns; ++i) {
       sum -= 2 * b[i] * static_cast<double>(x[i]);
       for (size_t j = 0; j < kUnknowns; ++j) sum += a[i][j] * static_cast<double>(x[i]) * static_cast<double>(x[j]);
@@ -233,12 +244,15 @@ struct Problem {
   const EngineModel& model;
   Layout layout;
   UnknownBounds bounds;
+  const EngineFit* near = nullptr;  // a neighbour's fit that this one keeps to where it can
 };
 
 /// Best factors for the given lobe widths and sheen roughness.
 void solve(EngineFit& fit, const Problem& p, int rounds) {
   for (int round = 0; round < rounds; ++round) {
-    const Normal normal = normal_of(p.directions, texel_radiance(p.texels, p.directions, p.model, fit), p.layout);
+    Normal normal = normal_of(p.directions, texel_radiance(p.texels, p.directions, p.model, fit), p.layout);
+    for (size_t c = 0; p.near != nullptr && c < (p.layout.hued ? 3u : 1u); ++c)
+      normal.hold(kSheen + c, p.near->sheen[static_cast<int>(c)], kSheenHold);
     Unknowns x{fit.base.r, fit.base.g, fit.base.b,  fit.f0.r,    fit.f0.g,
                fit.f0.b,   fit.f90,    fit.sheen.r, fit.sheen.g, fit.sheen.b};
     normal.solve(x, p.bounds);
@@ -369,29 +383,49 @@ EngineTexels some_of(const EngineTexels& all) {
   return out;
 }
 
-}  // namespace
-
-EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
-                     const EngineModel& model) {
-  if (texels.texels.empty()) return {};
-  const EngineDirections directions = directions_for({cloth, response}, model);
-  const EngineTexels few = some_of(texels);
-  const Problem p{few, directions, model, layout_of(model), bounds_of(texels, model)};
+/// The best of all starts.
+EngineFit from_starts(const Problem& p) {
   EngineFit best;
   best.error = std::numeric_limits<float>::max();
   for (const auto& [lobe, weft] : kStarts) {
-    if (!model.anisotropic && weft != 1) continue;
+    if (!p.model.anisotropic && weft != 1) continue;
     EngineFit start;
     start.lobe.fibre = glm::vec2(std::pow(lobe, freedom(p)));
     start.lobe.weft = std::pow(weft, freedom(p));
     if (falls_between_directions(start, {}, p)) continue;
-    if (!has_sheen(model)) start.sheen = glm::vec3(0);
+    if (!has_sheen(p.model)) start.sheen = glm::vec3(0);
     solve(start, p, kRounds);
     start = descend(start, p, kFirstStep, 0.5f * kFirstStep);
     if (start.error < best.error) best = start;
   }
-  best = descend(best, p, 0.5f * kFirstStep, kLastStep);
-  return finished(best, {texels, directions, model, p.layout, p.bounds});
+  return descend(best, p, 0.5f * kFirstStep, kLastStep);
+}
+
+/// From the neighbour's fit, in small steps.
+EngineFit from_neighbour(const Problem& p) {
+  EngineFit start = *p.near;
+  start.tint = {};
+  for (const Searched& at : searched(start, p)) *at.value = std::clamp(*at.value, at.least, at.most);
+  solve(start, p, kRounds);
+  return descend(start, p, 2 * kLastStep, kLastStep);
+}
+
+}  // namespace
+
+EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
+                     const EngineModel& model, const EngineFit* near) {
+  if (texels.texels.empty()) return {};
+  const EngineDirections directions = directions_for({cloth, response}, model);
+  const EngineTexels few = some_of(texels);
+  Problem p{few, directions, model, layout_of(model), bounds_of(texels, model)};
+  EngineFit best = from_starts(p);
+  if (near != nullptr) {
+    p.near = near;
+    const EngineFit beside = from_neighbour(p);
+    if (beside.error <= kNeighbourLoss * best.error) best = beside;
+    else p.near = nullptr;
+  }
+  return finished(best, {texels, directions, model, p.layout, p.bounds, p.near});
 }
 
 EngineFit refit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,

@@ -88,9 +88,10 @@ enum class EnginePlane { kWarp, kWeft };
 std::vector<EngineScore> score_plane(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                                      const EngineModel& model, const EngineFit& fit, EnginePlane plane);
 
-/// Deterministic.
+/// Deterministic. near: the fit of a neighbour with the same model, the other face or a finer level of detail, or null;
+/// where the errors are within some per cent, the fit is the one beside it, so that neighbours look alike.
 EngineFit fit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
-                     const EngineModel& model);
+                     const EngineModel& model, const EngineFit* near = nullptr);
 /// For another model that reads the same images: with the widths of the highlight and the relief of a fit.
 EngineFit refit_engine(const EngineTexels& texels, const Cloth& cloth, const ClothResponse& response,
                        const EngineModel& model, const EngineFit& fitted);

@@ -269,7 +269,7 @@ void FaceSource::measure_range() {
 void FaceSource::measure(const Cloth& cloth, const Maps& maps) {
   const EngineTexels texels = engine_texels(cloth, maps, options_.footprint_mm);
   const ClothResponse response = measure_response(cloth, maps, kFitSamples);
-  fit_ = fit_engine(texels, cloth, response, options_.model);
+  fit_ = fit_engine(texels, cloth, response, options_.model, options_.near ? &*options_.near : nullptr);
   older_fit_ = options_.older ? refit_engine(texels, cloth, response, *options_.older, fit_) : fit_;
   weight_ = texels.footprint_weight;
   checks_ = check_engine(texels, cloth, response, options_.model, fit_);

@@ -42,6 +42,7 @@ struct FaceOptions {
   bool fitted = true;    // colours, sheen and occlusion are fitted to an engine; false: those of the cloth
   EngineModel model;     // of the engine
   std::optional<EngineModel> older{};  // a second model, for older_fit()
+  std::optional<EngineFit> near{};     // of the other face or a finer level of detail, beside which the fit stays
   ThreadDetail detail = ThreadDetail::kAll;
   float footprint_mm = 0;  // of a pixel, whose microfacets the roughness includes; 0: those of a texel only
 };

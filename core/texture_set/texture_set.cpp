@@ -58,7 +58,7 @@ std::string readme_of_tile(const FaceSource& face, const TextureSetOptions& o) {
 
 std::string readme_of_mips(const ExportTarget& target, MipFormat format) {
   if (!is_dds(format)) return tr("The .ktx2 files are the same images with mipmaps, for programs that read them.");
-  return target.names_dds ? tr("The .dds files are the same images with mipmaps; the material uses them.")
+  return target.names_dds ? tr("A .dds is the image of the same name with mipmaps; the material uses it.")
                           : tr("The .dds files are the same images with mipmaps, for programs that read them.");
 }
 
@@ -84,7 +84,8 @@ std::string readme(const FaceSource& face, const TextureSetOptions& o) {
       fill(tr("{name}: one seamless tile of {source}, {size} ({width} x {height} texels), for {target}; files with "
               "_back show the other face."),
            arg("name", o.name), arg("source", o.source), arg("size", size_text(face.small())),
-           arg("width", face.size().width), arg("height", face.size().height), arg("target", o.target->id))};
+           arg("width", face.size().width), arg("height", face.size().height),
+           arg("target", std::string(tr(o.target->title))))};
   if (*o.target->note) lines.push_back(fill(tr(o.target->note), arg("name", o.name)));
   lines.push_back(readme_of_tile(face, o));
   for (std::string& line : readme_extras(o)) lines.push_back(std::move(line));
@@ -228,7 +229,8 @@ bool has_metal(const Cloth& cloth) {
   return std::any_of(cloth.yarns.begin(), cloth.yarns.end(), [](const Yarn& y) { return y.lobes.metallic; });
 }
 
-FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options) {
+FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options,
+                   const std::optional<EngineFit>& near = {}) {
   Tile tile = tile_of(design, cells, face, options);
   const Cloth& cloth = tile.cloth;
   const ExportTarget& target = *options.target;
@@ -236,10 +238,34 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   of.size = texture_size(cloth.width_mm, cloth.depth_mm, options.size);
   of.horizon = target.raw, of.fitted = !target.raw;
   of.detail = options.detail;
-  of.model = engine_model(target, has_metal(cloth)), of.older = target.older_model;
+  of.model = engine_model(target, has_metal(cloth)), of.older = target.older_model, of.near = near;
   of.footprint_mm = target.raw || target.path_traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(tile), of};
 }
+
+/// The set that this one is a level of detail of.
+TextureSetOptions finest_of(TextureSetOptions options) {
+  options.distance_m /= static_cast<float>(1 << static_cast<int>(options.detail));
+  options.size = options.tile_size, options.tile_size = 0;
+  options.detail = ThreadDetail::kAll;
+  return options;
+}
+
+/// What the fits of a set's faces stay beside: those of the finest level, else the back beside the front.
+class Neighbours {
+ public:
+  Neighbours(const Design& design, const BitMatrix& cells, const TextureSetOptions& options) {
+    if (options.target->raw || options.detail == ThreadDetail::kAll) return;
+    const TextureSetOptions finest = finest_of(options);
+    front_ = face_of(design, cells, Face::kFront, finest).fit();
+    back_ = face_of(design, cells, Face::kBack, finest, front_).fit();
+  }
+  const std::optional<EngineFit>& of_front() const { return front_; }
+  std::optional<EngineFit> of_back(const FaceSource& front) const { return back_ ? back_ : front.fit(); }
+
+ private:
+  std::optional<EngineFit> front_, back_;
+};
 
 // Estimated fractions of the work: after a face is measured, and after its images are written.
 constexpr float kMeasured = 0.1f, kFaceDone = 0.45f;
@@ -270,7 +296,8 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1)
     return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
-  FaceSource front = face_of(design, cells, Face::kFront, options);
+  const Neighbours neighbours(design, cells, options);
+  FaceSource front = face_of(design, cells, Face::kFront, options, neighbours.of_front());
   SetImages images{folder,
                    options.name,
                    *options.target,
@@ -280,7 +307,7 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                    mips_for(*options.target, options.mips),
                    options.alpha};
   if (base::Result<void> written = write_images(images, front, design, Face::kFront, options); !written) return written;
-  FaceSource back = face_of(design, cells, Face::kBack, options);
+  FaceSource back = face_of(design, cells, Face::kBack, options, neighbours.of_back(front));
   images.keep_going = face_progress(progress, kFaceDone);
   if (base::Result<void> written = write_images(images, back, design, Face::kBack, options); !written) return written;
   const SetFacts set{folder,
@@ -389,7 +416,9 @@ FaceSource face_at(const Design& design, Face face, const TextureSetOptions& opt
   small.size = std::min(options.size, side);
   if (options.tile_mm < 0)
     small.tile_mm = tile_mm_for(make_tile(design, cells, face, 0, options.size).cloth, options.size);
-  return face_of(design, cells, face, small);
+  const Neighbours neighbours(design, cells, small);
+  if (face == Face::kFront) return face_of(design, cells, face, small, neighbours.of_front());
+  return face_of(design, cells, face, small, neighbours.of_back(face_of(design, cells, Face::kFront, small)));
 }
 
 namespace {

@@ -103,8 +103,8 @@ void add_view_options(CLI::App& verb, PictureVerb& p) {
       ->check(above_zero());
   verb.add_option(
           "--view", p.view,
-          tr("Direction of the view in degrees: azimuth, and elevation from -90 to 90; default: the draft's, for "
-             "another --mesh the whole drape"))
+          tr("Direction of the view in degrees: azimuth, and elevation from -90 to 90; distance and place stay as they "
+             "are saved with the draft, or in --view-name; default: the draft's, for another --mesh the whole drape"))
       ->check(pair_of(',', "AZ,EL", {}, kElevation));
   verb.add_option("--view-name", o.view_name,
                   tr("View that is saved with the draft, or one of: whole, head_on, grazing, near; default: as --view"))
@@ -170,8 +170,8 @@ RunVerb add_render(CLI::App& verb) {
               tr("Error allowed for method auto, as a fraction of the brightness: 0.05 is 5%; default: the draft's"))
           ->check(number_in(0.01, 1.0));
   verb.add_option("--budget-ms", o.budget_ms,
-                  tr("Time for drawing the cloth in milliseconds; the error is the smallest that fits into it; "
-                     "default: no limit"))
+                  tr("Time for drawing the cloth in milliseconds, without the compilation of shaders; the error is the "
+                     "smallest that fits into it; default: no limit"))
       ->check(number_in(0.01, 1e7))
       ->excludes(samples)
       ->excludes(tolerance);

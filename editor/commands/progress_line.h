@@ -31,6 +31,8 @@ class ProgressMeter {
  public:
   /// seconds: a clock that never goes back; empty: that of the system.
   ProgressMeter(ProgressForm form, int count, std::function<double()> seconds = {});
+  /// The time that is left is told from that which passes from here: what went before comes only once.
+  void begin() { started_ = seconds_(); }
   /// The item is done up to the fraction, 0..1; 1: it is finished.
   void set(int index, double fraction, const std::string& item);
   /// The item needed no work: it says nothing about the time that the others take.

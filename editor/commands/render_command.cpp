@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "base/json.h"
 #include "base/text.h"
@@ -45,15 +47,38 @@ std::string numbered(const std::string& path, int number) {
   return (p.parent_path() / (p.stem().string() + digits + p.extension().string())).string();
 }
 
+/// Progress of one picture of a meter, in passes over the cloth: an .exr is drawn once more in its own colours. Only a
+/// software renderer, which takes seconds to minutes, reports it.
+class DrawingProgress {
+ public:
+  DrawingProgress(ProgressMeter& meter, int index, std::string item, bool linear)
+      : meter_(meter), index_(index), item_(std::move(item)), passes_(linear ? 2.0f : 1.0f) {}
+  void operator()(float done) {
+    constexpr double kDrawn = 0.98;  // the rest: to write the file
+    if (index_ == 0 && !std::exchange(begun_, true)) meter_.begin();
+    meter_.set(index_, kDrawn * static_cast<double>((passed_ + done) / passes_), item_);
+    if (done >= 1) ++passed_;
+  }
+
+ private:
+  ProgressMeter& meter_;
+  int index_;
+  std::string item_;
+  float passes_, passed_ = 0;
+  bool begun_ = false;
+};
+
 /// Draws one full turn of the view around its target, in even steps from its present azimuth.
 int draw_turntable(PictureSetup& setup, const PictureOptions& o, Backdrop backdrop) {
-  const Frame frame = frame_over(setup, o, backdrop);
+  Frame frame = frame_over(setup, o, backdrop);
   Scene scene = setup.design.scene;
   const float from = scene.view_azimuth;
   ProgressMeter progress(setup.progress, o.turntable);
   for (int k = 0; k < o.turntable; ++k) {
     const std::string file = numbered(o.out, k + 1);
     progress.set(k, 0, file);
+    DrawingProgress drawing(progress, k, file, writes_linear(o.out));
+    if (setup.progress != ProgressForm::kNone) frame.progress = std::ref(drawing);
     scene.view_azimuth =
         std::remainder(from + 360.0f * static_cast<float>(k) / static_cast<float>(o.turntable), 360.0f);
     setup.renderer->draw(scene, setup.design.look, frame);
@@ -74,11 +99,13 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o, Backdrop backdr
 /// Sets the tolerance that fits the budget. The first draw compiles the programs, the second one is timed.
 void keep_within(double budget_ms, PictureSetup& setup, Frame frame) {
   Look& look = setup.design.look;
+  setup.status.show(tr("measuring how long the cloth takes"));
   look.tolerance = kCoarsestTolerance;
   frame.timed = true;
   for (int k = 0; k < 2; ++k) setup.renderer->draw(setup.design.scene, look, frame);
   const float tolerance = setup.renderer->tolerance_within(static_cast<float>(budget_ms));
   if (tolerance > 0) look.tolerance = tolerance;
+  setup.status.clear();
 }
 
 }  // namespace
@@ -98,7 +125,11 @@ int render_command(const PictureOptions& o, Backdrop backdrop) {
   Frame frame = frame_over(setup, o, backdrop);
   frame.timed = !o.stats.empty();
   ProgressMeter progress(setup.progress, 1);
-  progress.set(0, 0, fill(tr("drawing {width} x {height} pixels"), arg("width", o.width), arg("height", o.height)));
+  const std::string drawn =
+      fill(tr("drawing {width} x {height} pixels"), arg("width", o.width), arg("height", o.height));
+  progress.set(0, 0, drawn);
+  DrawingProgress drawing(progress, 0, drawn, writes_linear(o.out));
+  if (setup.progress != ProgressForm::kNone) frame.progress = std::ref(drawing);
   setup.renderer->draw(setup.design.scene, setup.design.look, frame);
   const FrameStats stats = setup.renderer->measure();
   progress.clear();
@@ -108,6 +139,7 @@ int render_command(const PictureOptions& o, Backdrop backdrop) {
                        arg("method", std::string(method_name(stats.method)))));
   }
   base::Result<void> saved = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)), backdrop);
+  progress.clear();
   if (saved) progress.set(0, 1, o.out);
   if (saved && !o.stats.empty()) saved = write_stats(o.stats, stats, setup.design.look.tolerance, o);
   return finish(saved);

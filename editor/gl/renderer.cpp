@@ -247,6 +247,31 @@ std::chrono::steady_clock::time_point Renderer::Parts::time_when_drawn(const Fra
   return std::chrono::steady_clock::now();
 }
 
+namespace {
+
+/// Draws a cloth's mesh in bands, which grow until each takes a moment. The driver compiles with the first, so that
+/// this one is narrow.
+void draw_in_bands(GpuMesh& mesh, int width, int height, const std::function<void(float)>& progress) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kFirstRows = 2, kRows = 64;
+  constexpr std::chrono::milliseconds kMoment{400};
+  glEnable(GL_SCISSOR_TEST);
+  int rows = kFirstRows;
+  for (int from = 0; from < height;) {
+    const auto start = Clock::now();
+    glScissor(0, from, width, rows);
+    mesh.draw_cloth();
+    opengl::finish();
+    from += rows;
+    progress(std::min(static_cast<float>(from) / static_cast<float>(height), 1.0f));
+    if (rows < kRows) rows = kRows;
+    else if (Clock::now() - start < kMoment) rows *= 2;
+  }
+  glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace
+
 void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   stats.cloth = {};
   stats.compiling = false;
@@ -264,7 +289,8 @@ void Renderer::Parts::draw_cloth(const DrawnFrame& drawn, GpuMesh& on) {
   const auto start = time_when_drawn(drawn.frame);
   begin_counter(Counter::kTime, timer.get());
   begin_counter(Counter::kSamples, samples.get());
-  on.draw_cloth();
+  if (software && drawn.frame.progress) draw_in_bands(on, drawn.frame.width, drawn.frame.height, drawn.frame.progress);
+  else on.draw_cloth();
   end_counter(Counter::kSamples);
   end_counter(Counter::kTime);
   queried = true;

@@ -3,6 +3,7 @@
 // All calls need a current OpenGL 3.3+ core context (context.h, or the window's).
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ struct Frame {
   // Wait for no shader: while the driver of a graphics card compiles the right program on threads of its own, a coarser
   // one draws.
   bool at_once = false;
+  // On a software renderer the cloth is drawn in bands, and after each this is called with the part that is done, 0..1:
+  // the first time when its program is compiled. A card needs no such thing, and does not call it. Empty: in one piece.
+  std::function<void(float)> progress{};
 };
 
 struct FrameStats {

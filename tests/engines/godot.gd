@@ -13,6 +13,8 @@ func _ready() -> void:
 	var material: Material = load("res://set/" + query.material)
 	if query.has("picture"):
 		await picture(query.picture, material)
+	elif query.has("layers"):
+		await layers(query.layers)
 	else:
 		await measure(query, material)
 
@@ -42,6 +44,35 @@ func measure(query: Dictionary, material: Material) -> void:
 		light.look_at_from_position(vector(pair.light), Vector3.ZERO, upwards(vector(pair.light)))
 		light.light_energy = MEAN / (PI * pair.expected)  # an energy of one is an irradiance of pi
 		results.append(mean_radiance(await shown(stage), PI * light.light_energy))
+	tell(results)
+
+
+# The coverage of cloth.glb seen from above, of one layer and of two, one over the other as in a fold.
+func layers(wanted: Dictionary) -> void:
+	var stage := new_stage()
+	stage.transparent_bg = true
+	stage.size = Vector2i(wanted.pixels, wanted.pixels)
+	var camera := Camera3D.new()
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = wanted.window_m
+	stage.add_child(camera)
+	var results: Array = []
+	for layer in 2:
+		var state := GLTFState.new()
+		var document := GLTFDocument.new()
+		document.append_from_buffer(FileAccess.get_file_as_bytes("res://cloth.glb"), "", state)
+		var scene: Node3D = document.generate_scene(state)
+		stage.add_child(scene)
+		var mesh: MeshInstance3D = scene.find_children("*", "MeshInstance3D", true, false)[0]
+		var bounds := mesh.global_transform * mesh.get_aabb()
+		var up := Vector3.ZERO
+		up[bounds.size.min_axis_index()] = 1.0
+		var middle := bounds.get_center()
+		if layer == 0:
+			camera.look_at_from_position(middle + up, middle, Vector3.RIGHT)
+		else:
+			scene.position += wanted.gap_m * up + wanted.aside_m * Vector3.RIGHT  # so that gaps do not lie over gaps
+		results.append(mean_radiance(await shown(stage), 1.0)[3])
 	tell(results)
 
 

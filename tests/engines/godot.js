@@ -1,6 +1,7 @@
 // node godot.js WEFTLIGHT GODOT_FOLDER CHROMIUM DRAFT...
 // Exports each draft for Godot and lights it flat in Godot's own web engine (Compatibility renderer) in headless Chromium.
 // Compares the mean radiance of the covered part, front and back, with the prediction and the cloth of texture_set.json.
+// Of open cloth also two layers of the glTF set, one over the other: how much they cover.
 // GODOT_FOLDER holds index.js and index.wasm. Exits with 0, 1 (difference too large) or 77 (something is not installed).
 // --table prints all values.
 'use strict';
@@ -17,6 +18,7 @@ const kEngineTolerance = 0.08;         // against the prediction, mean over azim
 const of_cloth = (angle, open) => open ? 0.3 : angle <= 60 ? 0.12 : 0.25;
 const kClothError = 0.3;               // RMS of the difference over the RMS of the cloth, to 60 degrees
 const kCoverTolerance = 0.05;
+const kFold = { window_m: kWindowM, pixels: kPixels, gap_m: 0.02, aside_m: 0.0037 };
 
 /// A package of Godot 4 (version 2 of the format) with these files: {name: Buffer}.
 function packed(files) {
@@ -118,6 +120,19 @@ function judge(result) {
   return far + (error > kClothError ? 1 : 0);
 }
 
+/// Two layers of an open cloth in glTF, as in a fold: the nearer one is blended over the farther one. Where one of them hid the
+/// other or was left out, two would cover as much as one.
+async function folded(weftlight, godot, chromium, draft, folder) {
+  const name = path.basename(draft, '.wif'), sets = path.join(folder, 'gltf'), set = path.join(sets, name);
+  execFileSync(weftlight, ['export', draft, '--target', 'gltf', '--size', '512', '-o', sets], { stdio: ['ignore', 'ignore', 'inherit'] });
+  const { coverage } = JSON.parse(fs.readFileSync(path.join(set, 'texture_set.json')));
+  const glb = fs.readFileSync(path.join(set, `${name}.glb`));
+  const [one, two] = await told_by_godot(godot, chromium, path.join(folder, name), name, { layers: kFold }, folder, { 'cloth.glb': glb });
+  const both = 1 - (1 - one) ** 2;
+  console.log(`${name}, glTF: coverage ${one.toFixed(3)} of one layer, in the set ${coverage.toFixed(3)}; ${two.toFixed(3)} of two, expected ${both.toFixed(3)}`);
+  return (Math.abs(one - coverage) > kCoverTolerance ? 1 : 0) + (Math.abs(two - both) > kCoverTolerance ? 1 : 0);
+}
+
 async function main(args) {
   const table = args[0] === '--table';
   const [weftlight, godot, chromium, ...drafts] = table ? args.slice(1) : args;
@@ -130,6 +145,7 @@ async function main(args) {
       const result = await measure(weftlight, godot, chromium, draft, folder);
       if (table) for (const r of result.rows) console.log([result.name, r.side, r.view, r.light, ...[r.cloth, r.engine, r.godot].map((c) => luminance(c).toFixed(5))].join(','));
       far += judge(result);
+      if (result.open) far += await folded(weftlight, godot, chromium, draft, folder);
     } finally {
       fs.rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
     }

@@ -152,7 +152,8 @@ const ExportTarget targets::kEevee{
     .wears_mesh = true,
     .embedded = embedded_images,
     .note = base::mark("Open {name}.py in Blender's Scripting tab and run it, or start blender -P {name}.py: it makes "
-                       "the material {name}, and gives it to the meshes that are selected. It is fitted to EEVEE."),
+                       "the material {name}, and gives it to the meshes that are selected. It is fitted to EEVEE. "
+                       "{name}.glb is a mesh to try it on."),
 };
 
 }  // namespace weftlight::texture_set

@@ -111,7 +111,8 @@ const ExportTarget targets::kGltf{
     .write_material = write_material,
     .wears_mesh = true,
     .embeds_images = true,
-    .note = base::mark("Load {name}.glb, one file with its images, or {name}.gltf, which reads those of this folder; "
+    .note = base::mark("Load {name}.glb, one file with its images, or {name}.gltf, which reads {name}.bin and the "
+                       "images of this folder; "
                        "its materials are for your own meshes too."),
 };
 

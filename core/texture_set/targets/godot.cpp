@@ -260,7 +260,8 @@ const ExportTarget targets::kGodot{
     .material = ".tres",
     .write_material = write_material,
     .note = base::mark("Copy this folder into your Godot project and drag {name}.tres onto a mesh; it shows both "
-                       "faces, and needs the shader and the images beside it."),
+                       "faces, and needs the shader and the images beside it. {name}_quad.glb is a flat piece of 100 "
+                       "mm to try it on."),
 };
 
 }  // namespace weftlight::texture_set

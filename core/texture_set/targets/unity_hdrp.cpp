@@ -91,11 +91,11 @@ const ExportTarget targets::kUnityHdrp{
     .keeps_masks = true,
     .material = ".mat",
     .write_material = [](const SetFacts& set) { return write_unity_material(set, kLit); },
-    .note =
-        base::mark("Copy this folder with its .meta files into Assets of your Unity project. {name}.mat is the "
-                   "material of the front, {name}_back.mat that of the back: drag one onto a mesh. BaseMap, MaskMap "
-                   "and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for the thread slot of HDRP/Fabric "
-                   "over a base of your own, never together with them."),
+    .note = base::mark("Copy this folder with its .meta files into Assets of your Unity project. {name}.mat is the "
+                       "material of the front, {name}_back.mat that of the back: drag one onto a mesh. {name}_quad.obj "
+                       "is a flat piece of 100 mm to try it on. BaseMap, MaskMap "
+                       "and NormalMap are for HDRP/Lit (the .mat); ThreadMap is for the thread slot of HDRP/Fabric "
+                       "over a base of your own, never together with them."),
 };
 
 }  // namespace weftlight::texture_set

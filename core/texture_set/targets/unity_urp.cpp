@@ -71,7 +71,8 @@ const ExportTarget targets::kUnityUrp{
     .material = ".mat",
     .write_material = [](const SetFacts& set) { return write_unity_material(set, kLit); },
     .note = base::mark("Copy this folder with its .meta files into Assets of your Unity project. {name}.mat is the "
-                       "material of the front, {name}_back.mat that of the back: drag one onto a mesh."),
+                       "material of the front, {name}_back.mat that of the back: drag one onto a mesh. {name}_quad.obj "
+                       "is a flat piece of 100 mm to try it on."),
 };
 
 }  // namespace weftlight::texture_set

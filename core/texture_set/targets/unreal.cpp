@@ -174,9 +174,10 @@ const ExportTarget targets::kUnreal{
     .keeps_masks = true,
     .material = "_import.py",
     .write_material = write_material,
-    .note = base::mark("In Unreal turn on the Python Editor Script Plugin and run {name}_import.py by Tools > Execute "
-                       "Python Script. It imports the images into /Game/Weftlight/{name} and makes two materials "
-                       "there, of the front and of the back."),
+    .note =
+        base::mark("In Unreal turn on the Python Editor Script Plugin and run {name}_import.py by Tools > Execute "
+                   "Python Script. It imports the images into /Game/Weftlight/{name} and makes two materials "
+                   "there, of the front and of the back. {name}_quad.glb is a flat piece of 100 mm to try them on."),
 };
 
 }  // namespace weftlight::texture_set

@@ -30,6 +30,16 @@ TEST(Progress, TheTimeLeftComesFromTheWorkDoneNotFromWhatWasSkipped) {
   EXPECT_NEAR(*meter.state().seconds_left, 0, 1e-9);
 }
 
+TEST(Progress, WhatComesOnceSaysNothingAboutTheRest) {
+  double now = 0;
+  ProgressMeter meter(ProgressForm::kNone, 1, [&] { return now; });
+  now = 40;  // the shaders are compiled
+  meter.begin(), meter.set(0, 0.01, "a");
+  now = 50;
+  meter.set(0, 0.5, "a");
+  EXPECT_NEAR(*meter.state().seconds_left, 10, 1e-9);
+}
+
 TEST(Progress, TextsSayHowManyAndHowLong) {
   EXPECT_EQ(progress_text({2, 9, 0.316, 130.0, "denim"}), "2 of 9 done, 31 %, 3 min left: denim");
   EXPECT_EQ(progress_text({0, 1, 0.5, {}, ""}), "50 %");

@@ -1,5 +1,6 @@
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -131,6 +132,23 @@ TEST_F(PictureTest, DraftsOfAnySizeShowSingleThreads) {
   const StageResult result = stages.update(std::make_shared<const Design>(painted), Effort::kQuick);
   EXPECT_FALSE(result.all_maps || result.patches.strips.empty());
   EXPECT_TRUE(stages.packed().strips == render_data::cell_strips(draft::drawdown(painted.draft)));
+}
+
+// A picture of minutes said nothing until it was done.
+TEST_F(PictureTest, ASoftwareRendererTellsHowFarItIs) {
+  upload(twill(4, 2, kRed, kBlue), square(100));
+  frame.height = 200;
+  const Image whole = draw(false);
+  std::vector<float> told;
+  frame.progress = [&told](float done) { told.push_back(done); };
+  const Image banded = draw(false);
+  frame.progress = {};
+  EXPECT_EQ(banded.texels, whole.texels);
+  if (!renderer->is_software()) GTEST_SKIP() << "a graphics card draws in one piece";
+  ASSERT_GT(told.size(), 2u);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_LT(told.front(), 0.05f);
+  EXPECT_EQ(told.back(), 1);
 }
 
 TEST_F(PictureTest, ScaleKeepsThePicturesSize) {

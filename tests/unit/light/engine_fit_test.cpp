@@ -121,6 +121,31 @@ TEST(EngineFit, WhatAnEngineCannotSetStays) {
   EXPECT_FALSE(fit.has_sheen());
 }
 
+TEST(EngineFit, AFitStaysBesideThatOfANeighbour) {
+  const Measured m = measured(plain({2, 2}));
+  const EngineTexels texels = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
+  const EngineFit alone = fit_engine(texels, m.cloth, m.response, {});
+  EngineFit near = alone;
+  near.sheen *= 0.8f, near.lobe.fibre *= 1.1f;
+  const EngineFit beside = fit_engine(texels, m.cloth, m.response, {}, &near);
+  EXPECT_LT(glm::distance(beside.lobe.fibre, near.lobe.fibre), 0.3f * glm::length(near.lobe.fibre));
+  EXPECT_LT(beside.error, 1.05f * alone.error);
+  // No neighbour: a highlight that the cloth does not have.
+  near.lobe.fibre = glm::vec2(0.02f, 4);
+  EXPECT_LT(fit_engine(texels, m.cloth, m.response, {}, &near).error, 1.05f * alone.error);
+}
+
+// An absorbing 0: a sheen that one round of the fit took away did not come back.
+TEST(EngineFit, ASheenThatWasTakenAwayComesBack) {
+  const Measured m = measured(plain({2, 2}));
+  const EngineTexels texels = engine_texels(m.cloth, m.maps, kFootprintMmAtOneMetre);
+  const EngineFit alone = fit_engine(texels, m.cloth, m.response, {});
+  ASSERT_GT(alone.sheen.g, 0);
+  EngineFit near = alone;
+  near.sheen = glm::vec3(0);
+  EXPECT_GT(fit_engine(texels, m.cloth, m.response, {}, &near).sheen.g, 0.5f * alone.sheen.g);
+}
+
 TEST(EngineFit, CloseViewsKeepTheYarnsOwnLobes) {
   const Measured m = measured(plain({2, 2}));
   const EngineTexels texels = engine_texels(m.cloth, m.maps, 0);

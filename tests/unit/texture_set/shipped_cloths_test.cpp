@@ -165,5 +165,22 @@ TEST(ShippedCloth, ShotTaffetaChangesHueWithTheView) {
   }
 }
 
+// Its red sheen was at 0 or at the most that a fit may have: the back and the levels of detail differed.
+TEST(ShippedCloth, FacesAndLevelsOfShotTaffetaHaveTheSameSheen) {
+  const Design cloth = shipped(WEFTLIGHT_SOURCE_DIR "/presets/cloths/shot_taffeta.wif");
+  TextureSetOptions options;
+  options.target = &targets::kUnreal, options.size = 256;
+  const light::EngineFit front = face_at(cloth, Face::kFront, options, 256).fit();
+  for (int lod = 0; lod < kLods; ++lod) {
+    for (const Face face : {Face::kFront, Face::kBack}) {
+      const light::EngineFit fit = face_at(cloth, face, at_lod(options, lod), 256).fit();
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(fit.sheen[c], front.sheen[c], 5) << "of 40; level " << lod << ", channel " << c;
+      }
+      EXPECT_LT(fit.error, 1.03f * front.error) << "level " << lod;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace weftlight::texture_set

@@ -127,7 +127,25 @@ TEST(ExportTargets, ReadmesNameAFileToBeginWith) {
               target == &targets::kRaw || target == &targets::kU3m)
         << readme;
     EXPECT_EQ(readme.find('{'), std::string::npos) << readme;
+    EXPECT_NE(readme.find(target->title), std::string::npos) << readme;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string file = entry.path().filename(), kind = entry.path().extension();
+      if (kind != ".glb" && kind != ".gltf" && kind != ".bin" && kind != ".obj") continue;
+      EXPECT_NE(std::ranges::find(named, file), named.end()) << target->id << " says nothing of " << file;
+    }
   }
+}
+
+TEST(ExportTargets, TheDocsNameEveryFieldOfTheList) {
+  const Scratch scratch("fields");
+  TextureSetOptions options = options_for(targets::kGltf, 32);
+  options.masks = options.archived = true, options.key = "0";
+  ASSERT_EQ(problem_of(write_texture_set(scratch / "set", sample_design(), sheet(), options)), "");
+  const json list = list_of(scratch / "set");
+  const std::string docs = text_of(WEFTLIGHT_SOURCE_DIR "/docs/engines.md");
+  for (const auto& [field, value] : list.items()) EXPECT_NE(docs.find("`" + field), std::string::npos) << field;
+  for (const auto& [field, value] : list["fit"]["front"].items())
+    EXPECT_NE(docs.find("`." + field), std::string::npos) << field;
 }
 
 TEST(ExportTargets, ReadmesNameMipsAndLevelsOnlyWhereTheyAre) {

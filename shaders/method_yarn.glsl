@@ -58,6 +58,7 @@ struct FaceLayout {
   vec2 size;     // of a cell, mm
   float drawn;   // 0: none
   float nap;     // 0 to 1: fibres that lie over the threads in all directions
+  float under;   // fraction of the light that reaches the threads under those drawn one by one
   float lit;     // fraction of the key light that reaches threads under a nap; 0 without one
 };
 
@@ -72,6 +73,7 @@ FaceLayout face_layout(Side side, ThreadGrid g, Footprint f, vec3 l) {
   a.lit = a.nap > 0.0 ? thread_visibility(side, f, l).x : 0.0;
   a.cells = max(floor(g.period / face_cell(a.fuzz, a.depth, g.spacing)), vec2(1.0));
   a.size = g.period / a.cells;
+  a.under = face_flyaways_pass(a.fuzz, kFlyawayLength * a.depth, a.size, a.drawn);
   return a;
 }
 
@@ -212,7 +214,7 @@ vec4 shade_yarn(Side side, Lights x, Footprint f) {
   vec3 glossy_from = sums.glossy_from / max(sums.glossy.r + sums.glossy.g + sums.glossy.b, 1.0e-6);
   glossy_from += vec3(x.v.xy * (measured.z * inversesqrt(max(dot(x.v.xy, x.v.xy), 1.0e-8))), measured.w);
   vec3 sky = sums.diffuse * sky_about(from_side(side, diffuse_from)) + sums.glossy * sky_about(from_side(side, glossy_from));
-  vec3 radiance = around.alone * (x.key * sums.key + sky * side.sky + sums.hidden * around.radiance) * scale;
+  vec3 radiance = (around.alone * faces.under) * (x.key * sums.key + sky * side.sky + sums.hidden * around.radiance) * scale;
   float cover = sums.cover / float(count) * (1.0 - flyaways.a);
   return vec4((radiance * cover + flyaways.rgb) / (cover + flyaways.a), cover + flyaways.a);
 }

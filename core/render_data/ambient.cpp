@@ -9,7 +9,6 @@
 
 #include "base/loops.h"
 #include "reference/mesh_scene.h"
-#include "render_data/curved_mesh.h"
 #include "shaders/interop.h"
 
 namespace weftlight::render_data {
@@ -222,7 +221,6 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   constexpr size_t kMaxTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMaxTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);
-  if (std::ranges::find(drape::drape_names(), mesh.name) != drape::drape_names().end()) split_curved_edges(out);
   out.body_fine = simplify(out.body, 0.001f);
   return out;
 }

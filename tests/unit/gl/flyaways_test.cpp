@@ -91,8 +91,8 @@ TEST_F(FlyawaysTest, ZoomingInKeepsWhatTheyCover) {
   for (const float fuzz : {0.0f, 0.35f}) {
     upload(cloth_of(fuzz), tube(8, 60));
     for (size_t zoom = 0; zoom < covered.size(); ++zoom) {
-      frame.width = frame.height = 128 << zoom;
-      frame.yarns_per_pixel = 0.4f / static_cast<float>(1 << zoom);
+      frame.width = frame.height = 192 << zoom;
+      frame.yarns_per_pixel = 0.8f / 3 / static_cast<float>(1 << zoom);
       const double cover = alpha_sum(draw()) / std::pow(4.0, static_cast<double>(zoom));
       covered[zoom] = cover - covered[zoom];
     }
@@ -169,7 +169,7 @@ std::vector<Flyaway> scattered(const FlyawayGrowth& growth, float pixel_mm) {
   return scatter_flyaways(prepared, {}, {}, growth, view);
 }
 
-constexpr FlyawayGrowth kWool{{20, 0}, {0.6f, 0}, 0.2f};
+constexpr FlyawayGrowth kWool{{20, 0}, {2.4f, 0}, 0.2f};
 
 double fibres(const std::vector<Flyaway>& flyaways) {
   return std::accumulate(flyaways.begin(), flyaways.end(), 0.0,
@@ -177,7 +177,7 @@ double fibres(const std::vector<Flyaway>& flyaways) {
 }
 
 TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {
-  const std::vector<Flyaway> near = scattered(kWool, 0.075f), far = scattered(kWool, 0.15f);
+  const std::vector<Flyaway> near = scattered(kWool, 0.3f), far = scattered(kWool, 0.6f);
   ASSERT_GT(far.size(), 100u);
   EXPECT_GT(near.size(), far.size());
   EXPECT_NEAR(fibres(near) / fibres(far), 1, 0.1);
@@ -187,14 +187,14 @@ TEST(Flyaways, StandAtTheEdgeAndStandForAsManyFromAfar) {
     farthest =
         std::max(farthest, std::abs(glm::dot(fibre.normal, glm::normalize(glm::vec3(0, 150, 1000) - fibre.root))));
   }
-  EXPECT_LT(farthest, 0.6f);  // sqrt(2 h / R) of the longest fibres, 4.6 means
+  EXPECT_LT(farthest, 0.8f);  // sqrt(2 h / R) of the longest fibres, 4.6 means
 }
 
 TEST(Flyaways, FadeOutTogetherWhereTheyWouldBeDots) {
-  const std::vector<Flyaway> near = scattered(kWool, 0.15f), far = scattered(kWool, 0.24f);  // 4 and 2.5 pixels long
+  const std::vector<Flyaway> near = scattered(kWool, 0.6f), far = scattered(kWool, 0.96f);  // 4 and 2.5 pixels long
   ASSERT_GT(far.size(), 0.4 * static_cast<double>(near.size()));
   EXPECT_NEAR(fibres(far) / fibres(near), 0.4, 0.05);  // a linear fade from 4 to 1.5
-  EXPECT_TRUE(scattered(kWool, 0.45f).empty());
+  EXPECT_TRUE(scattered(kWool, 2.0f).empty());
 }
 
 TEST(Flyaways, AreNoMoreThanCanBeSeenOrDrawn) {

@@ -186,7 +186,7 @@ Design chambray() {
   yarn.flattening = 0.55f, yarn.irregularity = 0.06f, yarn.unevenness = 15, yarn.fibre_um = 22;
   yarn.hairiness = 0.35f, yarn.melange = 0.15f;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 44, 36);
-  return titled(worn(std::move(d), "shirt", 20, 8, 0.78f), "Chambray",
+  return titled(worn(std::move(d), "shirt", 20, 8, 0.88f), "Chambray",
                 {"Plain weave, blue warp and white weft, Ne 40, 44 by 36 a centimetre."});
 }
 
@@ -199,7 +199,7 @@ Design oxford() {
   warp.irregularity = 0.04f, warp.unevenness = 13, warp.fibre_um = 22, warp.hairiness = 0.3f, warp.melange = 0.1f;
   weft.irregularity = 0.05f, weft.unevenness = 15, weft.fibre_um = 30, weft.flattening = 0.7f;
   d = set_at(with_yarns(std::move(d), warp, weft), 42, 25);
-  return titled(worn(std::move(d), "shirt", -20, 8, 0.78f), "Oxford",
+  return titled(worn(std::move(d), "shirt", -20, 8, 0.88f), "Oxford",
                 {"Two fine blue ends weave as one over a soft white weft three times as heavy.",
                  "Ne 40 by Ne 14, 42 by 25 a centimetre."});
 }
@@ -238,7 +238,7 @@ Design flannel() {
   yarn.twist = Twist::kZ, yarn.irregularity = 0.04f, yarn.unevenness = 20, yarn.melange = 0.8f;
   d.finish.raised = 1;  // napped
   d = set_at(with_yarns(std::move(d), yarn, yarn), 19, 17);
-  return titled(worn(std::move(d), "tunic", 25, 10, 0.8f), "Flannel",
+  return titled(worn(std::move(d), "tunic", 25, 10, 0.88f), "Flannel",
                 {"2/2 twill of grey melange, woollen Nm 15, 19 by 17 a centimetre, milled and raised."});
 }
 
@@ -299,7 +299,7 @@ Design damask() {
   yarn.flattening = 0.45f, yarn.lobes.along_width = 0.13f, yarn.lobes.across_width = 0.3f, yarn.lobes.layers = 7;
   d = set_at(with_yarns(std::move(d), yarn, yarn), 30, 28);
   return titled(
-      lit(worn(std::move(d), "tablecloth", 8, 24, 0.7f), -50, 30), "Damask",
+      lit(worn(std::move(d), "tablecloth", 8, 24, 0.76f), -50, 30), "Damask",
       {"Table damask of flowers in an ogee, for a drawloom: satin on five shafts, warp-faced against",
        "weft-faced, white on half-bleached. Lea 40, 30 by 28 a centimetre, beetled; the figure is 16 by 23 cm."});
 }

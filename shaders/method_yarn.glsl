@@ -119,9 +119,12 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
   return sum;
 }
 
-// In cloth without gaps a ray that slips between round threads would meet the fibres that fill the room between them:
-// those of the thread nearest to it at the middle plane.
+// Where threads of one system touch, a slanted ray that slips between them, since they are round, would meet the fibres
+// that fill the room: those of the thread nearest to it at the middle plane. No thread where one sees through from
+// straight above, too.
 ThreadHit nearest_thread(ThreadGrid g, vec2 at) {
+  ThreadHit above = thread_below(g, at, vec2(0.0));
+  if (above.system < 0) return above;
   Crossing c = crossing_near(g, at);
   vec3 p = vec3(at, 0.0);
   return hit_of(c, p, near_distances(c, p));
@@ -133,10 +136,8 @@ ThreadHit nearest_thread(ThreadGrid g, vec2 at) {
 // fibres that are drawn over it and not in its lobes.
 void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, vec2 measured, vec2 weight, vec2 at, vec2 dx, vec2 dy, vec3 l) {
   ThreadHit hit = first_thread(g, at, x.v, kViewCells);
-  if (hit.system < 0) {
-    if (cloth.open > 0.5) return;
-    hit = nearest_thread(g, at);
-  }
+  if (hit.system < 0 && min(cloth.gap_u_mm, cloth.gap_v_mm) < 0.01 * g.spacing) hit = nearest_thread(g, at);
+  if (hit.system < 0) return;
   sums.cover += 1.0;
   int thread = hit.strand.thread;
   float length_mm = hit.system == 0 ? g.period.y : g.period.x;

@@ -89,7 +89,7 @@ Design shipped_cloth(const std::string& name) {
 }
 
 // Rays slipped between the round warp threads of heavy denim, which let the backdrop through in white dots.
-TEST_F(Fireflies, ClothWithoutGapsHidesTheBackdropAtASlant) {
+TEST_F(Fireflies, ClothWhoseThreadsTouchHidesTheBackdropAtASlant) {
   frame.transparent = true;
   scene.view_azimuth = 50;
   for (const char* name : {"denim", "cotton_denim", "tweed"}) {

@@ -16,7 +16,7 @@
 namespace weftlight::design {
 
 using base::arg, base::fill, base::tr, base::tr_n;
-using draft::complement, draft::lifts, draft::transposed, draft::treadles_needed, draft::within_loom;
+using draft::complement, draft::transposed, draft::treadles_needed, draft::within_loom;
 
 namespace {
 
@@ -39,10 +39,10 @@ ClothPlan turned(ClothPlan plan) {
   return plan;
 }
 
-base::Failure too_small(std::string problem, bool liftplan_fits) {
+base::Failure too_small(const std::string& problem, bool liftplan_fits) {
   const char* what = liftplan_fits ? tr("{problem}; use the liftplan first, or enter a larger loom")
                                    : tr("{problem}; enter a larger loom first");
-  return base::failure(base::ErrorKind::kInput, fill(what, arg("problem", std::move(problem))));
+  return base::failure(base::ErrorKind::kInput, fill(what, arg("problem", problem)));
 }
 
 /// A treadle for each lift would be more than a draft can have shafts.
@@ -68,8 +68,7 @@ base::Result<Design> turned(const Design& design) {
   const LoomSize loom = known_size(design);
   base::Result<Draft> on_loom = within_loom(out.draft, loom);
   if (!on_loom)
-    return too_small(std::move(on_loom).error().text,
-                     !liftplan && within_loom(to_liftplan(out).draft, loom).has_value());
+    return too_small(on_loom.error().text, !liftplan && within_loom(to_liftplan(out).draft, loom).has_value());
   out.draft = std::move(*on_loom);
   out.plan = turned(std::move(out.plan));
   out.loom = with_place_of(Loom{}, design.loom);

@@ -16,6 +16,7 @@
 #include "design/versions.h"
 #include "draft/block_text.h"
 #include "draft/factor.h"
+#include "platform/missing_font.h"
 #include "session/editing/follow_document.h"
 #include "session/editing/selection_state.h"
 
@@ -341,9 +342,9 @@ TEST(EveryAction, ASkeletonTieupHasNoMoreTreadlesThanTheLoom) {
 TEST(EveryAction, IsEnabledInSomeState) {
   BareEditor editor(rich_design());
   // Other tabs, files, and what crashed sessions left.
-  const std::set<std::string> needs_the_window = {"close_others", "close_right", "copy_path",
-                                                  "drape.again",  "next_tab",    "previous_tab",
-                                                  "recovery",     "reload",      "show_in_folder"};
+  std::set<std::string> needs_the_window = {"close_others", "close_right", "copy_path", "drape.again",   "next_tab",
+                                            "previous_tab", "recovery",    "reload",    "show_in_folder"};
+  if (!platform::missing_font("ja").empty()) needs_the_window.insert("language.ja");
   const std::vector<Stage> all = stages();
   std::set<std::string> never;
   for (const Action& action : whole_table(editor)) {

@@ -103,8 +103,9 @@ bool read_palette(Context& c) {
 /// Color=index,R,G,B of a two-colour draft without a colour table.
 std::optional<Rgb> stated_rgb(Context& c, const char* system) {
   const WifKey* key = c.text.find(system, "Color");
+  if (!key) return std::nullopt;
   std::vector<int> list;
-  if (key) leading_ints(key->value, list);
+  leading_ints(key->value, list);
   if (list.size() < 4) return std::nullopt;
   const WifKey* range = c.text.find("COLOR PALETTE", "Range");
   if (!range) read_range(c, *std::max_element(list.begin() + 1, list.end()));

@@ -17,8 +17,8 @@ using base::arg, base::fill, base::mark, base::tr;
 using design::Design;
 using session::Edit, session::MaybeEdit;
 using ui::begin_list, ui::muted_text;
-using weaves::GeneratedWeave, weaves::WeaveKind, weaves::WeaveUse, weaves::allowed_values, weaves::cut_repeat_note,
-    weaves::weave_kinds, weaves::with_weave;
+using weaves::GeneratedWeave, weaves::WeaveKind, weaves::allowed_values, weaves::cut_repeat_note, weaves::weave_kinds,
+    weaves::with_weave;
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 namespace weftlight::design {
 
-using draft::BitMatrix, draft::Draft, draft::Rgb, draft::ShedControl, draft::drawdown, draft::is_consistent;
+using draft::BitMatrix, draft::Draft, draft::drawdown, draft::is_consistent;
 
 namespace {
 

@@ -137,8 +137,9 @@ TEST_F(SessionTest, UndoOfAColourOrYarnActivatesTheOneBefore) {
   ASSERT_GE(colors(), 2);
   s->commit({"Add colour", [](Design d) { return with_new_palette_color(std::move(d), {0.5f, 0.5f, 0.5f}); }}, 0);
   drawing.color = colors() - 1;
-  s->commit({"Add yarn", [](Design d) { return with_new_yarn(std::move(d), d.yarns[0]); }}, 0);
-  s->commit({"Add yarn", [](Design d) { return with_new_yarn(std::move(d), d.yarns[0]); }}, 0);
+  const design::Yarn yarn = s->active().document.now().yarns[0];
+  s->commit({"Add yarn", [&yarn](Design d) { return with_new_yarn(std::move(d), yarn); }}, 0);
+  s->commit({"Add yarn", [&yarn](Design d) { return with_new_yarn(std::move(d), yarn); }}, 0);
   drawing.yarn = yarns() - 1;
   ASSERT_TRUE(s->undo());
   ASSERT_TRUE(s->undo());

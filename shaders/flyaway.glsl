@@ -116,7 +116,7 @@ FORMULA float flyaway_reach(vec2 size) { return 0.45f * min(size.x, size.y); }
 
 // Fraction of the light that reaches the threads between those drawn one by one, for a mean length in cells of this
 // size. Single fibres scatter as much light as they take, a crowd does not. With it the brightness stays where they
-// appear: to 7 % in flannel, which was up to 24 % brighter, and to 3 % in tweed (9 %).
+// appear: to 7 % in flannel, which was up to 24 % brighter, and to 3 % in tweed (8 %).
 FORMULA float face_flyaways_pass(float fraction, float length, vec2 size, float drawn) {
   const float each = 0.5f * kFaceWidth * kFaceOpacity;  // area of a fibre, which tapers, per length
   const float single = 0.05f;                           // cover of fibres that hardly shade each other

@@ -251,21 +251,23 @@ TextureSetOptions finest_of(TextureSetOptions options) {
   return options;
 }
 
-/// What the fits of a set's faces stay beside: those of the finest level, else the back beside the front.
-class Neighbours {
- public:
-  Neighbours(const Design& design, const BitMatrix& cells, const TextureSetOptions& options) {
-    if (options.target->raw || options.detail == ThreadDetail::kAll) return;
-    const TextureSetOptions finest = finest_of(options);
-    front_ = face_of(design, cells, Face::kFront, finest).fit();
-    back_ = face_of(design, cells, Face::kBack, finest, front_).fit();
-  }
-  const std::optional<EngineFit>& of_front() const { return front_; }
-  std::optional<EngineFit> of_back(const FaceSource& front) const { return back_ ? back_ : front.fit(); }
+/// What the fits of a set's faces stay beside: those of the finest level, made here unless they are known; none for a
+/// set that is the finest, whose back stays beside its front.
+FinestFits neighbours_of(const Design& design, const BitMatrix& cells, const TextureSetOptions& options,
+                         const FinestFits& known = {}) {
+  if (options.target->raw || options.detail == ThreadDetail::kAll) return {};
+  if (known.front && known.back) return known;
+  const TextureSetOptions finest = finest_of(options);
+  const EngineFit front = face_of(design, cells, Face::kFront, finest).fit();
+  return {front, face_of(design, cells, Face::kBack, finest, front).fit()};
+}
 
- private:
-  std::optional<EngineFit> front_, back_;
-};
+/// What the levels of detail of this set may stay beside without fits of their own (finest_of). Those of a set without
+/// a footprint are beside one that is seen from 1 m (at_lod).
+FinestFits left_for_levels(const FaceSource& front, const FaceSource& back, float distance_m) {
+  if (distance_m <= 0) return {};
+  return {front.fit(), back.fit()};
+}
 
 // Estimated fractions of the work: after a face is measured, and after its images are written.
 constexpr float kMeasured = 0.1f, kFaceDone = 0.45f;
@@ -292,12 +294,13 @@ base::Result<void> write_images(SetImages& images, FaceSource& source, const Des
 
 /// Writes the set into `folder`, which is later moved to `destination`.
 base::Result<void> write_into(const std::string& folder, const std::string& destination, const Design& design,
-                              const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress) {
+                              const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress,
+                              FinestFits& finest) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1)
     return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
-  const Neighbours neighbours(design, cells, options);
-  FaceSource front = face_of(design, cells, Face::kFront, options, neighbours.of_front());
+  const FinestFits near = neighbours_of(design, cells, options, finest);
+  FaceSource front = face_of(design, cells, Face::kFront, options, near.front);
   SetImages images{folder,
                    options.name,
                    *options.target,
@@ -307,7 +310,8 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                    mips_for(*options.target, options.mips),
                    options.alpha};
   if (base::Result<void> written = write_images(images, front, design, Face::kFront, options); !written) return written;
-  FaceSource back = face_of(design, cells, Face::kBack, options, neighbours.of_back(front));
+  FaceSource back = face_of(design, cells, Face::kBack, options, near.back ? near.back : front.fit());
+  finest = options.detail == ThreadDetail::kAll ? left_for_levels(front, back, options.distance_m) : near;
   images.keep_going = face_progress(progress, kFaceDone);
   if (base::Result<void> written = write_images(images, back, design, Face::kBack, options); !written) return written;
   const SetFacts set{folder,
@@ -416,9 +420,9 @@ FaceSource face_at(const Design& design, Face face, const TextureSetOptions& opt
   small.size = std::min(options.size, side);
   if (options.tile_mm < 0)
     small.tile_mm = tile_mm_for(make_tile(design, cells, face, 0, options.size).cloth, options.size);
-  const Neighbours neighbours(design, cells, small);
-  if (face == Face::kFront) return face_of(design, cells, face, small, neighbours.of_front());
-  return face_of(design, cells, face, small, neighbours.of_back(face_of(design, cells, Face::kFront, small)));
+  const FinestFits near = neighbours_of(design, cells, small);
+  if (face == Face::kFront) return face_of(design, cells, face, small, near.front);
+  return face_of(design, cells, face, small, near.back ? near.back : face_of(design, cells, Face::kFront, small).fit());
 }
 
 namespace {
@@ -456,7 +460,11 @@ base::Result<void> check_set_folder(const std::string& folder, const TextureSetO
 }
 
 base::Result<void> write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                                     const TextureSetOptions& options, const ExportProgress& progress) {
+                                     const TextureSetOptions& options, const ExportProgress& progress,
+                                     FinestFits* finest) {
+  FinestFits own;
+  FinestFits& fits = finest ? *finest : own;
+  if (options.detail == ThreadDetail::kAll) fits = {};
   const SetIdentity identity = identity_of(folder, options);
   base::Result<void> done = options.force ? base::Result<void>() : check_place_with_remedy(folder, identity);
   if (!done) return done;
@@ -464,7 +472,7 @@ base::Result<void> write_texture_set(const std::string& folder, const Design& de
   if (!staging) return failed(staging);
   const platform::RemovedAtEnd removed(std::move(staging->name));
   try {
-    done = write_into(staging->folder.string(), folder, design, mesh, options, progress);
+    done = write_into(staging->folder.string(), folder, design, mesh, options, progress, fits);
   } catch (const std::bad_alloc&) {
     done = base::failure(base::ErrorKind::kMemory, tr("not enough memory; export with a smaller --size"));
   } catch (...) {

@@ -59,10 +59,18 @@ void set_density(TextureSetOptions& options, const Design& design, float texels_
 /// Warnings about the options for this design.
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);
 
+/// The fits of a set's faces that its levels of detail stay beside; empty: not made yet.
+struct FinestFits {
+  std::optional<EngineFit> front{}, back{};
+};
+
 /// Writes the set into `folder`, completely or not at all. Only files that an earlier set of the same draft and target
-/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb.
+/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb. `finest`
+/// is for a set and then its levels of detail: the first that needs the finest fits leaves them there for the others,
+/// whose files are the same to the byte without it.
 base::Result<void> write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
-                                     const TextureSetOptions& options, const ExportProgress& progress = {});
+                                     const TextureSetOptions& options, const ExportProgress& progress = {},
+                                     FinestFits* finest = nullptr);
 
 /// The size of a set with both faces, known before it is made.
 struct SetFigures {

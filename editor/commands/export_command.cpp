@@ -48,7 +48,7 @@ using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOpti
     texture_set::is_complete, texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files,
     texture_set::lists_archive, texture_set::set_density, texture_set::target_named, texture_set::uv_unit_named,
     texture_set::warnings_of, texture_set::write_texture_set;
-using texture_set::at_lod, texture_set::kLods, texture_set::stopped;
+using texture_set::FinestFits, texture_set::at_lod, texture_set::kLods, texture_set::stopped;
 using wif::is_draft_name, wif::is_wif_name;
 
 namespace {
@@ -288,7 +288,7 @@ std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
   return std::move(*read);
 }
 
-void run_job(Job job, int index, ExportRun& run) {
+void run_job(Job job, int index, ExportRun& run, FinestFits& finest) {
   const std::shared_ptr<const OpenedDesign> shared = open_shared(run, job.file);
   const OpenedDesign& opened = *shared;
   if (!opened.ok)
@@ -322,7 +322,7 @@ void run_job(Job job, int index, ExportRun& run) {
   base::Result<void> done = check_archive(job, run.options);
   if (done)
     done = write_texture_set(job.folder, design, drape ? *drape : run.mesh, job.options,
-                             {.report = report_progress, .stop = run.stop});
+                             {.report = report_progress, .stop = run.stop}, &finest);
   if (!done && done.error().kind == base::ErrorKind::kCancelled) return;
   if (done && run.options.zip) done = write_archive(job);
   if (!done)
@@ -336,22 +336,33 @@ void run_job(Job job, int index, ExportRun& run) {
   std::fflush(stdout);
 }
 
+/// A set and then its levels of detail, which stay beside its fits.
+void run_levels(const std::vector<Job>& jobs, size_t first, ExportRun& run) {
+  FinestFits finest;
+  for (size_t j = first; j < jobs.size() && (j == first || jobs[j].lod > 0); ++j) {
+    if (run.stop.stop_requested()) return;
+    const Job& job = jobs[j];
+    const int index = static_cast<int>(j);
+    if (const base::Result<void> done = caught([&] { run_job(job, index, run, finest); }); !done)
+      report(run, kNotWritten,
+             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
+    close_shared(run, job.file);
+    const std::lock_guard lock(run.console);
+    run.progress.set(index, 1, job.folder);
+  }
+}
+
 int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Mesh& mesh) {
   const ProgressForm form = options.progress_json ? ProgressForm::kJson
                             : options.quiet       ? ProgressForm::kNone
                                                   : ProgressForm::kTerminal;
   ExportRun run{options, mesh, {}, {}, ProgressMeter(form, static_cast<int>(jobs.size())), kDone, 0, 0, 0, {}};
   for (const Job& job : jobs) ++run.drafts[job.file].jobs;
-  for_each_job(static_cast<int>(jobs.size()), options.jobs, [&](int j) {
-    if (run.stop.stop_requested()) return;
-    const Job& job = jobs[static_cast<size_t>(j)];
-    if (const base::Result<void> done = caught([&] { run_job(job, j, run); }); !done)
-      report(run, kNotWritten,
-             fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
-    close_shared(run, job.file);
-    const std::lock_guard lock(run.console);
-    run.progress.set(j, 1, job.folder);
-  });
+  std::vector<size_t> sets;  // where each begins
+  for (size_t j = 0; j < jobs.size(); ++j)
+    if (j == 0 || jobs[j].lod == 0) sets.push_back(j);
+  for_each_job(static_cast<int>(sets.size()), options.jobs,
+               [&](int set) { run_levels(jobs, sets[static_cast<size_t>(set)], run); });
   run.progress.clear();
   if (jobs.size() > 1 && (!options.quiet || run.worst != kDone)) {
     print_problem(fill(tr_n("{written} set written, {complete} already complete, {failed} failed",

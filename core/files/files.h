@@ -22,6 +22,10 @@ struct Image {
 };
 enum class PixelType { kU8, kU16, kHalf, kFloat };
 
+/// Gets ready to read and write pictures, which the first of them does otherwise; it takes a third of a second
+/// where their library is loaded then (files/at_runtime). A problem is told by the first picture.
+void load_pictures();
+
 /// Writes .png, .exr, .tif or .jpg by extension, atomically. 8- and 16-bit values are stored as given (0..1): the
 /// caller encodes sRGB. `channels`: names for an .exr, one per channel or none; other formats do not store them.
 base::Result<void> write_image(const std::string& path, const Image& image, PixelType type,

@@ -10,9 +10,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/loops.h"
 #include "light/engine_directions.h"
 
 namespace weftlight::light {
+
+using base::core_count, base::for_each_job;
 
 namespace {
 
@@ -21,7 +24,8 @@ using formulas::EngineParts;
 
 constexpr int kRounds = 3;  // rounds of least squares, for the coupling between the parts
 constexpr int kTintRounds = 4;
-constexpr size_t kSearchedTexels = 64;                           // for the descent
+constexpr size_t kSearchedTexels = 64;  // for the descent
+constexpr size_t kLeastPairs = 256;  // of a core: for fewer, the directions in each pixel's frame are much of the work
 constexpr float kMinBase = 0.25f, kMaxBase = 8, kMaxSheen = 40;  // factors of the colours
 constexpr glm::vec3 kLeastSheen(1e-3f);                // in the equations: at 0 a factor would have none, and stay 0
 constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;  // of the descent, in logarithms
@@ -80,14 +84,14 @@ struct PairRadiance {
   glm::vec3 body{0}, gloss{0}, grazing{0}, fuzz{0};
 };
 
-std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const EngineDirections& directions,
-                                         const EngineModel& model, const EngineFit& fit) {
-  std::vector<PairRadiance> out(directions.pairs.size());
+/// Adds what the pixels send to the pairs [first, last).
+void add_pixels(std::vector<PairRadiance>& out, const std::vector<Shaded>& pixels, const EngineDirections& directions,
+                const EngineModel& model, const EngineFit& fit, size_t first, size_t last) {
   std::vector<glm::vec3> wi(directions.lights.size()), wo(directions.views.size());
-  for (const Shaded& t : shaded(texels, model, fit)) {
+  for (const Shaded& t : pixels) {
     for (size_t i = 0; i < wi.size(); ++i) wi[i] = formulas::lobe_local(t.frame, directions.lights[i]);
     for (size_t i = 0; i < wo.size(); ++i) wo[i] = formulas::lobe_local(t.frame, directions.views[i]);
-    for (size_t i = 0; i < out.size(); ++i) {
+    for (size_t i = first; i < last; ++i) {
       const EnginePair& pair = directions.pairs[i];
       const EngineParts p = formulas::engine_parts(t.material, model.sheen, wi[pair.light], wo[pair.view]);
       out[i].body += p.body * (p.kept * t.weight) / fit.base;
@@ -96,6 +100,19 @@ std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Engin
       out[i].grazing += p.grazing * (p.kept * t.weight);
     }
   }
+}
+
+/// On all cores, each with pairs of its own, to which the pixels are added in order: the bits do not depend on the
+/// cores.
+std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const EngineDirections& directions,
+                                         const EngineModel& model, const EngineFit& fit) {
+  std::vector<PairRadiance> out(directions.pairs.size());
+  const std::vector<Shaded> pixels = shaded(texels, model, fit);
+  const size_t parts = std::min(static_cast<size_t>(core_count()), out.size() / kLeastPairs + 1);
+  for_each_job(static_cast<int>(parts), [&](int part) {
+    const size_t k = static_cast<size_t>(part);
+    add_pixels(out, pixels, directions, model, fit, out.size() * k / parts, out.size() * (k + 1) / parts);
+  });
   for (size_t i = 0; i < out.size(); ++i) {
     out[i].body *= fit.tint.at(directions.views[directions.pairs[i].view]);
     if (model.light_tinted) out[i].body *= fit.tint.at(directions.lights[directions.pairs[i].light]);

@@ -357,22 +357,33 @@ float finish_system(SystemResponse& out, Sums& sums, const std::vector<Point>& p
   return scale;
 }
 
-/// Evaluates the samples. A normal between plies that faces away from some view needs a second point.
+/// A sample with the normal between plies, or that of the section.
+struct Measured {
+  const ThreadSample* sample;
+  bool section = false;
+};
+
+/// Evaluates the samples. A normal between plies that faces away from some view needs a second point. Points are large,
+/// so only those that are needed are made.
 std::vector<Point> points_of(const std::vector<ThreadSample>& samples, const std::array<glm::vec3, kV>& w) {
   const auto turns_away = [&w](const ThreadSample& p) {
     return p.normal != p.side && std::any_of(w.begin(), w.end(), [&p](const glm::vec3& v) {
              return glm::dot(p.normal, v) <= 0 && glm::dot(p.side, v) > 0;
            });
   };
-  std::vector<Point> points(2 * samples.size());
-  for_each_job(static_cast<int>(samples.size()), [&](int k) {
+  std::vector<Measured> wanted;
+  for (const ThreadSample& p : samples) {
+    if (p.area <= 0) continue;
+    wanted.push_back({&p});
+    if (turns_away(p)) wanted.push_back({&p, true});
+  }
+  std::vector<Point> points(wanted.size());
+  for_each_job(static_cast<int>(wanted.size()), [&](int k) {
     const size_t i = static_cast<size_t>(k);
-    points[2 * i] = measure(samples[i], samples[i].normal, w);
-    if (!turns_away(samples[i])) return;
-    points[2 * i + 1] = measure(samples[i], samples[i].side, w);
-    points[2 * i + 1].above = 0;
+    const ThreadSample& p = *wanted[i].sample;
+    points[i] = measure(p, wanted[i].section ? p.side : p.normal, w);
+    if (wanted[i].section) points[i].above = 0;
   });
-  std::erase_if(points, [](const Point& p) { return p.area <= 0; });
   return points;
 }
 

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "base/json.h"
+#include "base/loops.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "cloth/cloth.h"
@@ -269,6 +272,17 @@ FinestFits left_for_levels(const FaceSource& front, const FaceSource& back, floa
   return {front.fit(), back.fit()};
 }
 
+/// The front, while the library of the pictures is loaded on another core.
+FaceSource first_face(const Design& design, const BitMatrix& cells, const TextureSetOptions& options,
+                      const std::optional<EngineFit>& near) {
+  std::optional<FaceSource> front;
+  base::for_each_job(2, [&](int job) {
+    if (job == 0) front.emplace(face_of(design, cells, Face::kFront, options, near));
+    else files::load_pictures();
+  });
+  return std::move(*front);
+}
+
 // Estimated fractions of the work: after a face is measured, and after its images are written.
 constexpr float kMeasured = 0.1f, kFaceDone = 0.45f;
 
@@ -300,7 +314,7 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
   if (cells.rows() < 1 || cells.cols() < 1)
     return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
   const FinestFits near = neighbours_of(design, cells, options, finest);
-  FaceSource front = face_of(design, cells, Face::kFront, options, near.front);
+  FaceSource front = first_face(design, cells, options, near.front);
   SetImages images{folder,
                    options.name,
                    *options.target,

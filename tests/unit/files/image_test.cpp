@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "../scratch.h"
+#include "base/loops.h"
 #include "base/whole_files.h"
 #include "files/files.h"
 
@@ -54,6 +55,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"half_alpha.exr", PixelType::kHalf, 4, 5e-4f}, Kind{"float.exr", PixelType::kFloat, 1, 0.0f},
                     Kind{"many.exr", PixelType::kHalf, 16, 5e-4f}, Kind{"rgb.tif", PixelType::kU16, 3, 1e-5f},
                     Kind{"rgba.tif", PixelType::kFloat, 4, 0.0f}, Kind{"rgb.jpg", PixelType::kU8, 3, 1.0f}));
+
+TEST(Pictures, AreMadeReadyOnceOrSeveralTimesAtOnce) {
+  const Scratch scratch("image");
+  base::for_each_job(4, [](int) { load_pictures(); });
+  EXPECT_EQ(problem_of(write_image(scratch / "small.png", ramp(4, 4, 3), PixelType::kU8)), "");
+}
 
 TEST(Image, RowZeroIsTheTop) {
   const Scratch scratch("top");

@@ -12,7 +12,7 @@ using drape::Vec3;
 namespace {
 
 constexpr float kFieldOfViewDeg = 26.0f;  // of the bounding sphere, like a portrait lens
-constexpr float kGirth = 0.86f;           // cloth seldom reaches the corners of its bounds
+constexpr float kGirth = 0.86f;           // of the half diagonal of the bounds, seen from above
 constexpr float kMargin = 1.14f;          // space around it
 
 /// Distance along the ray to the first triangle, or infinity (Moeller, Trumbore 1997).
@@ -35,12 +35,25 @@ float cast(const Mesh& mesh, glm::vec3 from, glm::vec3 along) {
   return nearest;
 }
 
+/// Radius of an upright cylinder that cloth fills: seldom up to the corners of its bounds.
+float girth_of(const Bounds& bounds) {
+  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
+  return std::sqrt(half.x * half.x + half.z * half.z) * kGirth;
+}
+
+/// The half width that a picture has room for beside its margins. Sleeves and corners of a cushion reach further than
+/// the girth, whichever way they are turned.
+float half_width_of(const Bounds& bounds) { return std::max(girth_of(bounds), bounds.reach); }
+
 }  // namespace
 
 Bounds bounds_of(const Mesh& mesh) {
   if (mesh.position_mm.empty()) return {};
   Bounds b{mesh.position_mm[0], mesh.position_mm[0]};
   for (const Vec3& p : mesh.position_mm) b.low = glm::min(b.low, p), b.high = glm::max(b.high, p);
+  if (b.high.z <= b.low.z) return b;
+  const glm::vec3 centre = b.centre();
+  for (const Vec3& p : mesh.position_mm) b.reach = std::max(b.reach, std::hypot(p.x - centre.x, p.z - centre.z));
   return b;
 }
 
@@ -60,10 +73,9 @@ Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, 
 
   const float away = radius / std::sin(glm::radians(kFieldOfViewDeg) / 2) * std::max(1.0f, scene.view_distance);
   // An upright cylinder around the bounds fills the picture, so that the framing is constant while the view turns.
-  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
-  const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth, tilt = std::abs(glm::radians(elevation));
-  const float tall = half.y * std::cos(tilt) + girth * std::sin(tilt);
-  const float fit = std::max({tall, girth / aspect, 1e-3f}) * kMargin / away;
+  const float tilt = std::abs(glm::radians(elevation));
+  const float tall = 0.5f * (bounds.high.y - bounds.low.y) * std::cos(tilt) + girth_of(bounds) * std::sin(tilt);
+  const float fit = std::max({tall, half_width_of(bounds) / aspect, 1e-3f}) * kMargin / away;
   float tan_y = fit * std::max(1.0f, scene.view_distance) * std::min(1.0f, std::max(scene.view_distance, 1e-4f));
 
   const float frame_mm = 2 * away * tan_y * aspect;
@@ -84,9 +96,8 @@ Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, 
 }
 
 float distance_of_height(const Bounds& bounds, float aspect, float height_mm) {
-  const glm::vec3 half = 0.5f * (bounds.high - bounds.low);
-  const float girth = std::sqrt(half.x * half.x + half.z * half.z) * kGirth;
-  return std::min(1.0f, height_mm / (2 * kMargin * std::max(half.y, girth / aspect)));
+  const float tall = 0.5f * (bounds.high.y - bounds.low.y);
+  return std::min(1.0f, height_mm / (2 * kMargin * std::max(tall, half_width_of(bounds) / aspect)));
 }
 
 }  // namespace weftlight::scene

@@ -13,6 +13,9 @@ using drape::Mesh;
 
 struct Bounds {
   glm::vec3 low{0}, high{0};
+  // Of a form: how far it reaches from the upright axis through the centre. 0: a flat swatch, whose corners may be cut
+  // off in a narrow picture.
+  float reach = 0;
   glm::vec3 centre() const { return 0.5f * (low + high); }
   float radius() const { return 0.5f * glm::length(high - low); }
 };

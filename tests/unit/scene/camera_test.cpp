@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "files/files.h"
 
 namespace weftlight::scene {
 namespace {
@@ -66,6 +69,47 @@ TEST(Camera, SeesTheWholeClothFromEverySide) {
       EXPECT_GT(furthest, 0.6f) << azimuth << ", " << elevation << ": much of the picture is empty";
       EXPECT_LT(glm::length(in_picture(camera, bounds.centre())), 1e-3f);
     }
+}
+
+/// Half widths of a picture: how far a form reaches to a side, from all around and a little above.
+float furthest_aside(const Mesh& mesh, const Bounds& bounds, int width, int height) {
+  Scene scene;
+  scene.pan_x = scene.pan_y = 0, scene.view_distance = 1;
+  float furthest = 0;
+  for (const float azimuth : {0.0f, 25.0f, 60.0f, 180.0f, 315.0f})
+    for (const float elevation : {0.0f, 22.0f}) {
+      scene.view_azimuth = azimuth, scene.view_elevation = elevation;
+      const Camera camera = place_camera(scene, {}, bounds, width, height, 0, 0);
+      for (const auto& place : mesh.position_mm) furthest = std::max(furthest, std::abs(in_picture(camera, place).x));
+    }
+  return furthest;
+}
+
+// The hands of a shirt touched the edges of a pane that is taller than wide.
+TEST(Camera, FormsKeepAMarginInPicturesOfAnyShape) {
+  for (const std::string name : {"sphere", "tablecloth", "curtain", "skirt", "tunic", "shirt", "scarf", "cushion"})
+    for (const char* fabric : {"", "_limp", "_stiff"}) {
+      const base::Result<Mesh> form = files::load_drape(name + fabric);
+      ASSERT_TRUE(form) << name << fabric;
+      const Bounds bounds = bounds_of(*form);
+      for (const int width : {400, 1000, 2500})
+        EXPECT_LE(furthest_aside(*form, bounds, width, 1000), 0.92f)
+            << name << fabric << ", " << width << " x 1000: a margin of 4 %";
+    }
+}
+
+TEST(Camera, TheHeightAloneFramesAFormInAWidePicture) {
+  Scene scene;
+  scene.pan_x = scene.pan_y = 0, scene.view_distance = 1;
+  for (const char* name : {"curtain", "skirt", "tunic", "shirt", "scarf", "cushion"}) {
+    const base::Result<Mesh> form = files::load_drape(name);
+    ASSERT_TRUE(form) << name;
+    Bounds bounds = bounds_of(*form);
+    const auto pixel_mm = [&] { return place_camera(scene, {}, bounds, 1280, 800, 0, 0).pixel_mm; };
+    const float framed = pixel_mm();
+    bounds.reach = 0;
+    EXPECT_EQ(pixel_mm(), framed) << name;
+  }
 }
 
 TEST(Camera, APixelHasTheSizeThatItSays) {

@@ -10,10 +10,10 @@ namespace weftlight::texture_set {
 
 using base::for_each_job;
 using cloth::MapsSize, cloth::bake, cloth::bake_horizons;
-using light::ClothResponse, light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart,
-    light::check_engine, light::engine_texels, light::fit_engine, light::flattened, light::footprint_lobe,
-    light::grain_of, light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance,
-    light::score_engine, light::refit_engine, light::score_plane, light::straightened, light::thread_spacing_mm;
+using light::EnginePlane, light::EngineTexels, light::FootprintLobe, light::LobePart, light::check_engine,
+    light::engine_texels, light::fit_engine, light::flattened, light::footprint_lobe, light::grain_of,
+    light::kFitSamples, light::lobe_window_mm, light::measure_response, light::scaled_covariance, light::score_engine,
+    light::refit_engine, light::score_plane, light::straightened, light::thread_spacing_mm;
 
 namespace {
 
@@ -150,7 +150,10 @@ TextureSize texture_size(float width_mm, float depth_mm, int size) {
 }
 
 FaceSource::FaceSource(Tile tile, const FaceOptions& options)
-    : tile_(std::move(tile)), options_(options), factor_(supersampling_of(tile_.cloth, options)) {
+    : tile_(std::move(tile)),
+      options_(options),
+      factor_(supersampling_of(tile_.cloth, options)),
+      light_(options.light) {
   const int width = options.size.width, height = options.size.height;
   if (tile_.part && !options.horizon) make_from_part();
   else make_whole();
@@ -268,7 +271,8 @@ void FaceSource::measure_range() {
 
 void FaceSource::measure(const Cloth& cloth, const Maps& maps) {
   const EngineTexels texels = engine_texels(cloth, maps, options_.footprint_mm);
-  const ClothResponse response = measure_response(cloth, maps, kFitSamples);
+  if (!light_) light_ = std::make_shared<const ClothResponse>(measure_response(cloth, maps, kFitSamples));
+  const ClothResponse& response = *light_;
   fit_ = fit_engine(texels, cloth, response, options_.model, options_.near ? &*options_.near : nullptr);
   older_fit_ = options_.older ? refit_engine(texels, cloth, response, *options_.older, fit_) : fit_;
   weight_ = texels.footprint_weight;

@@ -16,7 +16,7 @@
 namespace weftlight::texture_set {
 
 using cloth::Cloth, cloth::Linear, cloth::Maps, cloth::Plane;
-using light::EngineCheck, light::EngineFit, light::EngineModel, light::EngineScore;
+using light::ClothResponse, light::EngineCheck, light::EngineFit, light::EngineModel, light::EngineScore;
 
 /// Size of the images in texels: the longer side has `size`, the other the power of two that keeps texels closest to
 /// square, at least 16.
@@ -36,6 +36,9 @@ enum class ThreadDetail {
 };
 inline constexpr int kLods = 3;  // of ThreadDetail, by value
 
+/// How a face reflects light, which does not depend on the engine.
+using MeasuredLight = std::shared_ptr<const ClothResponse>;
+
 struct FaceOptions {
   TextureSize size;
   bool horizon = false;  // there are horizons()
@@ -43,6 +46,7 @@ struct FaceOptions {
   EngineModel model;     // of the engine
   std::optional<EngineModel> older{};  // a second model, for older_fit()
   std::optional<EngineFit> near{};     // of the other face or a finer level of detail, beside which the fit stays
+  MeasuredLight light{};  // of the same face and size, measured before; null: it is measured if it is needed
   ThreadDetail detail = ThreadDetail::kAll;
   float footprint_mm = 0;  // of a pixel, whose microfacets the roughness includes; 0: those of a texel only
 };
@@ -73,6 +77,8 @@ class FaceSource {
   const EngineFit& fit() const { return fit_; }
   /// The fit to FaceOptions::older; fit() if there is none.
   const EngineFit& older_fit() const { return older_fit_; }
+  /// What the fit was made to; FaceOptions::light if there was none.
+  const MeasuredLight& light() const { return light_; }
   const std::vector<EngineCheck>& checks() const { return checks_; }
   const std::vector<EngineScore>& scores() const { return scores_; }
   /// Along the warp, then along the weft.
@@ -119,6 +125,7 @@ class FaceSource {
   Plane<glm::vec3> footprints_;                  // covariance of the microfacets, scaled by the fit
   float weight_ = 0;                             // weight of the lobe of the footprint in that of a texel
   SurfaceTexel mean_texel_;                      // of the whole face, before the fit; its lobe as scaled by the fit
+  MeasuredLight light_;
   EngineFit fit_, older_fit_;
   std::vector<EngineCheck> checks_;
   std::vector<EngineScore> scores_;

@@ -233,7 +233,7 @@ bool has_metal(const Cloth& cloth) {
 }
 
 FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, const TextureSetOptions& options,
-                   const std::optional<EngineFit>& near = {}) {
+                   const std::optional<EngineFit>& near = {}, const MeasuredLight& light = {}) {
   Tile tile = tile_of(design, cells, face, options);
   const Cloth& cloth = tile.cloth;
   const ExportTarget& target = *options.target;
@@ -242,6 +242,7 @@ FaceSource face_of(const Design& design, const BitMatrix& cells, Face face, cons
   of.horizon = target.raw, of.fitted = !target.raw;
   of.detail = options.detail;
   of.model = engine_model(target, has_metal(cloth)), of.older = target.older_model, of.near = near;
+  of.light = light;
   of.footprint_mm = target.raw || target.path_traced ? 0 : kFootprintMmAtOneMetre * options.distance_m;
   return {std::move(tile), of};
 }
@@ -254,30 +255,34 @@ TextureSetOptions finest_of(TextureSetOptions options) {
   return options;
 }
 
-/// What the fits of a set's faces stay beside: those of the finest level, made here unless they are known; none for a
-/// set that is the finest, whose back stays beside its front.
+/// What the fits of a level's faces stay beside, made here unless they are known; without target for a set that is the
+/// finest, whose back stays beside its front.
 FinestFits neighbours_of(const Design& design, const BitMatrix& cells, const TextureSetOptions& options,
                          const FinestFits& known = {}) {
   if (options.target->raw || options.detail == ThreadDetail::kAll) return {};
-  if (known.front && known.back) return known;
+  if (known.target == options.target) return known;
   const TextureSetOptions finest = finest_of(options);
   const EngineFit front = face_of(design, cells, Face::kFront, finest).fit();
-  return {front, face_of(design, cells, Face::kBack, finest, front).fit()};
+  return {options.target, front, face_of(design, cells, Face::kBack, finest, front).fit()};
+}
+
+std::optional<EngineFit> beside_front(const FinestFits& near) {
+  return near.target ? std::optional(near.front) : std::nullopt;
 }
 
 /// What the levels of detail of this set may stay beside without fits of their own (finest_of). Those of a set without
 /// a footprint are beside one that is seen from 1 m (at_lod).
-FinestFits left_for_levels(const FaceSource& front, const FaceSource& back, float distance_m) {
-  if (distance_m <= 0) return {};
-  return {front.fit(), back.fit()};
+FinestFits left_for_levels(const FaceSource& front, const FaceSource& back, const TextureSetOptions& options) {
+  if (options.distance_m <= 0) return {};
+  return {options.target, front.fit(), back.fit()};
 }
 
 /// The front, while the library of the pictures is loaded on another core.
 FaceSource first_face(const Design& design, const BitMatrix& cells, const TextureSetOptions& options,
-                      const std::optional<EngineFit>& near) {
+                      const std::optional<EngineFit>& near, const MeasuredLight& light) {
   std::optional<FaceSource> front;
   base::for_each_job(2, [&](int job) {
-    if (job == 0) front.emplace(face_of(design, cells, Face::kFront, options, near));
+    if (job == 0) front.emplace(face_of(design, cells, Face::kFront, options, near, light));
     else files::load_pictures();
   });
   return std::move(*front);
@@ -309,12 +314,14 @@ base::Result<void> write_images(SetImages& images, FaceSource& source, const Des
 /// Writes the set into `folder`, which is later moved to `destination`.
 base::Result<void> write_into(const std::string& folder, const std::string& destination, const Design& design,
                               const Mesh& mesh, const TextureSetOptions& options, const ExportProgress& progress,
-                              FinestFits& finest) {
+                              SharedWork& shared) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1)
     return base::failure(base::ErrorKind::kInput, tr("the draft has no cloth; it needs at least one end and one pick"));
-  const FinestFits near = neighbours_of(design, cells, options, finest);
-  FaceSource front = first_face(design, cells, options, near.front);
+  const FinestFits near = neighbours_of(design, cells, options, shared.finest);
+  auto& [front_light, back_light] = shared.light[static_cast<size_t>(options.detail)];
+  FaceSource front = first_face(design, cells, options, beside_front(near), front_light);
+  front_light = front.light();
   SetImages images{folder,
                    options.name,
                    *options.target,
@@ -324,8 +331,9 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
                    mips_for(*options.target, options.mips),
                    options.alpha};
   if (base::Result<void> written = write_images(images, front, design, Face::kFront, options); !written) return written;
-  FaceSource back = face_of(design, cells, Face::kBack, options, near.back ? near.back : front.fit());
-  finest = options.detail == ThreadDetail::kAll ? left_for_levels(front, back, options.distance_m) : near;
+  FaceSource back = face_of(design, cells, Face::kBack, options, near.target ? near.back : front.fit(), back_light);
+  back_light = back.light();
+  shared.finest = options.detail == ThreadDetail::kAll ? left_for_levels(front, back, options) : near;
   images.keep_going = face_progress(progress, kFaceDone);
   if (base::Result<void> written = write_images(images, back, design, Face::kBack, options); !written) return written;
   const SetFacts set{folder,
@@ -435,8 +443,9 @@ FaceSource face_at(const Design& design, Face face, const TextureSetOptions& opt
   if (options.tile_mm < 0)
     small.tile_mm = tile_mm_for(make_tile(design, cells, face, 0, options.size).cloth, options.size);
   const FinestFits near = neighbours_of(design, cells, small);
-  if (face == Face::kFront) return face_of(design, cells, face, small, near.front);
-  return face_of(design, cells, face, small, near.back ? near.back : face_of(design, cells, Face::kFront, small).fit());
+  if (face == Face::kFront) return face_of(design, cells, face, small, beside_front(near));
+  return face_of(design, cells, face, small,
+                 near.target ? near.back : face_of(design, cells, Face::kFront, small).fit());
 }
 
 namespace {
@@ -475,10 +484,10 @@ base::Result<void> check_set_folder(const std::string& folder, const TextureSetO
 
 base::Result<void> write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
                                      const TextureSetOptions& options, const ExportProgress& progress,
-                                     FinestFits* finest) {
-  FinestFits own;
-  FinestFits& fits = finest ? *finest : own;
-  if (options.detail == ThreadDetail::kAll) fits = {};
+                                     SharedWork* shared) {
+  SharedWork own;
+  SharedWork& work = shared ? *shared : own;
+  if (options.detail == ThreadDetail::kAll) work.finest = {};
   const SetIdentity identity = identity_of(folder, options);
   base::Result<void> done = options.force ? base::Result<void>() : check_place_with_remedy(folder, identity);
   if (!done) return done;
@@ -486,7 +495,7 @@ base::Result<void> write_texture_set(const std::string& folder, const Design& de
   if (!staging) return failed(staging);
   const platform::RemovedAtEnd removed(std::move(staging->name));
   try {
-    done = write_into(staging->folder.string(), folder, design, mesh, options, progress, fits);
+    done = write_into(staging->folder.string(), folder, design, mesh, options, progress, work);
   } catch (const std::bad_alloc&) {
     done = base::failure(base::ErrorKind::kMemory, tr("not enough memory; export with a smaller --size"));
   } catch (...) {

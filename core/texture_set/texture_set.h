@@ -2,6 +2,7 @@
 // A texture set: one full repeat of structure and colour as named, packed images for an engine, with materials, a short
 // README, a contact sheet and a machine-readable texture_set.json.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,18 +60,23 @@ void set_density(TextureSetOptions& options, const Design& design, float texels_
 /// Warnings about the options for this design.
 std::vector<std::string> warnings_of(const Design& design, const TextureSetOptions& options);
 
-/// The fits of a set's faces that its levels of detail stay beside; empty: not made yet.
+/// The fits of a set's faces that its levels of detail stay beside; without target: not made yet.
 struct FinestFits {
-  std::optional<EngineFit> front{}, back{};
+  const ExportTarget* target = nullptr;
+  EngineFit front{}, back{};
+};
+/// What sets leave for those that are written next: of one design, with options that differ in target and level of
+/// detail alone. These have the same files to the byte without it, in more time.
+struct SharedWork {
+  FinestFits finest{};
+  std::array<std::array<MeasuredLight, 2>, kLods> light{};  // by level of detail; front, back
 };
 
 /// Writes the set into `folder`, completely or not at all. Only files that an earlier set of the same draft and target
-/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb. `finest`
-/// is for a set and then its levels of detail: the first that needs the finest fits leaves them there for the others,
-/// whose files are the same to the byte without it.
+/// lists are replaced or removed (texture_set/set_folder.h). The mesh may be empty for targets without a .glb.
 base::Result<void> write_texture_set(const std::string& folder, const Design& design, const Mesh& mesh,
                                      const TextureSetOptions& options, const ExportProgress& progress = {},
-                                     FinestFits* finest = nullptr);
+                                     SharedWork* shared = nullptr);
 
 /// The size of a set with both faces, known before it is made.
 struct SetFigures {

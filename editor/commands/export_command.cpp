@@ -48,7 +48,7 @@ using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOpti
     texture_set::is_complete, texture_set::kTileOfYarns, texture_set::key_of, texture_set::listed_files,
     texture_set::lists_archive, texture_set::set_density, texture_set::target_named, texture_set::uv_unit_named,
     texture_set::warnings_of, texture_set::write_texture_set;
-using texture_set::FinestFits, texture_set::at_lod, texture_set::kLods, texture_set::stopped;
+using texture_set::SharedWork, texture_set::at_lod, texture_set::kLods, texture_set::stopped;
 using wif::is_draft_name, wif::is_wif_name;
 
 namespace {
@@ -288,7 +288,7 @@ std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
   return std::move(*read);
 }
 
-void run_job(Job job, int index, ExportRun& run, FinestFits& finest) {
+void run_job(Job job, int index, ExportRun& run, SharedWork& work) {
   const std::shared_ptr<const OpenedDesign> shared = open_shared(run, job.file);
   const OpenedDesign& opened = *shared;
   if (!opened.ok)
@@ -322,7 +322,7 @@ void run_job(Job job, int index, ExportRun& run, FinestFits& finest) {
   base::Result<void> done = check_archive(job, run.options);
   if (done)
     done = write_texture_set(job.folder, design, drape ? *drape : run.mesh, job.options,
-                             {.report = report_progress, .stop = run.stop}, &finest);
+                             {.report = report_progress, .stop = run.stop}, &work);
   if (!done && done.error().kind == base::ErrorKind::kCancelled) return;
   if (done && run.options.zip) done = write_archive(job);
   if (!done)
@@ -336,14 +336,21 @@ void run_job(Job job, int index, ExportRun& run, FinestFits& finest) {
   std::fflush(stdout);
 }
 
-/// A set and then its levels of detail, which stay beside its fits.
-void run_levels(const std::vector<Job>& jobs, size_t first, ExportRun& run) {
-  FinestFits finest;
-  for (size_t j = first; j < jobs.size() && (j == first || jobs[j].lod > 0); ++j) {
+/// Whether a set goes on with the work of the one before: a level of detail always, and another target where sets are
+/// made one by one.
+bool goes_on(const Job& job, const Job& before, int at_once) {
+  return job.file == before.file && job.version == before.version &&
+         (at_once == 1 || (job.lod > 0 && job.options.target == before.options.target));
+}
+
+/// A set and those that go on with its work.
+void run_sets(const std::vector<Job>& jobs, size_t first, size_t end, ExportRun& run) {
+  SharedWork work;
+  for (size_t j = first; j < end; ++j) {
     if (run.stop.stop_requested()) return;
     const Job& job = jobs[j];
     const int index = static_cast<int>(j);
-    if (const base::Result<void> done = caught([&] { run_job(job, index, run, finest); }); !done)
+    if (const base::Result<void> done = caught([&] { run_job(job, index, run, work); }); !done)
       report(run, kNotWritten,
              fill(tr("{file}: not exported: {problem}"), arg("file", job.file), arg("problem", message(done.error()))));
     close_shared(run, job.file);
@@ -358,11 +365,13 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
                                                   : ProgressForm::kTerminal;
   ExportRun run{options, mesh, {}, {}, ProgressMeter(form, static_cast<int>(jobs.size())), kDone, 0, 0, 0, {}};
   for (const Job& job : jobs) ++run.drafts[job.file].jobs;
-  std::vector<size_t> sets;  // where each begins
+  std::vector<size_t> firsts;  // of sets that begin anew
   for (size_t j = 0; j < jobs.size(); ++j)
-    if (j == 0 || jobs[j].lod == 0) sets.push_back(j);
-  for_each_job(static_cast<int>(sets.size()), options.jobs,
-               [&](int set) { run_levels(jobs, sets[static_cast<size_t>(set)], run); });
+    if (j == 0 || !goes_on(jobs[j], jobs[j - 1], options.jobs)) firsts.push_back(j);
+  for_each_job(static_cast<int>(firsts.size()), options.jobs, [&](int k) {
+    const size_t i = static_cast<size_t>(k);
+    run_sets(jobs, firsts[i], i + 1 < firsts.size() ? firsts[i + 1] : jobs.size(), run);
+  });
   run.progress.clear();
   if (jobs.size() > 1 && (!options.quiet || run.worst != kDone)) {
     print_problem(fill(tr_n("{written} set written, {complete} already complete, {failed} failed",

@@ -12,7 +12,7 @@ namespace weftlight::session {
 
 using base::arg, base::fill, base::message, base::tr, base::tr_n;
 using files::drape_key, files::load_design_drape;
-using texture_set::ExportProgress, texture_set::FinestFits, texture_set::write_texture_set;
+using texture_set::ExportProgress, texture_set::SharedWork, texture_set::write_texture_set;
 
 namespace {
 
@@ -94,12 +94,12 @@ bool Exporter::use_mesh(const std::vector<ExportJob>& jobs, const Design& design
 
 void Exporter::run(const std::vector<ExportJob>& jobs, const Design& design, const std::stop_token& stop) {
   const bool ready = use_mesh(jobs, design);
-  FinestFits finest;  // of the set whose levels of detail follow it
+  SharedWork shared;
   for (size_t i = 0; ready && i < jobs.size() && !stop.stop_requested(); ++i) {
     tell(i, jobs.size(), 0);
     const ExportProgress progress{[this, i, &jobs](float share) { tell(i, jobs.size(), share); }, stop};
     const base::Result<void> done =
-        write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress, &finest);
+        write_texture_set(jobs[i].folder, design, mesh_, jobs[i].options, progress, &shared);
     // If it was stopped, stop() has set the message, or a newer run will.
     if (!done && done.error().kind == base::ErrorKind::kCancelled) return;
     const std::lock_guard lock(mutex_);

@@ -87,9 +87,9 @@ float furthest_aside(const Mesh& mesh, const Bounds& bounds, int width, int heig
 
 // The hands of a shirt touched the edges of a pane that is taller than wide.
 TEST(Camera, FormsKeepAMarginInPicturesOfAnyShape) {
-  for (const std::string name : {"sphere", "tablecloth", "curtain", "skirt", "tunic", "shirt", "scarf", "cushion"})
+  for (const char* name : {"sphere", "tablecloth", "curtain", "skirt", "tunic", "shirt", "scarf", "cushion"})
     for (const char* fabric : {"", "_limp", "_stiff"}) {
-      const base::Result<Mesh> form = files::load_drape(name + fabric);
+      const base::Result<Mesh> form = files::load_drape(std::string(name) + fabric);
       ASSERT_TRUE(form) << name << fabric;
       const Bounds bounds = bounds_of(*form);
       for (const int width : {400, 1000, 2500})

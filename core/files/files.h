@@ -22,7 +22,7 @@ struct Image {
 };
 enum class PixelType { kU8, kU16, kHalf, kFloat };
 
-/// Gets ready to read and write pictures, which the first of them does otherwise; it takes a third of a second
+/// Gets ready to read and write pictures, which the first of them does otherwise; it takes half a second
 /// where their library is loaded then (files/at_runtime). A problem is told by the first picture.
 void load_pictures();
 

@@ -123,8 +123,10 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
 // that fill the room: those of the thread nearest to it at the middle plane. No thread where one sees through from
 // straight above, too.
 ThreadHit nearest_thread(ThreadGrid g, vec2 at) {
+#if !defined(CLOSED_CLOTH)
   ThreadHit above = thread_below(g, at, vec2(0.0));
   if (above.system < 0) return above;
+#endif
   Crossing c = crossing_near(g, at);
   vec3 p = vec3(at, 0.0);
   return hit_of(c, p, near_distances(c, p));

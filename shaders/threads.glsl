@@ -18,6 +18,7 @@
 //   EVEN_THREADS   the threads of each system have the same spacing
 //   ONE_LAYER
 //   SMOOTH_YARNS   no thread is uneven along its length
+//   CLOSED_CLOTH   threads of a system touch everywhere
 //   STRAIGHT_THREADS   washing moves no thread sideways (core/cloth/washed_aside.h)
 //
 // Loops test their condition at the end: a software renderer would run the body of one that tests first once more.

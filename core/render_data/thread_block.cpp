@@ -104,22 +104,33 @@ std::vector<glm::uvec4> thread_records(const Cloth& cloth, float top_mm) {
 
 namespace {
 
-/// Whether that holds for each thread: holds(its record). Records lie between the offsets of the threads and of the
-/// bins.
+/// Whether that holds for each thread of a system: holds(its record). Records lie between the offsets of the threads
+/// and of the bins.
 template <class Holds>
-bool all_threads(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head, Holds holds) {
-  for (int system = 0; system < 2; ++system) {
-    for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
-      if (static_cast<size_t>(at + THREAD_TEXELS) > records.size()) return false;
-      if (!holds(records.data() + at)) return false;
-    }
+bool all_threads(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head, int system,
+                 Holds holds) {
+  for (int at = head.threads[system]; at + THREAD_TEXELS <= head.bins[system]; at += THREAD_TEXELS) {
+    if (static_cast<size_t>(at + THREAD_TEXELS) > records.size()) return false;
+    if (!holds(records.data() + at)) return false;
   }
   return true;
+}
+
+template <class Holds>
+bool all_threads(const std::vector<glm::uvec4>& records, const thread_formulas::ThreadHead& head, Holds holds) {
+  return all_threads(records, head, 0, holds) && all_threads(records, head, 1, holds);
 }
 
 bool is_even(const glm::uvec4* record) {
   const auto section = thread_formulas::record_body(record[THREAD_BODY]);
   return !is_uneven(section) && section.aside == glm::vec2(0);
+}
+
+/// A thread that fills its room at one place fills it everywhere (shaders/thread_thickness.glsl).
+bool fills_its_room(const glm::uvec4* record) {
+  const auto section = thread_formulas::record_body(record[THREAD_BODY]);
+  const float room = section.half_room + 0.5f * (section.aside.y - section.aside.x);
+  return section.half_width >= room * (1 - 1e-6f);
 }
 
 bool has_one_color(const glm::uvec4* record) { return record[THREAD_DYE].y == 0; }
@@ -138,6 +149,8 @@ ThreadKind thread_kind(const std::vector<glm::uvec4>& records) {
     kind.even = (i == 0 || kind.even) && head.even.x > 0 && head.even.y > 0;
     if (i > 0) continue;
     kind.straight = head.aside == 0;
+    kind.closed = kind.one_layer && kind.straight &&
+                  (all_threads(records, head, 0, fills_its_room) || all_threads(records, head, 1, fills_its_room));
     kind.smooth = all_threads(records, head, is_even);
     kind.dyed = !all_threads(records, head, has_one_color);
   }

@@ -29,6 +29,7 @@ struct ThreadKind {
   bool one_layer = false;
   bool smooth = false;    // no thread is uneven along its length
   bool straight = false;  // washing moves no thread sideways
+  bool closed = false;    // threads of a system touch everywhere: nothing is seen through the cloth
   bool dyed = false;      // the colour of some thread changes along it
   bool computed = false;  // its crossings are computed from the drawdown
   auto operator<=>(const ThreadKind&) const = default;

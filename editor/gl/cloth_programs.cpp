@@ -23,6 +23,7 @@ std::vector<std::string> defines_of(const ProgramKey& key) {
   if (key.kind.one_layer) defines.push_back("ONE_LAYER");
   if (key.kind.smooth) defines.push_back("SMOOTH_YARNS");
   if (key.kind.straight) defines.push_back("STRAIGHT_THREADS");
+  if (key.kind.closed) defines.push_back("CLOSED_CLOTH");
   if (key.kind.dyed) defines.push_back("DYED_ALONG");
   if (key.kind.computed) defines.push_back("COMPUTED_CROSSINGS");
   return defines;

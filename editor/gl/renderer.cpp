@@ -390,11 +390,12 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
 }
 
-/// Whether the background is visible: through an open cloth, and at close range through the pinholes of any weave,
+/// Whether the background is visible: through an open cloth, and at close range through the pinholes of most weaves,
 /// which are too small for the maps.
 bool Renderer::Parts::has_gaps() const {
   constexpr float kFew = 0.01f;
   if (cloth.data().open > 0.5f) return true;
+  if (cloth.thread_kind().closed) return false;
   return method_facts(stats.method).threads || (stats.method == Method::kAuto && stats.method_weights[0] > kFew);
 }
 

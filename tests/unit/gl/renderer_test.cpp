@@ -319,6 +319,21 @@ TEST_F(PictureTest, APlaneDoesNotShadeItself) {
   }
 }
 
+// With pinholes, what lies behind the cloth is drawn first. Denim has none: its far side was shaded for nothing.
+TEST_F(PictureTest, ThreadsThatTouchHideWhatIsBehindThem) {
+  const wif::WifRead denim = wif::read_wif(base::read_file(presets_dir() + "/cloths/denim.wif").value_or(""));
+  ASSERT_TRUE(denim.file);
+  upload(denim.file->design, fold(10, 100, 64));
+  frame.transparent = true;
+  look.method = Method::kYarn;
+  const Image near = draw();
+  const double shaded = renderer->measure().shaded_pixels;
+  EXPECT_EQ(middle_alpha(near), 1);
+  look.method = Method::kFlat;
+  draw();
+  EXPECT_LT(shaded, 1.1 * renderer->measure().shaded_pixels);
+}
+
 TEST_F(PictureTest, GapsLetTheBackgroundThrough) {
   Design design = twill(2, 1, kRed, kRed);
   for (float& spacing : design.draft.warp.spacing_mm) spacing = 2.0f;

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstring>
 
+#include "base/resources.h"
 #include "cloth/thickness.h"
 #include "light/yarn_lobes.h"
 #include "packed_threads.h"
+#include "wif/wif.h"
 
 namespace weftlight::gl {
 
@@ -116,7 +118,19 @@ TEST(ThreadRecords, TellOfWhatKindTheThreadsAre) {
   const ThreadKind uneven = thread_kind(packed(uneven_twill()).lobes.threads);
   EXPECT_TRUE(!uneven.even && uneven.one_layer && !uneven.smooth);
   EXPECT_FALSE(thread_kind(packed(pockets()).lobes.threads).one_layer);
-  EXPECT_FALSE(thread_kind({}).even || thread_kind({}).smooth);
+  EXPECT_FALSE(thread_kind({}).even || thread_kind({}).smooth || thread_kind({}).closed);
+}
+
+TEST(ThreadRecords, TellWhetherThreadsTouchEverywhere) {
+  const auto shipped = [](const char* name) {
+    const wif::WifRead read = wif::read_wif(base::read_file(base::presets_dir() + name).value_or(""));
+    if (!read.file) return ThreadKind{};
+    const Design& d = read.file->design;
+    return thread_kind(packed(lay_out(d, drawdown(d.draft), Face::kFront, Period::kWholeDraft)).lobes.threads);
+  };
+  EXPECT_TRUE(shipped("/cloths/denim.wif").closed && shipped("/cloths/tweed.wif").closed);
+  EXPECT_FALSE(shipped("/cloths/organza.wif").closed || shipped("/cloths/linen.wif").closed);
+  EXPECT_FALSE(shipped("/drafts/huck_lace.wif").closed) << "washed threads leave holes";
 }
 
 }  // namespace

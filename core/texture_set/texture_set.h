@@ -50,7 +50,9 @@ TextureSetOptions at_lod(TextureSetOptions options, int lod);
 /// The options that change the bytes of the set, as text.
 std::string key_of(const TextureSetOptions& options);
 
-/// The letters, digits, '-' and '_' of a text; "cloth" if none is left.
+/// A name in ASCII letters, digits, '-' and '_', at most 97 bytes, that every engine and file system takes: "Koper" of
+/// "K\u00F6per". A text with letters of other scripts ends in six hexadecimal digits of its own, in place of them;
+/// where nothing else is left, and before the name of a device of Windows, "cloth" comes first.
 std::string file_name_of(const std::string& text);
 
 /// Sets the size, a power of two of 16..8192, for a resolution of the design's tile, and with kTileOfYarns the tile.

@@ -129,7 +129,28 @@ TEST(TextureSet, SizesArePowersOfTwoNearTheProportions) {
 TEST(TextureSet, FileNamesAreSafe) {
   EXPECT_EQ(file_name_of("My draft (2)"), "My_draft_2");
   EXPECT_EQ(file_name_of("../../etc"), "etc");
-  EXPECT_EQ(file_name_of("\xC3\xA4"), "cloth");
+  EXPECT_EQ(file_name_of("..."), "cloth");
+  EXPECT_EQ(file_name_of("con"), "cloth_con");
+  EXPECT_EQ(file_name_of("LPT1"), "cloth_LPT1");
+  EXPECT_EQ(file_name_of("console"), "console");
+  EXPECT_EQ(file_name_of("a\xFFz"), "a_z");
+}
+
+// A draft in another language was called "cloth", or "hm" of "\u00E4hm".
+TEST(TextureSet, FileNamesKeepWhatTellsDraftsApart) {
+  EXPECT_EQ(file_name_of("K\xC3\xB6per & Co."), "Koper_Co");
+  EXPECT_EQ(file_name_of("Ko\xCC\x88per"), "Koper");  // the letter and its mark
+  EXPECT_EQ(file_name_of("\xC3\xA5 stra\xC3\x9F"
+                         "e"),
+            "a_strasse");
+  EXPECT_EQ(file_name_of("2 \xE2\x80\x93 3"), "2_3");
+  const std::string twill = file_name_of("\xE7\xB6\xBE"), weave = file_name_of("\xE7\xB9\x94");
+  EXPECT_TRUE(twill.starts_with("cloth_")) << twill;
+  EXPECT_EQ(twill.size(), std::string("cloth_123456").size());
+  EXPECT_NE(twill, weave);
+  EXPECT_EQ(file_name_of(twill), twill);
+  EXPECT_TRUE(file_name_of("denim \xE7\xB6\xBE").starts_with("denim_"));
+  EXPECT_LT(file_name_of(std::string(500, 'x') + "\xE7\xB6\xBE").size(), 100u);
 }
 
 TEST(TextureSet, ForeignFilesAreNotTouched) {

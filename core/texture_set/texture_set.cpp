@@ -383,6 +383,12 @@ bool is_device_name(std::string_view name) {
   return same_word(name, "con") || same_word(name, "prn") || same_word(name, "aux") || same_word(name, "nul");
 }
 
+/// Along the side that has fewer.
+float texels_per_mm_of(const Cloth& cloth, int size) {
+  const TextureSize of = texture_size(cloth.width_mm, cloth.depth_mm, size);
+  return std::min(static_cast<float>(of.width) / cloth.width_mm, static_cast<float>(of.height) / cloth.depth_mm);
+}
+
 std::string short_hash(std::string_view text) {
   char digits[7];
   std::snprintf(digits, sizeof digits, "%06x", static_cast<unsigned>(base::content_hash(text) & 0xFFFFFFu));
@@ -426,6 +432,7 @@ std::string key_of(const TextureSetOptions& o) {
 void set_density(TextureSetOptions& options, const Design& design, float texels_per_mm) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return;
+  options.texels_per_mm = texels_per_mm;
   if (options.tile_mm < 0) {
     const Cloth repeat = make_tile(design, cells, Face::kFront, 0, kMinSize).cloth;
     const float room_mm =
@@ -433,9 +440,8 @@ void set_density(TextureSetOptions& options, const Design& design, float texels_
     options.tile_mm = std::clamp(room_mm, 0.0f, tile_mm_for(repeat, kMaxSize));
   }
   const Cloth cloth = make_tile(design, cells, Face::kFront, options.tile_mm, kMaxSize).cloth;
-  const float longer = std::max(cloth.width_mm, cloth.depth_mm) * texels_per_mm;
   options.size = kMinSize;
-  while (options.size < kMaxSize && static_cast<float>(options.size) < longer) options.size *= 2;
+  while (options.size < kMaxSize && texels_per_mm_of(cloth, options.size) < texels_per_mm) options.size *= 2;
 }
 
 SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
@@ -491,7 +497,13 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
   std::vector<std::string> out;
-  if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
+  const float per_mm = texels_per_mm_of(cloth, options.size);
+  if (per_mm < options.texels_per_mm && options.detail == ThreadDetail::kAll)
+    out.push_back(fill(tr("at {size}, the largest size, this tile has {density} texels/mm, and {wanted} were asked "
+                          "for; make the tile smaller"),
+                       arg("size", kMaxSize), arg("density", rounded(per_mm)),
+                       arg("wanted", rounded(options.texels_per_mm))));
+  else if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
     out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
                        arg("texels", rounded(each))));
   if (options.alpha == Alpha::kMask && !keeps_masks(*options.target, options.mips) &&

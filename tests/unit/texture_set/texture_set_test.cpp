@@ -484,6 +484,28 @@ TEST(TextureSet, TilesOfSeveralRepeats) {
   EXPECT_GE(static_cast<float>(options.size), 20 * 50.0f);
 }
 
+// The shorter side had as little as 0.7 of it, and 8192 texels were too few without a word.
+TEST(TextureSet, DensityIsTheLeastOfBothSides) {
+  const Design design = sample_design();
+  for (const float texels_per_mm : {3.0f, 5.0f, 7.0f, 11.0f, 16.0f, 23.0f}) {
+    TextureSetOptions options = options_for(targets::kGltf, 16);
+    for (const float tile_mm : {0.0f, 7.0f, 13.0f}) {
+      options.tile_mm = tile_mm;
+      set_density(options, design, texels_per_mm);
+      const SetFigures made = figures_of(design, options);
+      EXPECT_GE(static_cast<float>(made.size.width), texels_per_mm * made.width_mm);
+      EXPECT_GE(static_cast<float>(made.size.height), texels_per_mm * made.depth_mm);
+      EXPECT_TRUE(warnings_of(design, options).empty() || texels_per_mm < 7);
+    }
+  }
+  TextureSetOptions options = options_for(targets::kGltf, 16);
+  options.tile_mm = 50;
+  set_density(options, design, 1000);
+  EXPECT_EQ(options.size, 8192);
+  ASSERT_EQ(warnings_of(design, options).size(), 1u);
+  EXPECT_NE(warnings_of(design, options)[0].find("and 1000 were asked for"), std::string::npos);
+}
+
 TEST(TextureSet, TheSameBytesEveryTime) {
   const Scratch scratch("again");
   for (const ExportTarget* target : {&targets::kU3m, &targets::kMaterialX, &targets::kGltf}) {

@@ -1,5 +1,7 @@
 #include "base/utf8.h"
 
+#include <map>
+
 namespace weftlight::base {
 
 size_t utf8_sequence(std::string_view text, uint32_t& code) {
@@ -51,6 +53,20 @@ std::string_view cut_utf8(std::string_view text, size_t bytes) {
   size_t at = bytes;
   while (at > 0 && bytes - at < 3 && continues(at)) --at;
   return text.substr(0, continues(at) ? bytes : at);
+}
+
+std::string plain_latin(uint32_t code) {
+  constexpr uint32_t kFirst = 0xC0;
+  // U+00C0 to U+017F; * is of more than one letter, or of none.
+  constexpr std::string_view kLetters =
+      "AAAAAA*CEEEEIIIIDNOOOOO*OUUUUY**aaaaaa*ceeeeiiiidnooooo*ouuuuy*yAaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGg"
+      "GgGgHhHhIiIiIiIiIi**JjKkkLlLlLlLlLlNnNnNnnNnOoOoOo**RrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
+  static const std::map<uint32_t, const char*> kMore{{0xC6, "AE"},  {0xDE, "Th"},  {0xDF, "ss"},  {0xE6, "ae"},
+                                                     {0xFE, "th"},  {0x132, "IJ"}, {0x133, "ij"}, {0x152, "OE"},
+                                                     {0x153, "oe"}, {0x1E9E, "SS"}};
+  if (const auto more = kMore.find(code); more != kMore.end()) return more->second;
+  if (code < kFirst || code - kFirst >= kLetters.size() || kLetters[code - kFirst] == '*') return {};
+  return {kLetters[code - kFirst]};
 }
 
 }  // namespace weftlight::base

@@ -15,5 +15,8 @@ bool is_utf8(std::string_view text);
 std::string as_utf8(std::string_view text);
 /// The start of `text`, at most `bytes` long, cut between characters.
 std::string_view cut_utf8(std::string_view text, size_t bytes);
+/// The letters A to Z that stand for a Latin letter with marks or a ligature, as "o" for U+00F6 and "ae" for U+00E6;
+/// empty for all else, ASCII too.
+std::string plain_latin(uint32_t code);
 
 }  // namespace weftlight::base

@@ -19,7 +19,8 @@
 
 namespace weftlight::print {
 
-using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::mark, base::tr;
+using base::ErrorKind, base::Result, base::arg, base::failed, base::failure, base::fill, base::mark, base::tr,
+    base::tr_n;
 
 namespace {
 
@@ -120,9 +121,13 @@ Result<std::vector<Sheet>> all_sheets(const Design& design, const Design& part, 
 Result<void> keep_range(std::vector<Sheet>& sheets, const PrintOptions& options) {
   const auto count = static_cast<int>(sheets.size());
   const int first = std::max(1, options.first_sheet), last = options.last_sheet > 0 ? options.last_sheet : count;
-  if (first > last || first > count)
-    return failure(ErrorKind::kInput, fill(tr("there are no sheets {first} to {last}; there are {count}"),
-                                           arg("first", first), arg("last", last), arg("count", count)));
+  if (first > count)
+    return failure(ErrorKind::kUsage, fill(tr_n("there is no sheet {first}; there is {count} sheet",
+                                                "there is no sheet {first}; there are {count} sheets", count),
+                                           arg("first", first), arg("count", count)));
+  if (first > last)
+    return failure(ErrorKind::kUsage, fill(tr("the first sheet, {first}, comes after the last one, {last}"),
+                                           arg("first", first), arg("last", last)));
   sheets.erase(sheets.begin() + std::min(last, count), sheets.end());
   sheets.erase(sheets.begin(), sheets.begin() + (first - 1));
   return {};

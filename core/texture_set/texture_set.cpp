@@ -7,10 +7,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/json.h"
 #include "base/loops.h"
 #include "base/text.h"
+#include "base/utf8.h"
 #include "base/whole_files.h"
+#include "base/words.h"
 #include "cloth/cloth.h"
 #include "draft/drawdown.h"
 #include "platform/file.h"
@@ -360,18 +363,73 @@ base::Result<void> write_into(const std::string& folder, const std::string& dest
   return done;
 }
 
+bool is_plain(uint32_t code) {
+  return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || (code >= '0' && code <= '9') || code == '-' ||
+         code == '_';
+}
+
+/// Some systems write a letter and its mark as two.
+bool is_combining_mark(uint32_t code) { return code >= 0x300 && code < 0x370; }
+
+/// Of a script without plain_latin(), and neither punctuation nor a symbol.
+bool is_foreign_letter(uint32_t code) {
+  const bool sign = code < 0x180 || (code >= 0x2000 && code < 0x2C00) || (code >= 0x3000 && code < 0x3004);
+  return !sign && !is_combining_mark(code);
+}
+
+struct AsciiName {
+  std::string text;
+  bool whole = true;  // no letter was left out
+};
+
+/// Engines, USD before 24.03 and archives are sure of ASCII alone.
+AsciiName ascii_name(std::string_view text) {
+  AsciiName out;
+  while (!text.empty()) {
+    uint32_t code = 0;
+    const size_t size = base::utf8_sequence(text, code);
+    text.remove_prefix(std::max<size_t>(size, 1));
+    if (size == 0) code = 0;
+    if (is_combining_mark(code)) continue;
+    const std::string letters = is_plain(code) ? std::string(1, static_cast<char>(code)) : base::plain_latin(code);
+    out.text += letters;
+    if (!letters.empty()) continue;
+    if (is_foreign_letter(code)) out.whole = false;
+    if (!out.text.empty() && out.text.back() != '_') out.text += '_';
+  }
+  while (!out.text.empty() && out.text.back() == '_') out.text.pop_back();
+  return out;
+}
+
+/// Windows has no file of such a name, whatever its extension.
+bool is_device_name(std::string_view name) {
+  using base::same_word;
+  const bool port = name.size() == 4 && name[3] >= '1' && name[3] <= '9';
+  if (port) return same_word(name.substr(0, 3), "com") || same_word(name.substr(0, 3), "lpt");
+  return same_word(name, "con") || same_word(name, "prn") || same_word(name, "aux") || same_word(name, "nul");
+}
+
+/// Along the side that has fewer.
+float texels_per_mm_of(const Cloth& cloth, int size) {
+  const TextureSize of = texture_size(cloth.width_mm, cloth.depth_mm, size);
+  return std::min(static_cast<float>(of.width) / cloth.width_mm, static_cast<float>(of.height) / cloth.depth_mm);
+}
+
+std::string short_hash(std::string_view text) {
+  char digits[7];
+  std::snprintf(digits, sizeof digits, "%06x", static_cast<unsigned>(base::content_hash(text) & 0xFFFFFFu));
+  return digits;
+}
+
 }  // namespace
 
 std::string file_name_of(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-    if (plain) out += c;
-    else if (!out.empty() && out.back() != '_') out += '_';
-  }
-  while (!out.empty() && out.back() == '_') out.pop_back();
-  return out.empty() ? "cloth" : out.substr(0, 100);
+  constexpr size_t kLongest = 90;
+  const AsciiName name = ascii_name(text);
+  std::string out = name.text.empty() ? "cloth" : name.text.substr(0, kLongest);
+  if (is_device_name(out)) out.insert(0, "cloth_");
+  if (!name.whole) out += "_" + short_hash(text);
+  return out;
 }
 
 TextureSetOptions at_lod(TextureSetOptions options, int lod) {
@@ -400,6 +458,7 @@ std::string key_of(const TextureSetOptions& o) {
 void set_density(TextureSetOptions& options, const Design& design, float texels_per_mm) {
   const BitMatrix cells = drawdown(design.draft);
   if (cells.rows() < 1 || cells.cols() < 1) return;
+  options.texels_per_mm = texels_per_mm;
   if (options.tile_mm < 0) {
     const Cloth repeat = make_tile(design, cells, Face::kFront, 0, kMinSize).cloth;
     const float room_mm =
@@ -407,9 +466,8 @@ void set_density(TextureSetOptions& options, const Design& design, float texels_
     options.tile_mm = std::clamp(room_mm, 0.0f, tile_mm_for(repeat, kMaxSize));
   }
   const Cloth cloth = make_tile(design, cells, Face::kFront, options.tile_mm, kMaxSize).cloth;
-  const float longer = std::max(cloth.width_mm, cloth.depth_mm) * texels_per_mm;
   options.size = kMinSize;
-  while (options.size < kMaxSize && static_cast<float>(options.size) < longer) options.size *= 2;
+  while (options.size < kMaxSize && texels_per_mm_of(cloth, options.size) < texels_per_mm) options.size *= 2;
 }
 
 SetFigures figures_of(const Design& design, const TextureSetOptions& options) {
@@ -466,7 +524,13 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
   const float each = std::min(static_cast<float>(size.width) / static_cast<float>(cloth.ends.size()),
                               static_cast<float>(size.height) / static_cast<float>(cloth.picks.size()));
   std::vector<std::string> out;
-  if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
+  const float per_mm = texels_per_mm_of(cloth, options.size);
+  if (per_mm < options.texels_per_mm && options.detail == ThreadDetail::kAll)
+    out.push_back(fill(tr("at {size}, the largest size, this tile has {density} texels/mm, and {wanted} were asked "
+                          "for; make the tile smaller"),
+                       arg("size", kMaxSize), arg("density", rounded(per_mm)),
+                       arg("wanted", rounded(options.texels_per_mm))));
+  else if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
     out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
                        arg("texels", rounded(each))));
   if (options.alpha == Alpha::kMask && !keeps_masks(*options.target, options.mips) &&

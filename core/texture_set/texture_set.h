@@ -39,6 +39,7 @@ struct TextureSetOptions {
   UvMapping uv{};                            // of the meshes that wear the material
   ThreadDetail detail = ThreadDetail::kAll;  // of the level of detail; size and distance are given for it
   bool masks = false;                        // images for recolouring (texture_set/recolour.h)
+  float texels_per_mm = 0;                   // that set_density() was asked for; 0: size was chosen
   float tile_mm = 0;  // least width and depth of a tile of whole repeats; 0: one repeat; or kTileOfYarns
   std::string modified = "2000-01-01T00:00:00Z";  // time of the draft, ISO 8601, for formats that need it
   std::string key;                                // hash of all inputs of the set, for is_complete()
@@ -51,10 +52,13 @@ TextureSetOptions at_lod(TextureSetOptions options, int lod);
 /// The options that change the bytes of the set, as text.
 std::string key_of(const TextureSetOptions& options);
 
-/// The letters, digits, '-' and '_' of a text; "cloth" if none is left.
+/// A name in ASCII letters, digits, '-' and '_', at most 97 bytes, that every engine and file system takes: "Koper" of
+/// "K\u00F6per". A text with letters of other scripts ends in six hexadecimal digits of its own, in place of them;
+/// where nothing else is left, and before the name of a device of Windows, "cloth" comes first.
 std::string file_name_of(const std::string& text);
 
-/// Sets the size, a power of two of 16..8192, for a resolution of the design's tile, and with kTileOfYarns the tile.
+/// Sets the size, a power of two of 16..8192, for at least so many texels per millimetre along both sides of the
+/// design's tile, or 8192 where that is not enough; with kTileOfYarns the tile, too.
 void set_density(TextureSetOptions& options, const Design& design, float texels_per_mm);
 
 /// Warnings about the options for this design.

@@ -260,7 +260,8 @@ CLI::Validator crop_into(files::PictureCrop& crop) {
         if (std::sscanf(text.c_str(), "%6d,%6d,%6d,%6d%c", &read.left, &read.top, &read.width, &read.height, &rest) !=
                 4 ||
             read.left < 0 || read.top < 0 || read.width < 1 || read.height < 1)
-          return fill(tr("--crop {text}: give left, top, width and height in pixels: 0,0,640,480"), arg("text", text));
+          return fill(tr("'{text}' is not an area; give left, top, width and height in pixels: 0,0,640,480"),
+                      arg("text", text));
         crop = read;
         return {};
       },

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <mutex>
 
 #include "base/file_names.h"
 #include "base/text.h"
@@ -22,6 +24,7 @@ using design::Method, design::NamedView, design::Scene, design::is_environment, 
 using draft::Draft;
 using files::PixelType, files::can_drape, files::drape_cloth, files::is_draped, files::write_image;
 using gl::upload_once;
+using render_data::StageWatch;
 using scene::drawn_scene, scene::view_named, scene::view_names;
 
 namespace {
@@ -74,6 +77,26 @@ Scene on_mesh(Scene scene, const PictureOptions& o) {
   return scene;
 }
 
+namespace {
+
+/// Shows which step a picture's maps are at. Those of the scene run beside them, and are fewer and quick.
+StageWatch steps_shown(const std::string& what, StatusLine& status) {
+  struct Shown {
+    std::mutex mutex;
+    size_t most = 0;
+  };
+  const auto shown = std::make_shared<Shown>();
+  return {{}, [shown, &status, what](const char*, size_t done, size_t of) {
+            const std::lock_guard lock(shown->mutex);
+            if (of < shown->most) return;
+            shown->most = of;
+            status.show(
+                fill(tr("{what}: step {step} of {count}"), arg("what", what), arg("step", done + 1), arg("count", of)));
+          }};
+}
+
+}  // namespace
+
 int PictureSetup::open(const PictureOptions& o) {
   const int code = read(o);
   return code == kDone ? upload() : code;
@@ -107,8 +130,11 @@ int PictureSetup::read(const PictureOptions& o) {
 int PictureSetup::upload(bool cloth) {
   if (const auto& read = renderer->lod_table_read(); !read) print_problem(problem_of(read));
   const Draft& d = design.draft;
-  status.show(fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks())));
-  const base::Result<void> shown = upload_once(std::make_shared<const Design>(design), *renderer, {}, cloth);
+  const std::string weaving =
+      fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks()));
+  status.show(weaving);
+  const base::Result<void> shown =
+      upload_once(std::make_shared<const Design>(design), *renderer, steps_shown(weaving, status), cloth);
   status.clear();
   for (const std::string& remark : renderer->light_remarks()) print_problem(remark);
   return finish(shown);

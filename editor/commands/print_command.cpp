@@ -12,7 +12,7 @@
 
 namespace weftlight::commands {
 
-using base::ErrorKind, base::arg, base::fill, base::tr_n, base::write_file_atomically;
+using base::arg, base::fill, base::tr_n, base::write_file_atomically;
 
 int print_command(const PrintCommand& options) {
   const OpenedDesign opened = open_design(options.file);
@@ -24,7 +24,7 @@ int print_command(const PrintCommand& options) {
   print::PrintOptions named = options.options;
   named.name = std::filesystem::path(options.file).stem().string();
   const base::Result<print::Printed> printed = print::printed(opened.design, format, named);
-  if (!printed) return fail({ErrorKind::kInput, printed.error().text, options.file});
+  if (!printed) return fail({printed.error().kind, printed.error().text, options.file});
   std::vector<std::string> sheets;
   for (size_t i = 0; i < printed->files.size(); ++i)
     sheets.push_back(print::sheet_file(options.out, i, printed->files.size()));

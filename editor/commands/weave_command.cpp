@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "commands/closest_word.h"
 #include "commands/commands.h"
 #include "design/edits.h"
 #include "weaves/table.h"
@@ -40,19 +41,48 @@ bool has_parameter(const WeaveKind& kind, const std::string& id) {
                      [&id](const WeaveParameter& parameter) { return id == parameter.id; });
 }
 
+/// "ratio, direction".
+std::string parameter_names(const WeaveKind& kind) {
+  std::string names;
+  for (const WeaveParameter& parameter : kind.parameters) names.append(names.empty() ? "" : ", ").append(parameter.id);
+  return names;
+}
+
+/// What is wrong with --set ID=VALUE; empty if nothing is.
+std::string problem_of_setting(const WeaveKind& kind, const std::string& one) {
+  const std::string id = one.substr(0, one.find('='));
+  if (kind.parameters.empty())
+    return fill(tr("--set {value}: the weave {weave} has no parameters"), arg("value", one), arg("weave", kind.id));
+  if (!has_parameter(kind, id))
+    return fill(tr("--set {value}: the weave {weave} has no such parameter; it has {names}"), arg("value", one),
+                arg("weave", kind.id), arg("names", parameter_names(kind)));
+  if (id.size() == one.size())
+    return fill(tr("--set {value}: give its value, as --set {value}=VALUE; see weftlight weave --list"),
+                arg("value", one));
+  return {};
+}
+
 /// False, with a line on stderr, if an entry is not of the form ID=VALUE or names no parameter of the weave.
 bool read_values(const WeaveKind& kind, const std::vector<std::string>& set, WeaveValues& values) {
   for (const std::string& one : set) {
-    const size_t equals = one.find('=');
-    const std::string id = one.substr(0, equals);
-    if (equals == std::string::npos || !has_parameter(kind, id)) {
-      refuse(fill(tr("--set {value}: the weave {weave} has no such parameter; see weftlight weave --list"),
-                  arg("value", one), arg("weave", kind.id)));
+    if (const std::string problem = problem_of_setting(kind, one); !problem.empty()) {
+      refuse(problem);
       return false;
     }
-    values.emplace_back(id, one.substr(equals + 1));
+    const size_t equals = one.find('=');
+    values.emplace_back(one.substr(0, equals), one.substr(equals + 1));
   }
   return true;
+}
+
+std::string unknown_weave(const std::string& id) {
+  if (id.empty()) return tr("give the id of a weave; see weftlight weave --list");
+  std::vector<std::string> ids;
+  for (const WeaveKind& kind : weave_kinds()) ids.emplace_back(kind.id);
+  const std::string closest = closest_word(id, ids);
+  return closest.empty() ? fill(tr("no weave is called '{name}'; see weftlight weave --list"), arg("name", id))
+                         : fill(tr("no weave is called '{name}'; did you mean '{closest}'?"), arg("name", id),
+                                arg("closest", closest));
 }
 
 void warn(const WeaveOptions& options, const std::string& problem) {
@@ -69,10 +99,8 @@ int weave_command(const WeaveOptions& options) {
     return kDone;
   }
   const WeaveKind* kind = find_weave(options.weave);
-  if (!kind || options.out.empty()) {
-    return refuse(kind ? tr("give a name for the draft with -o; see weftlight weave --help")
-                       : tr("there is no such weave; see weftlight weave --list"));
-  }
+  if (!kind) return refuse(unknown_weave(options.weave));
+  if (options.out.empty()) return refuse(tr("give a name for the draft with -o; see weftlight weave --help"));
   WeaveValues values;
   if (!read_values(*kind, options.set, values)) return kUsage;
   if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));

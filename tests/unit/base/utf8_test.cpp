@@ -22,6 +22,16 @@ TEST(Utf8, invalid_bytes_are_replaced_one_by_one) {
   for (int byte = 0x80; byte < 0x100; ++byte) EXPECT_TRUE(is_utf8(as_utf8(std::string(3, static_cast<char>(byte)))));
 }
 
+TEST(Utf8, latin_letters_lose_their_marks) {
+  EXPECT_EQ(plain_latin(0xF6), "o");
+  EXPECT_EQ(plain_latin(0x141), "L");
+  EXPECT_EQ(plain_latin(0x17E), "z");
+  EXPECT_EQ(plain_latin(0xDF), "ss");
+  EXPECT_EQ(plain_latin(0x153), "oe");
+  for (const uint32_t code : {0x0u, 0x41u, 0xBFu, 0xD7u, 0xF7u, 0x180u, 0x7D9Eu})
+    EXPECT_EQ(plain_latin(code), "") << code;
+}
+
 TEST(Utf8, is_cut_between_characters) {
   const std::string text = "a\xC3\xA9\xE2\x82\xAC\xF0\x9F\xA7\xB5";
   for (size_t bytes = 0; bytes <= text.size() + 1; ++bytes) {

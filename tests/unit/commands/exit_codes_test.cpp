@@ -59,7 +59,8 @@ std::string said_on_a_terminal(const Args& args) {
 TEST_F(ExitCodes, progress_is_shown_on_a_terminal_only) {
   const Args args = Args{"render", draft(), "-o", path("out.png")} + kSmall;
   const std::string said = said_on_a_terminal(args);
-  for (const char* what : {"weaving ", "drawing 32 x 24 pixels"}) EXPECT_NE(said.find(what), std::string::npos) << said;
+  for (const char* what : {"weaving ", " picks: step ", "drawing 32 x 24 pixels"})
+    EXPECT_NE(said.find(what), std::string::npos) << said;
   EXPECT_EQ(said.back(), '\r') << "the line is cleared at the end";
   EXPECT_EQ(run(args).said, "");
 }

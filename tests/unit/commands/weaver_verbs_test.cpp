@@ -250,6 +250,33 @@ TEST_F(WeaverVerbs, weave_keeps_its_parameters_in_the_file) {
   EXPECT_EQ(weave_command({"twill", "", {}, 8, 8, false}), kUsage);
 }
 
+TEST_F(WeaverVerbs, weave_says_what_is_wrong_and_what_there_is) {
+  const auto refused = [&](std::vector<std::string> args) {
+    args.insert(args.begin(), "weave");
+    const Ran ran = run(std::move(args));
+    EXPECT_EQ(ran.code, kUsage) << ran.said;
+    return ran.said;
+  };
+  EXPECT_NE(refused({}).find("give the id of a weave"), std::string::npos);
+  EXPECT_NE(refused({"twil", "-o", path("t.wif")}).find("no weave is called 'twil'; did you mean 'twill'?"),
+            std::string::npos);
+  EXPECT_NE(refused({"zzzz", "-o", path("t.wif")}).find("'zzzz'; see weftlight weave --list"), std::string::npos);
+  EXPECT_NE(refused({"twill", "-o", path("t.wif"), "--set", "ratio"}).find("as --set ratio=VALUE"), std::string::npos);
+  EXPECT_NE(refused({"twill", "-o", path("t.wif"), "--set", "color=red"}).find("no such parameter; it has ratio"),
+            std::string::npos);
+}
+
+TEST_F(WeaverVerbs, print_refuses_sheets_that_there_are_not) {
+  const std::string twill = fixture_path("twill.wif");
+  for (const std::vector<std::string>& sheets :
+       {std::vector<std::string>{"--first-sheet", "300"}, {"--first-sheet", "2", "--last-sheet", "1"}}) {
+    std::vector<std::string> args{"print", twill, "-o", path("no.pdf")};
+    args.insert(args.end(), sheets.begin(), sheets.end());
+    EXPECT_EQ(run(args).code, kUsage) << sheets[1];
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("no.pdf")));
+}
+
 TEST_F(WeaverVerbs, weave_warns_of_a_repeat_that_is_cut) {
   const Ran cut =
       run({"weave", "sett", "-o", path("cut.wif"), "--set", "sett=R20 K20 G40", "--ends", "60", "--picks", "80"});

@@ -134,6 +134,16 @@ TEST_F(PictureTest, DraftsOfAnySizeShowSingleThreads) {
   EXPECT_TRUE(stages.packed().strips == render_data::cell_strips(draft::drawdown(painted.draft)));
 }
 
+/// Threads of 0.4 mm every 2 mm.
+Design open_cloth() {
+  Design design = twill(2, 1, kRed, kRed);
+  for (draft::Threads* threads : {&design.draft.warp, &design.draft.weft}) {
+    std::ranges::fill(threads->spacing_mm, 2.0f);
+    std::ranges::fill(threads->thickness_mm, 0.4f);
+  }
+  return design;
+}
+
 // A picture of minutes said nothing until it was done.
 TEST_F(PictureTest, ASoftwareRendererTellsHowFarItIs) {
   upload(twill(4, 2, kRed, kBlue), square(100));
@@ -297,6 +307,19 @@ TEST_F(PictureTest, TheRimOfAFoldIsThatOfItsOwnFinerPicture) {
   EXPECT_LT(relative_rms(mean, coarse), 0.15);  // 0.24 then, 0.10 now
 }
 
+// Lines ran across curtains of gauze, where one band ends and the next begins.
+TEST_F(PictureTest, BandsOfAnOpenClothHaveNoSeams) {
+  upload(open_cloth(), fold(20, 100, 64));
+  look.method = Method::kCloth;
+  frame.height = 200;
+  frame.transparent = true;
+  const Image whole = draw(false);
+  frame.progress = [](float) {};
+  const Image banded = draw(false);
+  frame.progress = {};
+  EXPECT_EQ(banded.texels, whole.texels);
+}
+
 // The shadow's filter reaches past its texels: an inclined plane shadowed itself in stripes (visible on a table's
 // foot).
 TEST_F(PictureTest, APlaneDoesNotShadeItself) {
@@ -335,12 +358,7 @@ TEST_F(PictureTest, ThreadsThatTouchHideWhatIsBehindThem) {
 }
 
 TEST_F(PictureTest, GapsLetTheBackgroundThrough) {
-  Design design = twill(2, 1, kRed, kRed);
-  for (float& spacing : design.draft.warp.spacing_mm) spacing = 2.0f;
-  for (float& spacing : design.draft.weft.spacing_mm) spacing = 2.0f;
-  for (float& thickness : design.draft.warp.thickness_mm) thickness = 0.4f;
-  for (float& thickness : design.draft.weft.thickness_mm) thickness = 0.4f;
-  upload(design, square(100));
+  upload(open_cloth(), square(100));
   frame.transparent = true;
   // Threads of 0.4 mm, pressed a little flat, every 2 mm both ways.
   constexpr double kWidth = 0.4472, kCovered = 1 - (1 - kWidth / 2) * (1 - kWidth / 2);

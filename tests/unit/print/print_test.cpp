@@ -272,7 +272,10 @@ TEST(Print, OneRepeatAndARangeOfSheets) {
   o.last_sheet = 0;
   EXPECT_EQ(printed(d, PrintFormat::kPdf, o)->sheets, all - 1);
   o.first_sheet = all + 1;
-  EXPECT_NE(problem_of(printed(d, PrintFormat::kPdf, o)).find("there are no sheets"), std::string::npos);
+  EXPECT_NE(problem_of(printed(d, PrintFormat::kPdf, o)).find("there is no sheet"), std::string::npos);
+  o.first_sheet = 3, o.last_sheet = 2;
+  EXPECT_NE(problem_of(printed(d, PrintFormat::kPdf, o)).find("3, comes after"), std::string::npos);
+  o.last_sheet = 0;
   o.first_sheet = 1;
   o.one_repeat = true;
   EXPECT_LT(printed(d, PrintFormat::kPdf, o)->sheets, all);

@@ -129,7 +129,28 @@ TEST(TextureSet, SizesArePowersOfTwoNearTheProportions) {
 TEST(TextureSet, FileNamesAreSafe) {
   EXPECT_EQ(file_name_of("My draft (2)"), "My_draft_2");
   EXPECT_EQ(file_name_of("../../etc"), "etc");
-  EXPECT_EQ(file_name_of("\xC3\xA4"), "cloth");
+  EXPECT_EQ(file_name_of("..."), "cloth");
+  EXPECT_EQ(file_name_of("con"), "cloth_con");
+  EXPECT_EQ(file_name_of("LPT1"), "cloth_LPT1");
+  EXPECT_EQ(file_name_of("console"), "console");
+  EXPECT_EQ(file_name_of("a\xFFz"), "a_z");
+}
+
+// A draft in another language was called "cloth", or "hm" of "\u00E4hm".
+TEST(TextureSet, FileNamesKeepWhatTellsDraftsApart) {
+  EXPECT_EQ(file_name_of("K\xC3\xB6per & Co."), "Koper_Co");
+  EXPECT_EQ(file_name_of("Ko\xCC\x88per"), "Koper");  // the letter and its mark
+  EXPECT_EQ(file_name_of("\xC3\xA5 stra\xC3\x9F"
+                         "e"),
+            "a_strasse");
+  EXPECT_EQ(file_name_of("2 \xE2\x80\x93 3"), "2_3");
+  const std::string twill = file_name_of("\xE7\xB6\xBE"), weave = file_name_of("\xE7\xB9\x94");
+  EXPECT_TRUE(twill.starts_with("cloth_")) << twill;
+  EXPECT_EQ(twill.size(), std::string("cloth_123456").size());
+  EXPECT_NE(twill, weave);
+  EXPECT_EQ(file_name_of(twill), twill);
+  EXPECT_TRUE(file_name_of("denim \xE7\xB6\xBE").starts_with("denim_"));
+  EXPECT_LT(file_name_of(std::string(500, 'x') + "\xE7\xB6\xBE").size(), 100u);
 }
 
 TEST(TextureSet, ForeignFilesAreNotTouched) {
@@ -461,6 +482,28 @@ TEST(TextureSet, TilesOfSeveralRepeats) {
   options.tile_mm = 50;
   set_density(options, design, 20);
   EXPECT_GE(static_cast<float>(options.size), 20 * 50.0f);
+}
+
+// The shorter side had as little as 0.7 of it, and 8192 texels were too few without a word.
+TEST(TextureSet, DensityIsTheLeastOfBothSides) {
+  const Design design = sample_design();
+  for (const float texels_per_mm : {3.0f, 5.0f, 7.0f, 11.0f, 16.0f, 23.0f}) {
+    TextureSetOptions options = options_for(targets::kGltf, 16);
+    for (const float tile_mm : {0.0f, 7.0f, 13.0f}) {
+      options.tile_mm = tile_mm;
+      set_density(options, design, texels_per_mm);
+      const SetFigures made = figures_of(design, options);
+      EXPECT_GE(static_cast<float>(made.size.width), texels_per_mm * made.width_mm);
+      EXPECT_GE(static_cast<float>(made.size.height), texels_per_mm * made.depth_mm);
+      EXPECT_TRUE(warnings_of(design, options).empty() || texels_per_mm < 7);
+    }
+  }
+  TextureSetOptions options = options_for(targets::kGltf, 16);
+  options.tile_mm = 50;
+  set_density(options, design, 1000);
+  EXPECT_EQ(options.size, 8192);
+  ASSERT_EQ(warnings_of(design, options).size(), 1u);
+  EXPECT_NE(warnings_of(design, options)[0].find("and 1000 were asked for"), std::string::npos);
 }
 
 TEST(TextureSet, TheSameBytesEveryTime) {

@@ -15,6 +15,7 @@
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "weaves/notation.h"
 
 namespace weftlight::views {
 
@@ -26,9 +27,10 @@ using draft::Draft, draft::Rgb, draft::System, draft::kFromYarn;
 using session::DocumentView, session::Edit, session::Settings, session::SharedIndex, session::SharedLength,
     session::SharedThreads, session::ThreadProperty, session::concerned, session::shared_by, session::thread_label,
     session::threads_of_words, session::words_of_threads;
-using ui::SliderSpec, ui::begin_combo, ui::draw_swatch, ui::end_combo, ui::hit_area, ui::icon_button, ui::muted_text,
-    ui::number_field, ui::open_section, ui::push_font, ui::row_label, ui::section, ui::segmented, ui::span_slider,
-    ui::take_focus, ui::tooltip;
+using ui::SliderSpec, ui::begin_combo, ui::draw_swatch, ui::end_combo, ui::hit_area, ui::icon_button, ui::key_pressed,
+    ui::muted_text, ui::number_field, ui::open_section, ui::push_font, ui::row_label, ui::section, ui::segmented,
+    ui::span_slider, ui::take_focus, ui::tooltip;
+using weaves::read_sequence, weaves::sequence_text;
 using wif::WifUnit;
 
 namespace {
@@ -233,7 +235,50 @@ void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 
                                       name.c_str());
 }
 
-void draw_color_choices(PanelContext& c, const Subject& s) {
+/// The colours in order, repeated over the threads.
+void give_color_order(PanelContext& c, const Subject& s, const std::vector<int>& order) {
+  c.wanted.add(edit_of(s, ThreadProperty::kColor, [order](Design d, System system, const std::vector<int>& threads) {
+    for (size_t i = 0; i < threads.size(); ++i)
+      d = with_thread_color(std::move(d), system, threads[i], order[i % order.size()]);
+    return d;
+  }));
+}
+
+std::string color_order(const Design& d, const Subject& s) {
+  const std::vector<int>& colors = d.draft.threads(s.system).color;
+  std::vector<int> order;
+  for (const int thread : s.threads) order.push_back(colors[static_cast<size_t>(thread)]);
+  return sequence_text(order);
+}
+
+/// The order of the colours by their numbers. The threads follow as it is typed; Enter closes the list.
+void draw_color_order(PanelContext& c, const Subject& s, std::string& typed, float width) {
+  if (ImGui::IsWindowAppearing()) typed = color_order(c.design, s);
+  const auto read = [&] { return read_sequence(typed, static_cast<int>(c.design.draft.palette.size())); };
+  const std::string note = read().note;
+  muted_text(c, tr("In order, repeated"));
+  ImGui::SetNextItemWidth(width);
+  if (!note.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
+  const bool changed = ImGui::InputTextWithHint("##order", "4x1 2x2", &typed);
+  if (!note.empty()) ImGui::PopStyleColor();
+  c.map.add_item("threads.color:order");
+  const bool entered = ImGui::IsItemDeactivated() && key_pressed(ImGuiKey_Enter, false);
+  tooltip(c, tr("Numbers of the colours, repeated over the threads: 4x1 2x2 is four threads of colour 1 and two of "
+                "colour 2; 3x(1 2) repeats what is in brackets"));
+  if (!note.empty()) {
+    ImGui::PushTextWrapPos(width);
+    ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    c.map.add_item("threads.color:note");
+  }
+  if (changed)
+    if (const auto now = read(); now.note.empty() && !now.value.empty()) give_color_order(c, s, now.value);
+  if (entered && note.empty()) ImGui::CloseCurrentPopup();
+}
+
+void draw_color_choices(PanelContext& c, const Subject& s, std::string& typed_order) {
   const auto& palette = c.design.draft.palette;
   const float side = c.style.pressed_px(24), gap = c.style.px(6);
   for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
@@ -255,16 +300,18 @@ void draw_color_choices(PanelContext& c, const Subject& s) {
   if (ImGui::Selectable(tr("New colour"))) give_new_color(c, s);
   c.map.add_item("threads.color:new");
   tooltip(c, tr("Added to the palette for these threads, and made active so that it can be edited above"));
+  ImGui::Separator();
+  draw_color_order(c, s, typed_order, 6 * side + 5 * gap);
 }
 
-void draw_color(PanelContext& c, const Subject& s) {
-  row_label(c, tr("Colour"), tr("The colour of the threads, from the palette"));
+void draw_color(PanelContext& c, const Subject& s, std::string& typed_order) {
+  row_label(c, tr("Colour"), tr("The colour of the threads, from the palette, or an order of colours"));
   ImGui::SetNextItemWidth(-FLT_MIN);
   const ImVec2 a = ImGui::GetCursorScreenPos(),
                b{a.x + ImGui::GetContentRegionAvail().x, a.y + ImGui::GetFrameHeight()};
   const bool open = begin_combo(c, "threads.color", "");
   if (open) {
-    draw_color_choices(c, s);
+    draw_color_choices(c, s, typed_order);
     end_combo();
   }
   draw_shared_colors(c, s.shared.color, a, b);
@@ -354,16 +401,16 @@ void draw_file_words(const PanelContext& c, const FileUnits& units, const Subjec
 }  // namespace
 
 MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const FileUnits& units,
-                       std::string& typed) {
+                       TypedThreads& typed) {
   Panel c{panel, chosen};
   if (c.focus.starts_with("threads.")) open_section("section.threads");
   if (!section(c, "section.threads", tr("Threads"))) return {};
-  draw_choice(c, typed);
+  draw_choice(c, typed.which);
   Subject s{c.view.system, concerned(c.view, c.design.draft), {}};
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);
   draw_yarn(c, s);
-  draw_color(c, s);
+  draw_color(c, s, typed.order);
   MaybeEdit edit;
   const auto take = [&edit](MaybeEdit made) {
     if (made) edit = std::move(made);

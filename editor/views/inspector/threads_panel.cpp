@@ -37,7 +37,8 @@ namespace {
 
 using Panel = ViewContext<ThreadChoice>;
 
-constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link button
+constexpr float kLinkRoom = 30;     // pixels at 96 dpi, for the link button
+constexpr float kOrderWidth = 200;  // of the field of an order, about 25 letters
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
 /// The threads that the panel shows and edits.
@@ -252,7 +253,8 @@ std::string color_order(const Design& d, const Subject& s) {
 }
 
 /// The order of the colours by their numbers. The threads follow as it is typed; Enter closes the list.
-void draw_color_order(PanelContext& c, const Subject& s, std::string& typed, float width) {
+void draw_color_order(PanelContext& c, const Subject& s, std::string& typed) {
+  const float width = c.style.px(kOrderWidth);
   if (ImGui::IsWindowAppearing()) typed = color_order(c.design, s);
   const auto read = [&] { return read_sequence(typed, static_cast<int>(c.design.draft.palette.size())); };
   const std::string note = read().note;
@@ -301,7 +303,7 @@ void draw_color_choices(PanelContext& c, const Subject& s, std::string& typed_or
   c.map.add_item("threads.color:new");
   tooltip(c, tr("Added to the palette for these threads, and made active so that it can be edited above"));
   ImGui::Separator();
-  draw_color_order(c, s, typed_order, 6 * side + 5 * gap);
+  draw_color_order(c, s, typed_order);
 }
 
 void draw_color(PanelContext& c, const Subject& s, std::string& typed_order) {

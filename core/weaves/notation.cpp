@@ -49,44 +49,48 @@ struct SequenceReader {
       to.insert(to.end(), part.begin(), part.end());
     }
   }
-  void run(std::vector<int>& to, int from, int last) {
-    if (from < 1 || last < 1 || from > most || last > most)
-      return fail(fill(tr("a number outside 1 to {most}"), arg("most", most)));
-    const int step = from <= last ? 1 : -1;
+  bool is_at(std::string_view any) const { return at < text.size() && any.find(text[at]) != any.npos; }
+  /// "3x" or "3*", or "3" before a bracket; 1 if there is none.
+  int count_before() {
+    const size_t begin = at;
+    const int times = number_at(text, at);
+    skip_blanks(text, at);
+    const bool sign = is_at("x*");
+    if (times >= 0 && sign) ++at, skip_blanks(text, at);
+    if (times >= 0 && (sign || is_at("("))) return times;
+    at = begin;
+    return 1;
+  }
+  /// "5" or "5-8".
+  std::vector<int> run() {
+    const int from = number_at(text, at);
+    skip_blanks(text, at);
+    int last = from;
+    if (is_at("-")) {
+      ++at;
+      skip_blanks(text, at);
+      last = number_at(text, at);
+    }
     std::vector<int> threads;
+    if (from < 1 || last < 1 || from > most || last > most) {
+      fail(fill(tr("a number outside 1 to {most}"), arg("most", most)));
+      return threads;
+    }
+    const int step = from <= last ? 1 : -1;
     for (int i = from; i != last + step; i += step) threads.push_back(i - 1);
-    append(to, threads, 1);
+    return threads;
   }
   // Until a closing bracket or the end.
   std::vector<int> parts(int depth) {
     std::vector<int> out;
-    for (;;) {
-      skip_blanks(text, at);
-      if (at >= text.size() || text[at] == ')') return out;
-      int times = 1;
+    for (skip_blanks(text, at); at < text.size() && text[at] != ')'; skip_blanks(text, at)) {
       const size_t begin = at;
-      const int first = number_at(text, at);
-      if (first >= 0) {
-        skip_blanks(text, at);
-        const bool sign = at < text.size() && (text[at] == 'x' || text[at] == '*');
-        if (sign) ++at, skip_blanks(text, at);
-        if (at < text.size() && text[at] == '(') {
-          times = first;
-        } else if (sign) {
-          fail(tr("a repeat count without a bracket after it"));
-          return out;
-        } else {
-          int last = first;
-          if (at < text.size() && text[at] == '-') {
-            ++at;
-            skip_blanks(text, at);
-            last = number_at(text, at);
-          }
-          run(out, first, last);
-          continue;
-        }
+      const int times = count_before();
+      if (at < text.size() && is_digit(text[at])) {
+        append(out, run(), times);
+        continue;
       }
-      if (at >= text.size() || text[at] != '(' || depth >= kMaxDepth) {
+      if (!is_at("(") || depth >= kMaxDepth) {
         at = begin;
         fail(depth >= kMaxDepth ? tr("brackets nested too deeply") : tr("neither a number nor a bracket"));
         return out;
@@ -100,6 +104,7 @@ struct SequenceReader {
       ++at;
       append(out, inside, times);
     }
+    return out;
   }
 };
 
@@ -242,6 +247,17 @@ bool take_dots(std::string_view& text) {
   return taken;
 }
 
+/// The fewest threads that, repeated, make all of them; the last repeat may be cut. (Knuth, Morris and Pratt.)
+size_t repeat_of(std::span<const int> threads) {
+  std::vector<size_t> overlap(threads.size());  // of the start with the end of the threads up to each
+  for (size_t i = 1, same = 0; i < threads.size(); ++i) {
+    while (same > 0 && threads[i] != threads[same]) same = overlap[same - 1];
+    if (threads[i] == threads[same]) ++same;
+    overlap[i] = same;
+  }
+  return threads.empty() ? 0 : threads.size() - overlap.back();
+}
+
 }  // namespace
 
 OverUnder read_ratio(std::string_view text) {
@@ -271,6 +287,18 @@ Noted<std::vector<int>> read_sequence(std::string_view text, int most) {
   std::vector<int> threads = reader.parts(0);
   if (reader.note.empty() && reader.at < text.size()) reader.fail(tr("an unmatched closing bracket"));
   return {std::move(threads), std::move(reader.note)};
+}
+
+std::string sequence_text(std::span<const int> threads) {
+  std::string text;
+  const std::span<const int> once = threads.first(repeat_of(threads));
+  for (size_t i = 0, next = 0; i < once.size(); i = next) {
+    while (next < once.size() && once[next] == once[i]) ++next;
+    if (i > 0) text += ' ';
+    if (next - i > 1) text.append(std::to_string(next - i)).append("x");
+    text.append(std::to_string(once[i] + 1));
+  }
+  return text;
 }
 
 Noted<Sett> read_sett(std::string_view text) {

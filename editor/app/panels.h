@@ -15,13 +15,14 @@
 #include "session/files/user_files.h"
 #include "views/common/yarn_strip.h"
 #include "views/draft/draft_panel.h"
+#include "views/inspector/threads_panel.h"
 #include "views/shell/window_layout.h"
 
 namespace weftlight::app {
 
 using session::ActionItem, session::Settings;
 using ui::Style;
-using views::DraftPictures, views::PanelContext, views::WindowLayout, views::YarnStrip;
+using views::DraftPictures, views::PanelContext, views::TypedThreads, views::WindowLayout, views::YarnStrip;
 
 class Panels {
  public:
@@ -36,7 +37,7 @@ class Panels {
   /// When something goes by itself; negative if nothing does.
   double changes_at_s() const { return draft_pictures_.minimap.goes_at_s(); }
   /// Another document is shown.
-  void forget() { typed_threads_.clear(); }
+  void forget() { typed_threads_ = {}; }
 
  private:
   void draw_draft_pane(PanelContext& c, const WindowLayout& layout, std::span<const ActionItem> items);
@@ -55,7 +56,7 @@ class Panels {
   Messages& messages_;
   DraftPictures draft_pictures_;
   YarnStrip strip_;
-  std::string typed_threads_;
+  TypedThreads typed_threads_;
   bool cloth_shown_;  // in the last frame
   bool stacked_ = false;
   float fitted_split_ = 0.5f;  // used until the user moves the splitter

@@ -1,22 +1,29 @@
 #include "app/tabs.h"
 
-#include <algorithm>
-#include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "app/fixed_window.h"
 #include "base/text.h"
+#include "session/tab_names.h"
 
 namespace weftlight::app {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
-using session::Document, session::OpenDocument, session::Saver;
+using session::Document, session::OpenDocument, session::Saver, session::loss_text, session::tab_name,
+    session::tab_names;
 using views::Question, views::draw_tab_strip;
 
 void Tabs::step(int by) {
   session_.step(by);
   files_.look_at_file();
+}
+
+std::string Tabs::closing_question(uint64_t id) const {
+  const OpenDocument* open = session_.find(id);
+  const bool is_new = open != nullptr && open->document.path().empty();
+  return fill(is_new ? tr("Save {draft}?") : tr("Save the changes to {draft}?"), arg("draft", tab_name(session_, id)));
 }
 
 void Tabs::close(uint64_t id, const std::function<void()>& then) {
@@ -30,8 +37,8 @@ void Tabs::close(uint64_t id, const std::function<void()>& then) {
     return saver.after(id, [this, id, then] { dialogs_.when_none([this, id, then] { close(id, then); }); });
   if (open->document.is_saved()) return closed();
   session_.show(id);
-  dialogs_.ask(Question{fill(tr("Save the changes to {draft}?"), arg("draft", open->document.shown_name())),
-                        tr("Your changes since the last save would be lost."),
+  dialogs_.ask(Question{closing_question(id),
+                        loss_text(session_, std::span(&id, 1)),
                         {mark("Save"), mark("Do not save"), mark("Cancel")}},
                [this, id, then, closed](int button) {
                  if (button == 1) closed();
@@ -70,15 +77,15 @@ void Tabs::quit() {
   }
   if (unsaved.size() == 1) session_.show(unsaved.front());
   std::string names;
-  for (const uint64_t id : unsaved) names += (names.empty() ? "" : ", ") + session_.find(id)->document.shown_name();
+  for (const uint64_t id : unsaved) names += (names.empty() ? "" : ", ") + tab_name(session_, id);
   const bool one = unsaved.size() == 1;
   const std::string question =
-      one ? fill(tr("Save the changes to {draft}?"), arg("draft", names))
+      one ? closing_question(unsaved.front())
           : fill(tr_n("Save the changes to {count} draft?", "Save the changes to {count} drafts?",
                       static_cast<long long>(unsaved.size())),
                  arg("count", unsaved.size()));
   dialogs_.ask(Question{question,
-                        (one ? "" : names + "\n\n") + tr("Your changes since the last save would be lost."),
+                        (one ? "" : names + "\n\n") + loss_text(session_, unsaved),
                         {one ? mark("Save") : mark("Save all"), mark("Do not save"), mark("Cancel")}},
                [this, unsaved](int button) {
                  if (button == 1) leaving_ = true;
@@ -94,18 +101,12 @@ std::string Tabs::awaits() const {
   return {};
 }
 
-/// "twill.wif", "Overshot"; with the folder if two have the same name.
 std::vector<Tab> Tabs::shown_tabs() const {
   std::vector<Tab> tabs;
-  for (const auto& open : session_.all()) {
-    const Document& d = open->document;
-    tabs.push_back({open->id, d.shown_name(), d.path().empty() ? tr("Not saved yet") : d.path(), !d.is_saved()});
-  }
-  const std::vector<Tab> plain = tabs;
-  for (size_t i = 0; i < tabs.size(); ++i) {
-    const std::filesystem::path folder = std::filesystem::path(session_.all()[i]->document.path()).parent_path();
-    const auto same = std::count_if(plain.begin(), plain.end(), [&](const Tab& t) { return t.name == plain[i].name; });
-    if (same > 1 && !folder.empty()) tabs[i].name += " \xE2\x80\x93 " + folder.filename().string();
+  const std::vector<std::string> names = tab_names(session_);
+  for (size_t i = 0; i < names.size(); ++i) {
+    const Document& d = session_.all()[i]->document;
+    tabs.push_back({session_.all()[i]->id, names[i], d.path().empty() ? tr("Not saved yet") : d.path(), !d.is_saved()});
   }
   return tabs;
 }

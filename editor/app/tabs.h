@@ -55,6 +55,7 @@ class Tabs {
   void close(uint64_t id, const std::function<void()>& then);
   /// Closes several, one after the other; stops when the user cancels.
   void close_each(std::vector<uint64_t> ids);
+  std::string closing_question(uint64_t id) const;
   std::vector<Tab> shown_tabs() const;
 
   Session& session_;

@@ -121,6 +121,8 @@ ImU32 with_alpha(ImU32 color, float alpha) {
   return (color & ~IM_COL32_A_MASK) | (static_cast<ImU32>(std::lround(alpha * 255)) << IM_COL32_A_SHIFT);
 }
 
+ImU32 note_background(const Colors& colors) { return with_alpha(colors.panel, 0.94f); }
+
 ImU32 reading_color(ImU32 c) {
   // Luma of the encoded colour (ITU-R BT.601 weights) is close enough to choose between two.
   const ImVec4 v = ImGui::ColorConvertU32ToFloat4(c);

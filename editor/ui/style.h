@@ -48,6 +48,8 @@ void apply(const Style& style);
 /// Linear interpolation by `t`, per channel.
 ImU32 blend(ImU32 from, ImU32 to, float t);
 ImU32 with_alpha(ImU32 color, float alpha);
+/// Behind a note over a picture: `muted` on it keeps a contrast of 4.5:1, whatever the picture shows.
+ImU32 note_background(const Colors& colors);
 /// Black or white, whichever has more contrast on `c`.
 ImU32 reading_color(ImU32 c);
 

@@ -110,7 +110,7 @@ class WholeWindow {
   DraftPictures pictures_;
   YarnStrip strip_;
   AnalysisState analysis_;
-  std::string typed_;
+  views::TypedThreads typed_;
   ImVec2 pane_{0, 0};
   ui::Damage damage_;
 };

@@ -145,6 +145,38 @@ TEST_F(DeskTest, JoinsTheDraftWithAnother) {
   EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "the join was more than one undo step";
 }
 
+TEST_F(DeskTest, TurnsTheDraftFromItsMenu) {
+  design::Design d = design_of(bytes_of(draft_));
+  d.draft = draft::blank_draft(12, 20, 4, 6);
+  for (int i = 0; i < 12; ++i) d.draft.threading.set(i, i % 4, true);
+  for (int i = 0; i < 20; ++i) d.draft.treadling.set(i, i % 6, true);
+  for (int i = 0; i < 6; ++i) d.draft.tieup.set(i, i % 4, true);
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  const auto turn = [&] {
+    ASSERT_NO_FATAL_FAILURE(click(w, "menu:Draft"));
+    ASSERT_NO_FATAL_FAILURE(click(w, "menu.turn"));
+  };
+  const auto has_size = [&](int ends, int picks) {
+    const draft::Draft now = design_of(w.live()).draft;
+    return now.ends() == ends && now.picks() == picks;
+  };
+  ASSERT_NO_FATAL_FAILURE(turn());
+  ASSERT_TRUE(comes_true([&] { return has_size(20, 12); })) << "the warp did not become the weft";
+  const draft::Draft turned = design_of(w.live()).draft;
+  EXPECT_EQ(turned.shafts, 6);
+  EXPECT_EQ(turned.treadles, 4);
+  const draft::BitMatrix cloth = draft::drawdown(d.draft), seen = draft::drawdown(turned);
+  for (int pick = 0; pick < 20; ++pick)
+    for (int end = 0; end < 12; ++end)
+      ASSERT_EQ(seen.get(11 - end, pick), !cloth.get(pick, end)) << "end " << end + 1 << ", pick " << pick + 1;
+  EXPECT_TRUE(comes_true([&] { return w.size_of("drawdown") == std::pair(20, 12); })) << "the grids do not follow";
+  display_.key("ctrl+z");
+  EXPECT_TRUE(comes_true([&] { return w.live() == before; })) << "the turn was more than one undo step";
+}
+
 TEST_F(DeskTest, EscapeClosesTheListAndKeepsTheDialog) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

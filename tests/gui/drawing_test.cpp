@@ -275,6 +275,32 @@ TEST_F(DrawingTest, OnlyTheColoursOfThreadsAreCopied) {
   undone(w, "the paste");
 }
 
+TEST_F(DrawingTest, AnOrderOfColoursIsTyped) {
+  blank_.draft.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+  put(draft_, wif::write_new_wif(blank_));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  ASSERT_NO_FATAL_FAILURE(click(w, "threads.color"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "threads.color:order"));
+  display_.key("ctrl+a");
+  display_.type("9");
+  ASSERT_TRUE(comes_true([&] { return w.has("threads.color:note"); })) << "it does not say that there is no colour 9";
+  EXPECT_EQ(w.live(), before);
+  display_.key("ctrl+a");
+  display_.type("4x3 2x1");
+  EXPECT_TRUE(comes_true([&] {
+    const std::vector<int> warp = draft_of(w).warp.color;
+    for (size_t i = 0; i < warp.size(); ++i)
+      if (warp[i] != (i % 6 < 4 ? 2 : 0)) return false;
+    return true;
+  })) << "the ends do not follow the order";
+  EXPECT_FALSE(w.has("threads.color:note"));
+  display_.key("Return");
+  EXPECT_TRUE(comes_true([&] { return !w.has("threads.color:order"); })) << "Enter leaves the list open";
+  undone(w, "the order");
+}
+
 TEST_F(DrawingTest, ADragBeyondTheEdgeScrolls) {
   blank_.draft = draft::blank_draft(400, 24, 8, 8);
   put(draft_, wif::write_new_wif(blank_));

@@ -18,7 +18,58 @@ class LibraryTest : public OnDisplay {
     ASSERT_TRUE(comes_true([&] { return w.has(control); })) << control << " is not there";
     display_.click(w.middle_of(control));
   }
+
+  /// Three yarns, of which the second becomes active and is painted by the colour bars.
+  void activate_second_yarn(const Window& w) const {
+    ASSERT_NO_FATAL_FAILURE(press(w, "bars:Yarn"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Yarns"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarn.list"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarn:2"));
+    ASSERT_TRUE(comes_true([&] { return !w.has("yarn:2"); }));
+  }
+  void put_three_yarns() const {
+    design::Design d = design_of(straight_draft());
+    d.yarns.resize(3, d.yarns[0]);
+    for (size_t i = 0; i < d.yarns.size(); ++i) d.yarns[i].name = "Yarn " + std::to_string(i + 1);
+    put(draft_, wif::write_new_wif(d));
+  }
+  /// Undoes the fourth yarn, and paints all ends with the active one.
+  void undo_new_yarn(const Window& w, const std::string& before) const {
+    ASSERT_TRUE(comes_true([&] { return design_of(w.live()).yarns.size() == 4; })) << "no yarn was added";
+    display_.key("ctrl+z");
+    ASSERT_TRUE(comes_true([&] { return w.live() == before; })) << "more than one undo step";
+    ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "paint.warp"));
+    ASSERT_TRUE(comes_true([&] { return w.live() != before; }));
+    EXPECT_EQ(design_of(w.live()).draft.warp.yarn[0], 1) << "another yarn is active than before the undone step";
+  }
 };
+
+TEST_F(LibraryTest, UndoOfAYarnFromTheLibraryActivatesTheOneBefore) {
+  put_three_yarns();
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  ASSERT_NO_FATAL_FAILURE(activate_second_yarn(w));
+  ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add:library"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "yarns.new"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarns.name"); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Use in the draft"));
+  ASSERT_NO_FATAL_FAILURE(undo_new_yarn(w, before));
+}
+
+TEST_F(LibraryTest, UndoOfAYarnForThreadsActivatesTheOneBefore) {
+  put_three_yarns();
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  ASSERT_NO_FATAL_FAILURE(activate_second_yarn(w));
+  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn:own"));
+  ASSERT_NO_FATAL_FAILURE(undo_new_yarn(w, before));
+}
 
 TEST_F(LibraryTest, RecentDraftsHaveThumbnails) {
   const fs::path other = folder_ / "other.wif", gone = folder_ / "gone.wif";

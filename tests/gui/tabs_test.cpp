@@ -252,6 +252,19 @@ TEST_F(TabsTest, TheTourDoesNotBlockTheWindow) {
   EXPECT_NE(bytes_of(folder_ / "config/weftlight/settings.json").find("\"toured\": true"), std::string::npos);
 }
 
+TEST_F(TabsTest, TypingSearchesTheShortcutsAtOnce) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string before = w.live();
+  display_.key("F1");
+  ASSERT_TRUE(comes_true([&] { return w.has("key:history") && w.has("key:save"); }));
+  display_.type("history");
+  EXPECT_TRUE(comes_true([&] { return w.has("key:history") && !w.has("key:save"); })) << "the letters went elsewhere";
+  EXPECT_EQ(w.live(), before);
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("keys.typed"); })) << "Escape leaves the window open";
+}
+
 TEST_F(TabsTest, ShortcutsCanBeChangedAndAreSaved) {
   {
     Window w(display_, folder_, draft_, without_dialogs());

@@ -25,7 +25,7 @@ using scene::ShippedView, scene::kShippedViews;
 using session::Compare, session::DocumentView, session::Edit, session::Settings, session::kDifferenceScale,
     session::orbited, session::wrapped_degrees, session::zoomed;
 using ui::Colors, ui::Style, ui::blend, ui::fitted, ui::fixed, ui::font_size, ui::hit_area, ui::letter_down,
-    ui::push_font, ui::segmented, ui::texture_of, ui::tooltip, ui::with_alpha;
+    ui::note_background, ui::push_font, ui::segmented, ui::texture_of, ui::tooltip;
 
 namespace {
 
@@ -71,8 +71,8 @@ void draw_note(const PanelContext& c, ImVec2 at, const std::string& text) {
   const ImVec2 size = font->CalcTextSizeA(font_size(font), FLT_MAX, 0, text.c_str());
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const float x = c.style.px(8), y = c.style.px(4);
-  dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y},
-                    with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
+  dl->AddRectFilled({at.x - x, at.y - y}, {at.x + size.x + x, at.y + size.y + y}, note_background(c.style.color),
+                    c.style.px(5));
   dl->AddText(font, font_size(font), at, c.style.color.muted, text.c_str());
 }
 
@@ -153,7 +153,7 @@ void draw_method_legend(const PanelContext& c, ImVec2 at, Method method) {
     width = std::max(width, font->CalcTextSizeA(font_size(font), FLT_MAX, 0, tr(method_facts(m).label)).x);
   width += box + c.style.px(6);
   dl->AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + width + pad, at.y + 4 * line + pad / 2},
-                    with_alpha(c.style.color.panel, 0.82f), c.style.px(5));
+                    note_background(c.style.color), c.style.px(5));
   for (size_t row = 0; row < kShadedMethods.size(); ++row) {
     const float y = at.y + (line - box) / 2;
     const glm::vec3 k = formulas::method_color(static_cast<int>(row));
@@ -325,7 +325,7 @@ void draw_true_distance(Panel& c, ImVec2 a, ImVec2 pane) {
   ImGui::PopFont();
   const float row = ImGui::GetFrameHeight(), high = words.y + row + s.px(6) + 2 * pad;
   const ImVec2 from{a.x + rulers.wide + margin, a.y + pane.y - rulers.high - s.px(40) - high};
-  dl->AddRectFilled(from, {from.x + width + 2 * pad, from.y + high}, with_alpha(s.color.panel, 0.9f), s.px(6));
+  dl->AddRectFilled(from, {from.x + width + 2 * pad, from.y + high}, note_background(s.color), s.px(6));
   dl->AddText(s.font.small, font_size(s.font.small), {from.x + pad, from.y + pad}, s.color.text, text.c_str(), nullptr,
               width);
   ImGui::SetCursorScreenPos({from.x + pad, from.y + pad + words.y + s.px(6)});

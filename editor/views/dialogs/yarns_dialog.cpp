@@ -397,15 +397,16 @@ void draw_list_buttons(PanelContext& c, YarnsPrompt& p) {
   }
 }
 
-/// The yarn and its colour are in the draft, and active.
+/// The yarn and its colour are in the draft, and active. The edit first: its undo brings back what was active before
+/// it.
 void use(PanelContext& c, const LibraryYarn& yarn, int color) {
   const auto index = static_cast<size_t>(std::max(color, 0));
-  c.wanted.gesture([yarn, index](DocumentView& v, const Design& d) -> MaybeEdit {
-    const UsedYarn used = with_yarn_from(d, yarn, index);
-    v.drawing.yarn = used.yarn;
-    if (used.color >= 0) v.drawing.color = used.color;
-    return Edit{fill(tr("Yarn {name} from the library"), arg("name", yarn.yarn.name)),
-                [yarn, index](Design now) { return with_yarn_from(std::move(now), yarn, index).design; }};
+  c.wanted.add(Edit{fill(tr("Yarn {name} from the library"), arg("name", yarn.yarn.name)),
+                    [yarn, index](Design now) { return with_yarn_from(std::move(now), yarn, index).design; }});
+  const UsedYarn used = with_yarn_from(c.design, yarn, index);
+  c.wanted.change_view([made = used.yarn, painted = used.color](DocumentView& v) {
+    v.drawing.yarn = made;
+    if (painted >= 0) v.drawing.color = painted;
   });
 }
 

@@ -15,6 +15,7 @@
 #include "ui/icons.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
+#include "weaves/notation.h"
 
 namespace weftlight::views {
 
@@ -26,16 +27,18 @@ using draft::Draft, draft::Rgb, draft::System, draft::kFromYarn;
 using session::DocumentView, session::Edit, session::Settings, session::SharedIndex, session::SharedLength,
     session::SharedThreads, session::ThreadProperty, session::concerned, session::shared_by, session::thread_label,
     session::threads_of_words, session::words_of_threads;
-using ui::SliderSpec, ui::begin_combo, ui::draw_swatch, ui::end_combo, ui::hit_area, ui::icon_button, ui::muted_text,
-    ui::number_field, ui::open_section, ui::push_font, ui::row_label, ui::section, ui::segmented, ui::span_slider,
-    ui::take_focus, ui::tooltip;
+using ui::SliderSpec, ui::begin_combo, ui::draw_swatch, ui::end_combo, ui::hit_area, ui::icon_button, ui::key_pressed,
+    ui::muted_text, ui::number_field, ui::open_section, ui::push_font, ui::row_label, ui::section, ui::segmented,
+    ui::span_slider, ui::take_focus, ui::tooltip;
+using weaves::read_sequence, weaves::sequence_text;
 using wif::WifUnit;
 
 namespace {
 
 using Panel = ViewContext<ThreadChoice>;
 
-constexpr float kLinkRoom = 30;  // pixels at 96 dpi, for the link button
+constexpr float kLinkRoom = 30;     // pixels at 96 dpi, for the link button
+constexpr float kOrderWidth = 200;  // of the field of an order, about 25 letters
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
 /// The threads that the panel shows and edits.
@@ -150,60 +153,70 @@ std::string twist_mark(const Yarn& yarn) {
   return fill(yarn.twist == Twist::kS ? tr("S {turns:.0f}/m") : tr("Z {turns:.0f}/m"), arg("turns", yarn.turns_per_m));
 }
 
-void activate_yarn(PanelContext& c, int yarn) {
+/// The edit first, here and below: its undo brings back what was active before it.
+void give_yarn(PanelContext& c, const Subject& s, int yarn) {
+  c.wanted.add(edit_of(s, ThreadProperty::kYarn, [yarn](Design d, System system, const std::vector<int>& threads) {
+    return with_thread_yarn(std::move(d), system, threads, yarn);
+  }));
   c.wanted.change_view([yarn](DocumentView& v) { v.drawing.yarn = yarn; });
 }
 
-void activate_color(PanelContext& c, int color) {
+/// Adds a yarn to the draft, for these threads only.
+void give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
+  const auto index = static_cast<int>(c.design.yarns.size());
+  c.wanted.add(
+      edit_of(s, ThreadProperty::kYarn, [yarn, index](Design d, System system, const std::vector<int>& threads) {
+        return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
+      }));
+  c.wanted.change_view([index](DocumentView& v) { v.drawing.yarn = index; });
+}
+
+void give_color(PanelContext& c, const Subject& s, int color) {
+  c.wanted.add(edit_of(s, ThreadProperty::kColor, [color](Design d, System system, const std::vector<int>& threads) {
+    return with_thread_color(std::move(d), system, threads, color);
+  }));
   c.wanted.change_view([color](DocumentView& v) { v.drawing.color = color; });
 }
 
-Edit give_yarn(PanelContext& c, const Subject& s, int yarn) {
-  activate_yarn(c, yarn);
-  return edit_of(s, ThreadProperty::kYarn, [yarn](Design d, System system, const std::vector<int>& threads) {
-    return with_thread_yarn(std::move(d), system, threads, yarn);
-  });
+/// Adds a copy of the threads' colour to the palette, for these threads only.
+void give_new_color(PanelContext& c, const Subject& s) {
+  const auto& palette = c.design.draft.palette;
+  const auto index = static_cast<int>(palette.size());
+  const Rgb copy = palette[static_cast<size_t>(s.shared.color.value)];
+  c.wanted.add(
+      edit_of(s, ThreadProperty::kColor, [copy, index](Design d, System system, const std::vector<int>& threads) {
+        return with_thread_color(with_new_palette_color(std::move(d), copy), system, threads, index);
+      }));
+  c.wanted.change_view([index](DocumentView& v) { v.drawing.color = index; });
 }
 
-/// Adds a yarn to the draft, for these threads only.
-Edit give_new_yarn(PanelContext& c, const Subject& s, const Yarn& yarn) {
-  const auto index = static_cast<int>(c.design.yarns.size());
-  activate_yarn(c, index);
-  return edit_of(s, ThreadProperty::kYarn, [yarn, index](Design d, System system, const std::vector<int>& threads) {
-    return with_thread_yarn(with_new_yarn(std::move(d), yarn), system, threads, index);
-  });
-}
-
-MaybeEdit draw_yarn(PanelContext& c, const Subject& s) {
+void draw_yarn(PanelContext& c, const Subject& s) {
   row_label(c, tr("Yarn"), tr("The yarn of the threads: its fibre, count and twist, which are set under Yarns"));
   ImGui::SetNextItemWidth(-FLT_MIN);
   const SharedIndex& yarn = s.shared.yarn;
   const std::string shown = yarn.mixed() ? tr("mixed") : yarn_title(c.design, yarn.value);
   if (!begin_combo(c, "threads.yarn", shown.c_str())) {
     if (!yarn.mixed()) tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(yarn.value)]).c_str());
-    return {};
+    return;
   }
-  MaybeEdit edit;
   for (int i = 0; i < static_cast<int>(c.design.yarns.size()); ++i) {
     ImGui::PushID(i);
     const std::string twisted = yarn_title(c.design, i) + "   " + twist_mark(c.design.yarns[static_cast<size_t>(i)]);
-    if (ImGui::Selectable(twisted.c_str(), !yarn.mixed() && i == yarn.value)) edit = give_yarn(c, s, i);
+    if (ImGui::Selectable(twisted.c_str(), !yarn.mixed() && i == yarn.value)) give_yarn(c, s, i);
     ImGui::PopID();
     c.map.add_item("threads.yarn:" + std::to_string(i + 1));
     tooltip(c, twist_words(c.design.yarns[static_cast<size_t>(i)]).c_str());
   }
   ImGui::Separator();
   const Yarn& source = c.design.yarns[static_cast<size_t>(yarn.value)];
-  if (ImGui::Selectable(tr("New: copy of this yarn"))) edit = give_new_yarn(c, s, source);
+  if (ImGui::Selectable(tr("New: copy of this yarn"))) give_new_yarn(c, s, source);
   c.map.add_item("threads.yarn:own");
   tooltip(c, tr("A copy for these threads only, so that their twist can be changed"));
   for (const Yarn& preset : yarn_presets()) {
-    if (ImGui::Selectable(fill(tr("New: {yarn}"), arg("yarn", preset.name)).c_str()))
-      edit = give_new_yarn(c, s, preset);
+    if (ImGui::Selectable(fill(tr("New: {yarn}"), arg("yarn", preset.name)).c_str())) give_new_yarn(c, s, preset);
     c.map.add_item("threads.yarn:" + preset.name);
   }
   end_combo();
-  return edit;
 }
 
 /// The colours of the threads, over the frame of a drop-down list from `a` to `b`.
@@ -223,19 +236,59 @@ void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 
                                       name.c_str());
 }
 
-MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
+/// The colours in order, repeated over the threads.
+void give_color_order(PanelContext& c, const Subject& s, const std::vector<int>& order) {
+  c.wanted.add(edit_of(s, ThreadProperty::kColor, [order](Design d, System system, const std::vector<int>& threads) {
+    for (size_t i = 0; i < threads.size(); ++i)
+      d = with_thread_color(std::move(d), system, threads[i], order[i % order.size()]);
+    return d;
+  }));
+}
+
+std::string color_order(const Design& d, const Subject& s) {
+  const std::vector<int>& colors = d.draft.threads(s.system).color;
+  std::vector<int> order;
+  for (const int thread : s.threads) order.push_back(colors[static_cast<size_t>(thread)]);
+  return sequence_text(order);
+}
+
+/// The order of the colours by their numbers. The threads follow as it is typed; Enter closes the list.
+void draw_color_order(PanelContext& c, const Subject& s, std::string& typed) {
+  const float width = c.style.px(kOrderWidth);
+  if (ImGui::IsWindowAppearing()) typed = color_order(c.design, s);
+  const auto read = [&] { return read_sequence(typed, static_cast<int>(c.design.draft.palette.size())); };
+  const std::string note = read().note;
+  muted_text(c, tr("In order, repeated"));
+  ImGui::SetNextItemWidth(width);
+  if (!note.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
+  const bool changed = ImGui::InputTextWithHint("##order", "4x1 2x2", &typed);
+  if (!note.empty()) ImGui::PopStyleColor();
+  c.map.add_item("threads.color:order");
+  const bool entered = ImGui::IsItemDeactivated() && key_pressed(ImGuiKey_Enter, false);
+  tooltip(c, tr("Numbers of the colours, repeated over the threads: 4x1 2x2 is four threads of colour 1 and two of "
+                "colour 2; 3x(1 2) repeats what is in brackets"));
+  if (!note.empty()) {
+    ImGui::PushTextWrapPos(width);
+    ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    c.map.add_item("threads.color:note");
+  }
+  if (changed)
+    if (const auto now = read(); now.note.empty() && !now.value.empty()) give_color_order(c, s, now.value);
+  if (entered && note.empty()) ImGui::CloseCurrentPopup();
+}
+
+void draw_color_choices(PanelContext& c, const Subject& s, std::string& typed_order) {
   const auto& palette = c.design.draft.palette;
   const float side = c.style.pressed_px(24), gap = c.style.px(6);
-  MaybeEdit edit;
   for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
     if (i % 6 != 0) ImGui::SameLine(0, gap);
     const ImVec2 a = ImGui::GetCursorScreenPos();
     ImGui::PushID(i);
     if (hit_area("color", {side, side})) {
-      edit = edit_of(s, ThreadProperty::kColor, [i](Design d, System system, const std::vector<int>& threads) {
-        return with_thread_color(std::move(d), system, threads, i);
-      });
-      activate_color(c, i);
+      give_color(c, s, i);
       ImGui::CloseCurrentPopup();
     }
     ImGui::PopID();
@@ -246,32 +299,24 @@ MaybeEdit draw_color_choices(PanelContext& c, const Subject& s) {
     tooltip(c, fill(tr("Colour {number}"), arg("number", i + 1)).c_str());
   }
   ImGui::Dummy({0, c.style.px(2)});
-  if (ImGui::Selectable(tr("New colour"))) {
-    const auto index = static_cast<int>(palette.size());
-    const Rgb copy = palette[static_cast<size_t>(s.shared.color.value)];
-    edit = edit_of(s, ThreadProperty::kColor, [copy, index](Design d, System system, const std::vector<int>& threads) {
-      return with_thread_color(with_new_palette_color(std::move(d), copy), system, threads, index);
-    });
-    activate_color(c, index);
-  }
+  if (ImGui::Selectable(tr("New colour"))) give_new_color(c, s);
   c.map.add_item("threads.color:new");
   tooltip(c, tr("Added to the palette for these threads, and made active so that it can be edited above"));
-  return edit;
+  ImGui::Separator();
+  draw_color_order(c, s, typed_order);
 }
 
-MaybeEdit draw_color(PanelContext& c, const Subject& s) {
-  row_label(c, tr("Colour"), tr("The colour of the threads, from the palette"));
+void draw_color(PanelContext& c, const Subject& s, std::string& typed_order) {
+  row_label(c, tr("Colour"), tr("The colour of the threads, from the palette, or an order of colours"));
   ImGui::SetNextItemWidth(-FLT_MIN);
   const ImVec2 a = ImGui::GetCursorScreenPos(),
                b{a.x + ImGui::GetContentRegionAvail().x, a.y + ImGui::GetFrameHeight()};
   const bool open = begin_combo(c, "threads.color", "");
-  MaybeEdit edit;
   if (open) {
-    edit = draw_color_choices(c, s);
+    draw_color_choices(c, s, typed_order);
     end_combo();
   }
   draw_shared_colors(c, s.shared.color, a, b);
-  return edit;
 }
 
 /// To a hundredth of a millimetre, which is finer than yarns are specified.
@@ -358,20 +403,20 @@ void draw_file_words(const PanelContext& c, const FileUnits& units, const Subjec
 }  // namespace
 
 MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const FileUnits& units,
-                       std::string& typed) {
+                       TypedThreads& typed) {
   Panel c{panel, chosen};
   if (c.focus.starts_with("threads.")) open_section("section.threads");
   if (!section(c, "section.threads", tr("Threads"))) return {};
-  draw_choice(c, typed);
+  draw_choice(c, typed.which);
   Subject s{c.view.system, concerned(c.view, c.design.draft), {}};
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);
+  draw_yarn(c, s);
+  draw_color(c, s, typed.order);
   MaybeEdit edit;
   const auto take = [&edit](MaybeEdit made) {
     if (made) edit = std::move(made);
   };
-  take(draw_yarn(c, s));
-  take(draw_color(c, s));
   take(draw_length(c, s, kThickness));
   take(draw_length(c, s, kSpacing));
   take(draw_sett(c, s));

@@ -10,7 +10,12 @@ namespace weftlight::views {
 
 using session::FileUnits, session::MaybeEdit, session::ThreadChoice;
 
-/// `typed`: the text that names the threads while it is typed.
-MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const FileUnits& units, std::string& typed);
+/// Texts while they are typed.
+struct TypedThreads {
+  std::string which;  // the threads
+  std::string order;  // of their colours
+};
+
+MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const FileUnits& units, TypedThreads& typed);
 
 }  // namespace weftlight::views

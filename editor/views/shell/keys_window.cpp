@@ -194,6 +194,7 @@ bool handle_pressed(PanelContext& c, std::span<const ActionItem> items, KeysWind
 
 void draw_search(PanelContext& c, KeysWindow& w, bool any_own) {
   ImGui::SetNextItemWidth(c.style.px(any_own ? 330 : 500));
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();  // else letters would choose tools behind the window
   ImGui::InputTextWithHint("##typed", tr("Search commands and shortcuts"), &w.typed);
   c.map.add_item("keys.typed");
   if (any_own &&

@@ -172,10 +172,25 @@ TEST(Text, RatiosProfilesAndSequences) {
   EXPECT_EQ(read_profile("9999999(A 99999999)").value.size(), size_t{draft::kMaxThreads});
   EXPECT_EQ(read_sequence("1-3 2x(5 4) 3-1").value, (std::vector<int>{0, 1, 2, 4, 3, 4, 3, 2, 1, 0}));
   EXPECT_EQ(read_sequence("2(1 2(3))").value, (std::vector<int>{0, 2, 2, 0, 2, 2}));
+  EXPECT_EQ(read_sequence("3x1 2 2 x 1-3").value, (std::vector<int>{0, 0, 0, 1, 0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(read_sequence("2*(1 2*2)").value, (std::vector<int>{0, 1, 1, 0, 1, 1}));
+  EXPECT_EQ(read_sequence("1 4x").note, "neither a number nor a bracket at character 3");
+  EXPECT_EQ(read_sequence("4x9", 8).note, "a number outside 1 to 8 at character 4");
+  EXPECT_FALSE(read_sequence("99999x1 99999x1").note.empty()) << "too many threads";
   EXPECT_EQ(read_sequence("1 9", 8).note, "a number outside 1 to 8 at character 4");
   EXPECT_EQ(read_sequence("2(1").note, "a bracket is not closed");
   EXPECT_FALSE(read_sequence("1)").note.empty());
   EXPECT_FALSE(read_sequence("99999(99999(1 2 3))").note.empty()) << "too many threads";
+}
+
+TEST(Text, OneRepeatOfASequenceIsWritten) {
+  EXPECT_EQ(sequence_text({}), "");
+  EXPECT_EQ(sequence_text(std::vector{2, 2, 2}), "3");
+  EXPECT_EQ(sequence_text(std::vector{0, 0, 0, 0, 1, 1}), "4x1 2x2");
+  EXPECT_EQ(sequence_text(std::vector{0, 0, 1, 0, 0, 1, 0}), "2x1 2") << "the last repeat is cut";
+  EXPECT_EQ(sequence_text(std::vector{0, 1, 0, 0, 1, 1}), "1 2 2x1 2x2");
+  for (const char* text : {"1", "1 2", "4x1 2x2", "12x3 1 2 1", "2x1 2 2x1 3"})
+    EXPECT_EQ(sequence_text(read_sequence(text).value), text);
 }
 
 TEST(Text, SettsOfTartans) {

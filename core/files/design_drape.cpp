@@ -127,7 +127,10 @@ Result<Mesh> load_design_drape(const Design& design) {
   if (design.scene.simulated_drape && is_bad(read)) read = load_shipped(design);
   if (is_bad(read) && is_shipped_drape(design)) read = simulate_drape(design.scene.mesh);
   // The name selects the body, which does not depend on the stiffness.
-  if (read && can_drape(design)) read->name = design.scene.mesh;
+  if (read && can_drape(design)) {
+    read->name = design.scene.mesh;
+    drape::even_normals(*read);
+  }
   return read;
 }
 

@@ -19,11 +19,18 @@ vec2 spiral(int i) {
   return sqrt((float(i) + 0.5) / float(kTaps)) * vec2(cos(t), sin(t));
 }
 
+// How deep the map is over how wide it is, in millimetres.
+float depth_over_side() {
+  mat3 map = transpose(mat3(frame.world_to_shadow));
+  return length(map[0]) / length(map[2]);
+}
+
 float key_light_visibility(vec3 p) {
   vec3 here = (frame.world_to_shadow * vec4(p, 1.0)).xyz;
-  if (abs(here.x - 0.5) > 0.5 || abs(here.y - 0.5) > 0.5) return 1.0;
+  float width = frame.light.w * depth_over_side();  // of the penumbra on the map, for one of its depth
+  float reach = 2.2 * width;
+  if (abs(here.x - 0.5) > 0.5 + reach || abs(here.y - 0.5) > 0.5 + reach) return 1.0;
   here.z = min(here.z, 0.998);  // the ground extends beyond the depth range of the map
-  float reach = 2.2 * frame.light.w;  // the map is as deep as it is wide
   float depth = 0.0;
   float blockers = 0.0;
   for (int i = 0; i < kTaps; ++i) {
@@ -34,7 +41,7 @@ float key_light_visibility(vec3 p) {
     }
   }
   if (blockers < 0.5) return 1.0;
-  float radius = max((here.z - depth / blockers) * frame.light.w, 1.5 * frame.shadow.x);
+  float radius = max((here.z - depth / blockers) * width, 1.5 * frame.shadow.x);
   float lit = 0.0;
   for (int i = 0; i < kTaps; ++i) lit += step(here.z - 0.002, texture(sun_depth_map, here.xy + spiral(i) * radius).r);
   return lit / float(kTaps);

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/loops.h"
 #include "reference/mesh_scene.h"
@@ -168,6 +171,39 @@ std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
   return index;
 }
 
+/// Values of a mesh's vertices, spread to as many rings of neighbours as there are `rings`, and then evened over as
+/// many: where they are largest they stay, and around them they fade. Vertices at one position have one value.
+std::vector<float> faded(const Mesh& mesh, const std::vector<float>& values, int rings) {
+  std::map<Vec3, size_t, drape::PositionOrder> numbers;
+  std::vector<size_t> place(values.size());
+  std::vector<float> now;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const auto [at, added] = numbers.emplace(mesh.position_mm[i], now.size());
+    place[i] = at->second;
+    if (added) now.push_back(values[i]);
+    else now[place[i]] = std::max(now[place[i]], values[i]);
+  }
+  const auto for_each_edge = [&](const auto& use) {
+    for (size_t t = 0; t < mesh.index.size(); ++t)
+      use(place[mesh.index[t]], place[mesh.index[t % 3 == 2 ? t - 2 : t + 1]]);
+  };
+  for (int ring = 0; ring < rings; ++ring) {
+    std::vector<float> largest = now;
+    for_each_edge([&](size_t a, size_t b) {
+      largest[a] = std::max(largest[a], now[b]), largest[b] = std::max(largest[b], now[a]);
+    });
+    now = std::move(largest);
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    std::vector<float> sum = now, count(now.size(), 1.0f);
+    for_each_edge([&](size_t a, size_t b) { sum[a] += now[b], sum[b] += now[a], ++count[a], ++count[b]; });
+    for (size_t i = 0; i < now.size(); ++i) now[i] = sum[i] / count[i];
+  }
+  std::vector<float> out(values.size());
+  for (size_t i = 0; i < out.size(); ++i) out[i] = now[place[i]];
+  return out;
+}
+
 }  // namespace
 
 glm::vec3 form_reflectance() {
@@ -176,23 +212,27 @@ glm::vec3 form_reflectance() {
 }
 
 Mesh form_under(const std::string& drape, const Mesh& cloth) {
-  // Of the cloth's radius: how much thinner, how far off the cloth lies, and how far below its upper edge the form
-  // fills it, so that nobody looks down between the two.
-  constexpr float kThinner = 0.005f, kOver = 0.02f, kFilled = 0.03f;
+  // Of the cloth's radius: how much thinner, how far off the cloth lies, how far below its upper edge the form fills
+  // it, so that nobody looks down between the two, and how far off cloth may hang above what is not that edge.
+  constexpr float kThinner = 0.005f, kOver = 0.02f, kFilled = 0.03f, kAbove = 0.1f;
+  constexpr int kFadingRings = 6;  // sheer cloth shows the form's outline, where a step would be a row of teeth
   Mesh form = body_mesh(drape);
   const float radius = bounds_of(cloth).radius(), thinner = kThinner * radius;
   const Occluder over(cloth, 0);
-  for (size_t i = 0; i < form.position_mm.size(); ++i) {
+  std::vector<float> inwards(form.position_mm.size(), 0.0f), outwards = inwards;
+  for (size_t i = 0; i < inwards.size(); ++i) {
     const glm::vec3 normal = form.normal[i], at = glm::vec3(form.position_mm[i]) - thinner * normal;
-    const auto covered = [&](glm::vec3 p, MeshHit& hit) {
-      return over.hit_by(p, normal, 0, hit) && hit.t < kOver * radius;
+    const auto covered = [&](glm::vec3 p, float within, MeshHit& hit) {
+      return over.hit_by(p, normal, 0, hit) && hit.t < within * radius;
     };
     MeshHit hit, above;
-    if (!covered(at, hit)) continue;
-    const bool at_edge = !covered(at + glm::vec3(0, kFilled * radius, 0), above);
-    const glm::vec3 moved = at_edge ? at + normal * std::max(hit.t - thinner, 0.0f) : at;
-    form.position_mm[i] = {moved.x, moved.y, moved.z};
+    if (!covered(at, kOver, hit)) continue;
+    inwards[i] = thinner;
+    const bool at_edge = !covered(at + glm::vec3(0, kFilled * radius, 0), kAbove, above);
+    if (at_edge) outwards[i] = std::max(hit.t - thinner, 0.0f);
   }
+  inwards = faded(form, inwards, kFadingRings);
+  for (size_t i = 0; i < inwards.size(); ++i) form.position_mm[i] += form.normal[i] * (outwards[i] - inwards[i]);
   return form;
 }
 

@@ -18,7 +18,7 @@ namespace weftlight::commands {
 
 using base::arg, base::cause_of, base::fill, base::tr;
 using design::Design;
-using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
+using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names, drape::even_normals,
     drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
 using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh;
 
@@ -69,6 +69,7 @@ Mesh simulated_mesh(Design& design) {
     return true;
   });
   status.clear();
+  even_normals(mesh);  // as load_design_drape() does
   return mesh;
 }
 

@@ -39,7 +39,8 @@ using scene::Camera, scene::DistantLight, scene::SceneLight, scene::exposure_sto
 
 namespace {
 
-constexpr float kFullRadius = 2.2f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
+constexpr float kFullRadius = 3.3f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
+constexpr float kLift = 5.1f;  // off the surface, texels: the farthest tap of the full filter, and a tenth
 
 interop::vec4 vec(glm::vec3 v, float w) { return {v.x, v.y, v.z, w}; }
 
@@ -216,7 +217,7 @@ interop::FrameData Renderer::Parts::frame_data(const DrawnFrame& drawn, const Ca
   data.lattices[0] = glm::make_vec4(plan.lattices.data());
   data.lattices[1] = glm::make_vec4(plan.lattices.data() + 4);
   const bool quick = drawn.frame.render_scale < 1;
-  data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * 3.4f,
+  data.shadow = {1.0f / static_cast<float>(sun.size()), quick ? kQuickRadius : kFullRadius, sun.texel_mm() * kLift,
                  opacity()};
   const std::array<double, 2> period{std::max(1e-6, static_cast<double>(cloth.width_mm())),
                                      std::max(1e-6, static_cast<double>(cloth.depth_mm()))};

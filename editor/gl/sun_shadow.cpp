@@ -1,8 +1,10 @@
 #include "gl/sun_shadow.h"
 
+#include <algorithm>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 
 #include "gl/shader_program.h"
 #include "shaders/interop.h"
@@ -27,6 +29,26 @@ Bounds bounds_with_body(const PreparedMesh& mesh) {
   if (mesh.body.position_mm.empty()) return mesh.bounds;
   const Bounds body = bounds_of(mesh.body);
   return {glm::min(mesh.bounds.low, body.low), glm::max(mesh.bounds.high, body.high)};
+}
+
+struct Square {
+  glm::vec2 centre{0};
+  float half = 0;  // of its side
+};
+
+/// The square around cloth and body as a light sees them. A texel is a step in the edge of a shadow, and a surface lit
+/// aslant draws it out to a tooth, so none is spent beside them.
+Square square_around(const PreparedMesh& mesh, const glm::mat4& view) {
+  if (mesh.mesh.position_mm.empty()) return {};
+  constexpr float kFar = std::numeric_limits<float>::max();
+  glm::vec2 low(kFar), high(-kFar);
+  for (const drape::Mesh* part : {&mesh.mesh, &mesh.body}) {
+    for (const drape::Vec3& p : part->position_mm) {
+      const glm::vec2 at(view * glm::vec4(p, 1));
+      low = glm::min(low, at), high = glm::max(high, at);
+    }
+  }
+  return {0.5f * (low + high), 0.5f * std::max(high.x - low.x, high.y - low.y)};
 }
 
 }  // namespace
@@ -79,10 +101,14 @@ void SunShadow::draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int si
   const float r = all.radius() * 1.02f + 1e-3f;
   const glm::vec3 centre = all.centre();
   const glm::vec3 up = std::abs(view.towards.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-  const glm::mat4 clip = glm::ortho(-r, r, -r, r, 0.0f, 2 * r) * glm::lookAt(centre + view.towards * r, centre, up);
+  const glm::mat4 from_light = glm::lookAt(centre + view.towards * r, centre, up);
+  const Square square = square_around(mesh.prepared(), from_light);
+  const float half = square.half * 1.02f + 1e-3f;
+  const glm::vec2 low = square.centre - half, high = square.centre + half;
+  const glm::mat4 clip = glm::ortho(low.x, high.x, low.y, high.y, 0.0f, 2 * r) * from_light;
   view.world_to_shadow =
       glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f)) * clip;
-  view.texel_mm = 2 * r / static_cast<float>(size);
+  view.texel_mm = 2 * half / static_cast<float>(size);
   view.drawn = true;
 
   interop::FrameData data{};

@@ -46,6 +46,47 @@ void expect_finite(const Image& image) {
   }
 }
 
+/// A square that faces +z with a low wall on it, which stands a fiftieth off upright.
+Mesh walled_square() {
+  Mesh mesh = square(100);
+  const auto first = static_cast<uint32_t>(mesh.position_mm.size());
+  for (const float z : {0.0f, 3.0f}) {
+    for (const float y : {0.0f, 100.0f}) {
+      mesh.position_mm.push_back({20 + y / 50, y, z});
+      mesh.normal.push_back({1, 0, 0});
+      mesh.tangent.push_back({0, 0, 1});
+      mesh.uv_mm.push_back({z, y});
+    }
+  }
+  mesh.index.insert(mesh.index.end(), {first, first + 1, first + 3, first, first + 3, first + 2});
+  return mesh;
+}
+
+/// Where along row y of a picture its green falls below half that of the left of the row, in pixels.
+double shadow_starts(const Image& image, int y) {
+  const auto green = [&](int x) {
+    return static_cast<double>(image.texels[(static_cast<size_t>(y) * image.width + static_cast<size_t>(x)) * 4 + 1]);
+  };
+  int x = image.width / 4;
+  const double half = 0.5 * green(x);
+  while (x + 1 < image.width && green(x) >= half) ++x;
+  return x - (half - green(x)) / std::max(green(x - 1) - green(x), 1e-9);
+}
+
+/// RMS distance of evenly spaced values from the straight line through them.
+double roughness(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  double mean = 0, moment = 0, square_sum = 0;
+  for (const double v : values) mean += v / count;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const double at = static_cast<double>(i) - 0.5 * (count - 1);
+    moment += at * (values[i] - mean);
+    square_sum += (values[i] - mean) * (values[i] - mean);
+  }
+  const double spread = count * (count * count - 1) / 12;
+  return std::sqrt(std::max(square_sum - moment * moment / spread, 0.0) / count);
+}
+
 TEST_F(PictureTest, WhileItsShadersAreCompiledACoarserPictureIsShown) {
   auto made = Renderer::create();
   ASSERT_TRUE(made);
@@ -318,6 +359,20 @@ TEST_F(PictureTest, BandsOfAnOpenClothHaveNoSeams) {
   const Image banded = draw(false);
   frame.progress = {};
   EXPECT_EQ(banded.texels, whole.texels);
+}
+
+// Texels of the shadow's map are steps in a shadow's edge, and a surface lit aslant draws them out to teeth.
+TEST_F(PictureTest, AShadowOnClothLitAslantHasAStraightEdge) {
+  upload(twill(4, 2, kWhite, kWhite), walled_square());
+  look.method = Method::kFlat;
+  scene.sky_strength = 0;
+  scene.light_azimuth = 80, scene.light_elevation = 0;
+  frame.width = frame.height = 512;
+  const Image image = draw();
+  std::vector<double> starts;
+  for (int y = 160; y < 352; ++y) starts.push_back(shadow_starts(image, y));
+  EXPECT_NEAR(std::abs(starts.back() - starts.front()), 0.02 * 191, 3) << "this is not the wall's shadow";
+  EXPECT_LT(roughness(starts), 0.6);  // 0.94 pixels with a map a third as fine
 }
 
 // The shadow's filter reaches past its texels: an inclined plane shadowed itself in stripes (visible on a table's

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "files/files.h"
 #include "paths.h"
@@ -57,6 +59,21 @@ TEST(Ambient, TheFormStaysUnderTheCloth) {
     through += (*scene)->intersect(form.position_mm[v], inwards, 0, hit) && hit.t < 3;
   }
   EXPECT_EQ(through, 0);
+}
+
+// Sheer cloth shows the outline of the form, where a step between neighbours is a tooth.
+TEST(Ambient, TheFormHasNoStepsWhereTheClothLeavesIt) {
+  const Mesh cloth = skirt(), form = form_under("skirt", cloth), whole = drape::body_mesh("skirt");
+  ASSERT_EQ(form.position_mm.size(), whole.position_mm.size());
+  const float waist = scene::bounds_of(cloth).high.y - 50;  // above, the form fills the waistband
+  const auto moved = [&](size_t v) { return glm::dot(form.position_mm[v] - whole.position_mm[v], whole.normal[v]); };
+  float step = 0;
+  for (size_t t = 0; t < whole.index.size(); ++t) {
+    const size_t a = whole.index[t], b = whole.index[t % 3 == 2 ? t - 2 : t + 1];
+    if (std::max(whole.position_mm[a].y, whole.position_mm[b].y) > waist) continue;
+    step = std::max(step, std::abs(moved(a) - moved(b)));
+  }
+  EXPECT_LT(step, 1) << "millimetres";  // 7 when each vertex was moved for itself
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ std::vector<Language> installed_languages(const std::string& folder) {
 
 std::string shown_name(const Language& language) {
   if (language.percent >= 100) return language.name;
-  return fill(tr("{language} (unfinished, {percent} %)"), arg("language", language.name),
+  return fill(tr("{language} (unfinished, {percent}%)"), arg("language", language.name),
               arg("percent", language.percent));
 }
 

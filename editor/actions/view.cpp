@@ -96,7 +96,7 @@ void add_heavy_lines(Actions& all, Settings& settings) {
 void add_interface_sizes(Actions& all, Settings& settings) {
   for (const int percent : session::kInterfaceSizes) {
     Action& a = add(all, "View", ("interface." + std::to_string(percent)).c_str(),
-                    fill(tr("Interface size: {percent} %"), arg("percent", percent)).c_str(), "",
+                    fill(tr("Interface size: {percent}%"), arg("percent", percent)).c_str(), "",
                     [&settings, percent] { settings.interface_percent = percent; });
     a.item.submenu = mark("Interface size");
     a.checked = [&settings, percent] { return settings.interface_percent == percent; };

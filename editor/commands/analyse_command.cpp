@@ -170,7 +170,7 @@ void print_loom(const DraftAnalysis& f) {
   if (f.heddles.unthreaded_ends > 0) print_row(tr("on no shaft"), ends(f.heddles.unthreaded_ends));
   if (f.loom.empty_picks > 0) print_row(tr("nothing lifted"), picks(f.loom.empty_picks));
   print_row(tr("balance"),
-            fill(tr("warp on top {percent:.0f} %; interlacing warp {warp:.2f}, weft {weft:.2f}"),
+            fill(tr("warp on top {percent:.0f}%; interlacing warp {warp:.2f}, weft {weft:.2f}"),
                  arg("percent", f.warp_up * 100), arg("warp", f.interlacings.warp), arg("weft", f.interlacings.weft)));
 }
 

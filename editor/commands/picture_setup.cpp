@@ -50,7 +50,7 @@ void apply_options(Design& design, const PictureOptions& o) {
 void drape(const Design& design, StatusLine& status) {
   if (!design.scene.simulated_drape || !can_drape(design) || is_draped(design)) return;
   const base::Result<void> done = drape_cloth(design, [&status](double share) {
-    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * share))));
+    status.show(fill(tr("simulating the drape: {percent}%"), arg("percent", static_cast<int>(100 * share))));
     return true;
   });
   status.clear();

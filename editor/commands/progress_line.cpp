@@ -36,15 +36,15 @@ std::string time_text(double seconds) {
 namespace {
 
 std::string progress_of_one(int percent, const std::string& left) {
-  if (left.empty()) return fill(tr("{percent} %"), arg("percent", percent));
-  return fill(tr("{percent} %, {time} left"), arg("percent", percent), arg("time", left));
+  if (left.empty()) return fill(tr("{percent}%"), arg("percent", percent));
+  return fill(tr("{percent}%, {time} left"), arg("percent", percent), arg("time", left));
 }
 
 std::string progress_of_many(const ProgressState& s, int percent, const std::string& left) {
   if (left.empty())
-    return fill(tr("{done} of {count} done, {percent} %"), arg("done", s.done), arg("count", s.count),
+    return fill(tr("{done} of {count} done, {percent}%"), arg("done", s.done), arg("count", s.count),
                 arg("percent", percent));
-  return fill(tr("{done} of {count} done, {percent} %, {time} left"), arg("done", s.done), arg("count", s.count),
+  return fill(tr("{done} of {count} done, {percent}%, {time} left"), arg("done", s.done), arg("count", s.count),
               arg("percent", percent), arg("time", left));
 }
 

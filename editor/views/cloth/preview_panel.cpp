@@ -303,7 +303,7 @@ float draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
 constexpr float kBarMargin = 14, kBarSlider = 200;
 
 std::string true_distance_text(const Panel& c) {
-  return fill(tr("The cloth as it looks from {distance}: {percent:.0f} % of its real size on a screen {eyes} away"),
+  return fill(tr("The cloth as it looks from {distance}: {percent:.0f}% of its real size on a screen {eyes} away"),
               arg("distance", session::distance_text(c.settings.seen_from_m, c.settings.imperial)),
               arg("percent", 100 * session::true_scale(c.settings)),
               arg("eyes", analysis::width_text(static_cast<double>(c.settings.eye_to_screen_cm) * 10,

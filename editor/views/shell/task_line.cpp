@@ -18,7 +18,7 @@ namespace {
 std::string text_of(const base::ShownTask& task, const std::string& awaits) {
   if (!awaits.empty()) return awaits;
   const long percent = std::lround(100 * static_cast<double>(task.share));
-  if (percent > 0) return fill(tr("{task}: {percent} %"), arg("task", task.name), arg("percent", percent));
+  if (percent > 0) return fill(tr("{task}: {percent}%"), arg("task", task.name), arg("percent", percent));
   return fill(tr("{task}\xE2\x80\xA6"), arg("task", task.name));
 }
 

@@ -131,7 +131,7 @@ Result<Mesh> load_design_drape(const Design& design) {
   if (read && can_drape(design)) {
     read->name = design.scene.mesh;
     const Result<void> evened = caught([&] { even_normals(*read); });
-    if (!evened) return tl::unexpected(evened.error());
+    if (!evened) return base::failed(evened);
   }
   return read;
 }

@@ -431,7 +431,7 @@ DialogResult draw_prompt(PanelContext& c, YarnsPrompt& p) {
   const bool typing = ImGui::GetIO().WantTextInput && !searching;
   const int pressed =
       draw_buttons(c, {mark("Use in the draft"), mark("Close"), mark("Import\xE2\x80\xA6"), mark("Export\xE2\x80\xA6")},
-                   p.chosen >= 0 && !typing);
+                   p.chosen >= 0 && !typing, p.chosen >= 0);
   const bool uses = (pressed == YarnsPrompt::kUse || twice) && p.chosen >= 0;
   if (uses) use(c, p.shelf->yarns()[static_cast<size_t>(p.chosen)], p.color);
   if (uses) return {DialogOutcome::kDone, YarnsPrompt::kUse, {}};

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "analysis/handle.h"
-#include "base/caught.h"
 #include "base/resources.h"
 #include "base/text.h"
 #include "base/user_folders.h"
@@ -16,10 +15,10 @@
 
 namespace weftlight::files {
 
-using base::ErrorKind, base::Result, base::arg, base::cache_folder, base::caught, base::cause_of, base::failure,
-    base::fill, base::keep_newest, base::presets_dir, base::tr;
+using base::ErrorKind, base::Result, base::arg, base::cache_folder, base::cause_of, base::failure, base::fill,
+    base::keep_newest, base::presets_dir, base::tr;
 using drape::DrapeParameters, drape::Vec2, drape::drape_file, drape::drape_names, drape::drape_parameters,
-    drape::drape_stiffness_of, drape::even_normals, drape::simulate_drape;
+    drape::drape_stiffness_of, drape::simulate_drape;
 
 namespace {
 
@@ -128,11 +127,7 @@ Result<Mesh> load_design_drape(const Design& design) {
   if (design.scene.simulated_drape && is_bad(read)) read = load_shipped(design);
   if (is_bad(read) && is_shipped_drape(design)) read = simulate_drape(design.scene.mesh);
   // The name selects the body, which does not depend on the stiffness.
-  if (read && can_drape(design)) {
-    read->name = design.scene.mesh;
-    const Result<void> evened = caught([&] { even_normals(*read); });
-    if (!evened) return base::failed(evened);
-  }
+  if (read && can_drape(design)) read->name = design.scene.mesh;
   return read;
 }
 

@@ -12,10 +12,10 @@ namespace weftlight::files {
 using design::Design;
 using drape::Mesh;
 
-/// Like load_drape() of the scene's mesh, with even_normals() for a drape. A shipped drape is taken in the version for
-/// the fabric (presets/meshes/NAME.glb, NAME_limp.glb, NAME_stiff.glb); the simulated drape if the scene asks for it
-/// and it is in the cache. A shipped drape whose file is missing or broken is simulated; of a lack of memory the error
-/// (kMemory) is returned.
+/// Like load_drape() of the scene's mesh. A shipped drape is taken in the version for the fabric
+/// (presets/meshes/NAME.glb, NAME_limp.glb, NAME_stiff.glb); the simulated drape if the scene asks for it and it is in
+/// the cache. A shipped drape whose file is missing or broken is simulated; of a lack of memory the error (kMemory) is
+/// returned.
 base::Result<Mesh> load_design_drape(const Design& design);
 /// A key that is equal for designs with the same mesh; it changes when the simulated drape enters the cache.
 std::string drape_key(const Design& design);

@@ -18,7 +18,7 @@ namespace weftlight::commands {
 
 using base::arg, base::cause_of, base::fill, base::tr;
 using design::Design;
-using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names, drape::even_normals,
+using drape::DrapeStiffness, drape::Mesh, drape::body_mesh, drape::drape_file, drape::drape_names,
     drape::kDrapeStiffnessNames, drape::kDrapeStiffnesses, drape::simulate_drape;
 using files::can_drape, files::is_draped, files::load_design_drape, files::simulate_design_drape, files::write_mesh;
 
@@ -65,11 +65,10 @@ Mesh simulated_mesh(Design& design) {
   if (is_draped(design)) return load_design_drape(design).value_or(Mesh{});
   StatusLine status;
   Mesh mesh = simulate_design_drape(design, [&status](double done) {
-    status.show(fill(tr("simulating the drape: {percent}%"), arg("percent", static_cast<int>(100 * done))));
+    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * done))));
     return true;
   });
   status.clear();
-  even_normals(mesh);  // as load_design_drape() does
   return mesh;
 }
 

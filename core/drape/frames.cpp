@@ -78,28 +78,4 @@ void compute_frames(Mesh& mesh) {
   }
 }
 
-void even_normals(Mesh& mesh) {
-  constexpr int kPasses = 3;
-  constexpr float kCrease = 0.8f, kSmooth = 0.95f;  // cosines between normals
-  const std::vector<uint32_t> weld = weld_by_position(mesh.position_mm);
-  std::vector<Vec3> normals(mesh.normal.size(), Vec3{});
-  for (size_t i = 0; i < normals.size(); ++i) normals[weld[i]] += mesh.normal[i];
-  for (Vec3& n : normals) n = unit(n);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    std::vector<Vec3> sums(normals);
-    for (Vec3& n : sums) n *= 4.0f;  // an inner edge is met from both of its triangles
-    for (size_t t = 0; t < mesh.index.size(); ++t) {
-      const uint32_t a = weld[mesh.index[t]], b = weld[mesh.index[t % 3 == 2 ? t - 2 : t + 1]];
-      const float weight = ramp(kCrease, kSmooth, dot(normals[a], normals[b]));
-      sums[a] += weight * normals[b], sums[b] += weight * normals[a];
-    }
-    for (size_t i = 0; i < sums.size(); ++i) normals[i] = unit(sums[i]);
-  }
-  for (size_t i = 0; i < mesh.normal.size(); ++i) {
-    const Vec3 n = normals[weld[i]];
-    mesh.normal[i] = n;
-    mesh.tangent[i] = unit(mesh.tangent[i] - n * dot(mesh.tangent[i], n), perpendicular(n));
-  }
-}
-
 }  // namespace weftlight::drape

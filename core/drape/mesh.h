@@ -33,10 +33,6 @@ struct Mesh {
 /// (the two sides of a seam) share their normal; each keeps its own tangent, at right angles to it.
 void compute_frames(Mesh& mesh);
 
-/// Evens the normals of neighbouring vertices out, but not across creases of more than about 35 degrees, and keeps the
-/// tangents at right angles to them. A highlight on simulated cloth otherwise has teeth as wide as its triangles.
-void even_normals(Mesh& mesh);
-
 /// Names of the shipped drapes, in menu order: plane, sphere, tablecloth, curtain, skirt, tunic, shirt, scarf, cushion.
 const std::vector<std::string>& drape_names();
 

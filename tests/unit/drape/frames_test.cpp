@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <vector>
 
 #include "drape/mesh.h"
 
@@ -101,25 +99,6 @@ TEST(Frames, DegenerateTrianglesGiveUnitVectors) {
     EXPECT_NEAR(dot(mesh.normal[i], mesh.normal[i]), 1, 1e-6f);
     EXPECT_NEAR(dot(mesh.tangent[i], mesh.tangent[i]), 1, 1e-6f);
   }
-}
-
-TEST(Frames, NormalsOfNeighboursAreEvened) {
-  Mesh mesh = grid(21, 21, 100, 100, [](float u, float v) { return Vec3{u, v, 0}; });
-  for (size_t i = 0; i < mesh.normal.size(); ++i)
-    mesh.normal[i] = glm::normalize(Vec3{i % 2 == 0 ? 0.1f : -0.1f, 0, 1});
-  even_normals(mesh);
-  for (size_t i = 0; i < mesh.normal.size(); ++i) {
-    EXPECT_LT(std::abs(mesh.normal[i].x), 0.03f) << i;
-    EXPECT_NEAR(glm::dot(mesh.normal[i], mesh.tangent[i]), 0, 1e-5f) << i;
-  }
-}
-
-TEST(Frames, ACreaseStaysSharp) {
-  // Two walls of a box edge; its own vertices lean to both.
-  Mesh mesh = grid(9, 3, 80, 20, [](float u, float v) { return Vec3{std::min(u, 40.0f), v, std::min(40 - u, 0.0f)}; });
-  const std::vector<Vec3> before = mesh.normal;
-  even_normals(mesh);
-  for (size_t i = 0; i < before.size(); ++i) EXPECT_GT(glm::dot(before[i], mesh.normal[i]), 0.9999f) << i;
 }
 
 }  // namespace

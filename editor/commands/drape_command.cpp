@@ -65,7 +65,7 @@ Mesh simulated_mesh(Design& design) {
   if (is_draped(design)) return load_design_drape(design).value_or(Mesh{});
   StatusLine status;
   Mesh mesh = simulate_design_drape(design, [&status](double done) {
-    status.show(fill(tr("simulating the drape: {percent} %"), arg("percent", static_cast<int>(100 * done))));
+    status.show(fill(tr("simulating the drape: {percent}%"), arg("percent", static_cast<int>(100 * done))));
     return true;
   });
   status.clear();

@@ -39,8 +39,8 @@ using scene::Camera, scene::DistantLight, scene::SceneLight, scene::exposure_sto
 
 namespace {
 
-constexpr float kFullRadius = 3.3f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
-constexpr float kLift = 5.1f;  // off the surface, texels: the farthest tap of the full filter, and a tenth
+constexpr float kFullRadius = 3.9f, kQuickRadius = 1.6f;  // of the shadow's filter, texels
+constexpr float kLift = 6.0f;  // off the surface, texels: farther than the farthest tap of the full filter
 
 interop::vec4 vec(glm::vec3 v, float w) { return {v.x, v.y, v.z, w}; }
 

@@ -42,7 +42,7 @@ class SunShadow {
   const ShadowView& more(size_t i) const { return more_[i - 1]; }
 
  private:
-  static constexpr int kSize = 3072, kMoreSize = 1024;
+  static constexpr int kSize = 2048, kMoreSize = 1024;
   void draw(GpuMesh& mesh, ShadowView& view, GLuint framebuffer, int size, GlBuffer& frame_block);
 
   GlProgram program_;

@@ -372,7 +372,7 @@ TEST_F(PictureTest, AShadowOnClothLitAslantHasAStraightEdge) {
   std::vector<double> starts;
   for (int y = 160; y < 352; ++y) starts.push_back(shadow_starts(image, y));
   EXPECT_NEAR(std::abs(starts.back() - starts.front()), 0.02 * 191, 3) << "this is not the wall's shadow";
-  EXPECT_LT(roughness(starts), 0.6);  // 0.94 pixels with a map a third as fine
+  EXPECT_LT(roughness(starts), 0.6);  // 0.94 pixels with a map half as fine
 }
 
 // The shadow's filter reaches past its texels: an inclined plane shadowed itself in stripes (visible on a table's
@@ -401,7 +401,7 @@ TEST_F(PictureTest, APlaneDoesNotShadeItself) {
 TEST_F(PictureTest, ThreadsThatTouchHideWhatIsBehindThem) {
   const wif::WifRead denim = wif::read_wif(base::read_file(presets_dir() + "/cloths/denim.wif").value_or(""));
   ASSERT_TRUE(denim.file);
-  upload(denim.file->design, fold(10, 100, 64));
+  upload(denim.file->design, fold(80, 100, 64));
   frame.transparent = true;
   look.method = Method::kYarn;
   const Image near = draw();

@@ -41,8 +41,8 @@ TEST(Progress, WhatComesOnceSaysNothingAboutTheRest) {
 }
 
 TEST(Progress, TextsSayHowManyAndHowLong) {
-  EXPECT_EQ(progress_text({2, 9, 0.316, 130.0, "denim"}), "2 of 9 done, 31 %, 3 min left: denim");
-  EXPECT_EQ(progress_text({0, 1, 0.5, {}, ""}), "50 %");
+  EXPECT_EQ(progress_text({2, 9, 0.316, 130.0, "denim"}), "2 of 9 done, 31%, 3 min left: denim");
+  EXPECT_EQ(progress_text({0, 1, 0.5, {}, ""}), "50%");
   EXPECT_EQ(time_text(0.2), "1 s");
   EXPECT_EQ(time_text(119), "119 s");
   EXPECT_EQ(time_text(7800), "2 h 10 min");

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/resources.h"
 #include "files/files.h"
 
 namespace weftlight::scene {
@@ -89,7 +90,7 @@ float furthest_aside(const Mesh& mesh, const Bounds& bounds, int width, int heig
 TEST(Camera, FormsKeepAMarginInPicturesOfAnyShape) {
   for (const char* name : {"sphere", "tablecloth", "curtain", "skirt", "tunic", "shirt", "scarf", "cushion"})
     for (const char* fabric : {"", "_limp", "_stiff"}) {
-      const base::Result<Mesh> form = files::load_drape(std::string(name) + fabric);
+      const base::Result<Mesh> form = files::load_drape(base::presets_dir() + "/meshes/" + name + fabric + ".glb");
       ASSERT_TRUE(form) << name << fabric;
       const Bounds bounds = bounds_of(*form);
       for (const int width : {400, 1000, 2500})

@@ -34,7 +34,7 @@ TEST_F(InstalledLanguages, have_their_own_names_and_say_how_far_they_are) {
   std::filesystem::create_directories(dir_ / "fr");
   std::string all;
   for (const Language& each : installed_languages(dir_.string())) all += shown_name(each) + "; ";
-  EXPECT_EQ(all, "English; Deutsch (unfinished, 99 %); Svenska; tlh (unfinished, 25 %); ");
+  EXPECT_EQ(all, "English; Deutsch (unfinished, 99%); Svenska; tlh (unfinished, 25%); ");
 }
 
 TEST_F(InstalledLanguages, are_english_alone_without_catalogues) {

@@ -20,8 +20,8 @@ float luminance(ImU32 color) {
 }
 
 float contrast(ImU32 a, ImU32 b) {
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
-  return (high + 0.05f) / (low + 0.05f);
+  const float one = luminance(a) + 0.05f, other = luminance(b) + 0.05f;
+  return std::max(one, other) / std::min(one, other);
 }
 
 TEST(Style, ANoteIsReadOverAnyPicture) {

@@ -280,7 +280,7 @@ FinestFits left_for_levels(const FaceSource& front, const FaceSource& back, cons
   return {options.target, front.fit(), back.fit()};
 }
 
-/// The front, while the library of the pictures is loaded on another core.
+/// The front, while the image library is loaded on another core.
 FaceSource first_face(const Design& design, const BitMatrix& cells, const TextureSetOptions& options,
                       const std::optional<EngineFit>& near, const MeasuredLight& light) {
   std::optional<FaceSource> front;

@@ -33,8 +33,15 @@ class LibraryTest : public OnDisplay {
     for (size_t i = 0; i < d.yarns.size(); ++i) d.yarns[i].name = "Yarn " + std::to_string(i + 1);
     put(draft_, wif::write_new_wif(d));
   }
-  /// Undoes the fourth yarn, and paints all ends with the active one.
-  void undo_new_yarn(const Window& w, const std::string& before) const {
+  /// Adds a fourth yarn while the second is active, undoes that, and paints all ends with the active one.
+  template <class Add>
+  void undo_of(const Add& add) {
+    put_three_yarns();
+    Window w(display_, folder_, draft_, without_dialogs());
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    const std::string before = w.live();
+    ASSERT_NO_FATAL_FAILURE(activate_second_yarn(w));
+    ASSERT_NO_FATAL_FAILURE(add(w));
     ASSERT_TRUE(comes_true([&] { return design_of(w.live()).yarns.size() == 4; })) << "no yarn was added";
     display_.key("ctrl+z");
     ASSERT_TRUE(comes_true([&] { return w.live() == before; })) << "more than one undo step";
@@ -46,29 +53,21 @@ class LibraryTest : public OnDisplay {
 };
 
 TEST_F(LibraryTest, UndoOfAYarnFromTheLibraryActivatesTheOneBefore) {
-  put_three_yarns();
-  Window w(display_, folder_, draft_, without_dialogs());
-  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  const std::string before = w.live();
-  ASSERT_NO_FATAL_FAILURE(activate_second_yarn(w));
-  ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add:library"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "yarns.new"));
-  ASSERT_TRUE(comes_true([&] { return w.has("yarns.name"); }));
-  ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Use in the draft"));
-  ASSERT_NO_FATAL_FAILURE(undo_new_yarn(w, before));
+  undo_of([this](const Window& w) {
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add:library"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarns.new"));
+    ASSERT_TRUE(comes_true([&] { return w.has("yarns.name"); }));
+    ASSERT_NO_FATAL_FAILURE(press(w, "dialog:Use in the draft"));
+  });
 }
 
 TEST_F(LibraryTest, UndoOfAYarnForThreadsActivatesTheOneBefore) {
-  put_three_yarns();
-  Window w(display_, folder_, draft_, without_dialogs());
-  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
-  const std::string before = w.live();
-  ASSERT_NO_FATAL_FAILURE(activate_second_yarn(w));
-  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn"));
-  ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn:own"));
-  ASSERT_NO_FATAL_FAILURE(undo_new_yarn(w, before));
+  undo_of([this](const Window& w) {
+    ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn:own"));
+  });
 }
 
 TEST_F(LibraryTest, RecentDraftsHaveThumbnails) {

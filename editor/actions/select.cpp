@@ -136,12 +136,16 @@ void delete_threads(const SelectionSubjects& e) {
   select_cells(e.draft.view().select, {});
 }
 
-/// Cancels one thing per call: the rejected edit, the shape being drawn, the drag or active block, the selection.
+bool has_chosen_threads(const SelectionSubjects& e) { return !e.draft.view().chosen.threads.empty(); }
+
+/// Cancels one thing per call: the rejected edit, the shape being drawn, the drag or active block, the selection of
+/// cells and threads.
 void cancel_one(const SelectionSubjects& e) {
   if (e.draft.view().rejected_edit) return e.draft.view().rejected_edit.reset();
   if (e.draft.view().drawing.shape) return e.draft.view().drawing.shape.reset();
   SelectState& s = e.draft.view().select;
   if (s.drag == SelectDrag::kNone) {
+    if (!s.held) e.draft.view().chosen.threads.clear();
     escape(s);
   } else if (const MaybeEdit back = cancel_drag(s, e.draft.document().now())) {
     e.draft.commit(*back);
@@ -161,7 +165,8 @@ void add_clipboard(Actions& all, const SelectionSubjects& e) {
                       [e] { select_whole_threads(e); }))
       .enabled = [e] { return has_threads(e); };
   add(all, "Edit", "select_none", tr("Deselect"), "Escape", [e] { cancel_one(e); }).enabled = [e] {
-    return has_selection(e) || has_block(e) || e.draft.view().drawing.shape || e.draft.view().rejected_edit;
+    return has_selection(e) || has_block(e) || has_chosen_threads(e) || e.draft.view().drawing.shape ||
+           e.draft.view().rejected_edit;
   };
 }
 

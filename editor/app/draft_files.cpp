@@ -7,13 +7,14 @@
 #include "base/text.h"
 #include "platform/desktop.h"
 #include "session/files/stale_files.h"
+#include "session/tab_names.h"
 #include "weaves/table.h"
 
 namespace weftlight::app {
 
 using base::arg, base::fill, base::mark, base::presets_dir, base::tr, base::write_file_atomically;
 using session::FileChange, session::OpenDocument, session::changed_since, session::identify, session::open_document,
-    session::remember, session::remove_stale_files;
+    session::remember, session::remove_stale_files, session::tab_name;
 using views::Question;
 using weaves::find_weave;
 using wif::Severity, wif::write_plain_wif;
@@ -271,18 +272,19 @@ void Files::ask_about_change(const std::optional<FileIdentity>& on_disk, std::fu
           : fill(tr("{path} has changed since it was opened or saved here.\n\nReloading it loses your changes since "
                     "the last save."),
                  arg("path", document().path()));
-  dialogs_.ask(Question{fill(tr("{file} was changed by another program"), arg("file", document().name())),
-                        text,
-                        {mark("Save a copy\xE2\x80\xA6"), mark("Keep mine"), mark("Reload"), mark("Cancel")}},
-               [this, on_disk, then = std::move(then)](int button) {
-                 const std::string path = document().path();
-                 if (button == 0)
-                   dialogs_.ask_path(FileAsk::kSave, tr("Save your draft as a copy"), name_of_copy(path),
-                                     [this, then](const std::string& beside) { save_to(beside, false, then); });
-                 if (button == 1 && on_disk) keep_mine(*on_disk);
-                 if (button == 1 && !on_disk) save_to(path, true, then);
-                 if (button == 2) read_again();
-               });
+  dialogs_.ask(
+      Question{fill(tr("{file} was changed by another program"), arg("file", tab_name(session_, session_.active().id))),
+               text,
+               {mark("Save a copy\xE2\x80\xA6"), mark("Keep mine"), mark("Reload"), mark("Cancel")}},
+      [this, on_disk, then = std::move(then)](int button) {
+        const std::string path = document().path();
+        if (button == 0)
+          dialogs_.ask_path(FileAsk::kSave, tr("Save your draft as a copy"), name_of_copy(path),
+                            [this, then](const std::string& beside) { save_to(beside, false, then); });
+        if (button == 1 && on_disk) keep_mine(*on_disk);
+        if (button == 1 && !on_disk) save_to(path, true, then);
+        if (button == 2) read_again();
+      });
 }
 
 void Files::read_again() {
@@ -304,7 +306,7 @@ void Files::read_again() {
 void Files::reload() {
   if (document().path().empty()) return;
   if (document().is_saved()) return read_again();
-  dialogs_.ask(Question{fill(tr("Reload {file}?"), arg("file", document().name())),
+  dialogs_.ask(Question{fill(tr("Reload {file}?"), arg("file", tab_name(session_, session_.active().id))),
                         tr("Your changes since the last save would be lost."),
                         {mark("Reload"), mark("Cancel")}},
                [this](int button) {

@@ -257,16 +257,20 @@ bool Editor::walk_through_popup(const std::string& key) {
   if (dialogs_.any()) return true;  // they close themselves
   const bool of_menus = key == "Alt" || key == "F10", command = runs_while_typing(key) && !of_menus;
   if (of_menus || command) close_popups();
-  // ImGui may have closed it already.
-  if (key == "Escape" && !popup_closed_) close_popups_above(open_popups() - 1);
+  if (key == "Escape") {
+    close_popups_above(open_popups() - 1);
+    popup_closed_ = true;
+  }
   return !command;
 }
 
 /// Handles a key that types no text: closes a popup or runs an action.
 void Editor::apply_key(const std::string& key) {
   if (tools_.take_key(key)) return;
+  if (key == "Escape" && popup_closed_) return;  // ImGui has closed it
   if (open_popups() > 0 && walk_through_popup(key)) return;
   if (dialogs_.any()) return;
+  if (key == "Escape" && tools_.have_keyboard()) return;  // they close themselves
   if (tools_.shows_commands() || (ImGui::GetIO().WantTextInput && !runs_while_typing(key))) return;
   DocumentView& view = editing_.view();
   if (const std::string id = view.at_loom.open ? key_at_loom(key) : ""; !id.empty()) return actions_.run(id);
@@ -298,7 +302,7 @@ void Editor::draw_window() {
   wanted.add_action(draw_menu_bar(c, items, session_.all().size() > 1 ? std::string() : title_, opens_menu_));
   const float tabs_height = tabs_.height(style_);
   const TabRequest requested = tabs_.draw(c, tabs_height);
-  panels_.draw(c, tabs_height, items, {trouble_, tabs_.awaits()});
+  panels_.draw(c, tabs_height, tabs_.shown_name(), items, {trouble_, tabs_.awaits()});
   wanted.add_action(draw_context_menu(c, items, &ActionItem::on_selection, "context", c.frame.selection_menu));
   wanted.add_action(tabs_.draw_menu(c, items));
   wanted.add_action(tools_.draw_commands(c, items));
@@ -355,8 +359,7 @@ void Editor::edited() {
 }
 
 void Editor::update_title() {
-  const Document& document = editing_.document();
-  const std::string title = std::string(document.is_saved() ? "" : "\xE2\x97\x8F ") + document.shown_name();
+  const std::string title = (editing_.document().is_saved() ? "" : "\xE2\x97\x8F ") + tabs_.shown_name();
   if (title != title_) window_.set_title(title + " \xE2\x80\x93 Weftlight");
   title_ = title;
 }

@@ -50,7 +50,8 @@ Panels::Panels(Editing& editing, const Settings& settings, ClothPane& cloth, Loo
       messages_(messages),
       cloth_shown_(settings.cloth) {}
 
-void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status) {
+void Panels::draw(PanelContext& c, float tabs_height, const std::string& name, std::span<const ActionItem> items,
+                  const StatusTexts& status) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 at{view->WorkPos.x, view->WorkPos.y + tabs_height};
   const ImVec2 size{view->WorkSize.x, std::max(0.0f, view->WorkSize.y - tabs_height)};
@@ -64,7 +65,7 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
   const bool was_turned = std::exchange(stacked_, l.stacked) != l.stacked;
   if (cloth_came_or_went || was_turned)  // the draft is fitted to its new room
     c.wanted.change_view([](DocumentView& v) { v.draft.pitch = 0; });
-  draw_draft_pane(c, l, items);
+  draw_draft_pane(c, l, name, items);
   if (l.cloth.shown() || (l.stacked && l.inspector.shown())) draw_splitter(c, l);
   if (l.cloth.shown()) {
     begin_fixed("Cloth", l.cloth, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
@@ -75,10 +76,13 @@ void Panels::draw(PanelContext& c, float tabs_height, std::span<const ActionItem
   draw_status(c, l, status);
 }
 
-void Panels::draw_draft_pane(PanelContext& c, const WindowLayout& l, std::span<const ActionItem> items) {
+void Panels::draw_draft_pane(PanelContext& c, const WindowLayout& l, const std::string& name,
+                             std::span<const ActionItem> items) {
   const DocumentView& v = editing_.view();
+  // The title of a file stands here only; without a file it is part of the name.
+  const bool titled = !editing_.document().path().empty() && !c.design.title.empty();
   begin_fixed("Draft", l.draft, {0, 0}, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_draft_header(c, editing_.document().name(), v.select.tool, items);
+  draw_draft_header(c, titled ? c.design.title : name, v.select.tool, items);
   draw_draft(c, v, reports_.last(), draft_pictures_);
   ImGui::End();
   draw_closest_weave_notice(c, v.rejected_edit, l.draft.at,

@@ -32,15 +32,17 @@ class Panels {
     std::string trouble;  // what could not be written, or empty
     std::string awaits;   // what happens when the saves in progress are done, or empty
   };
-  /// Below the tabs.
-  void draw(PanelContext& c, float tabs_height, std::span<const ActionItem> items, const StatusTexts& status);
+  /// Below the tabs. `name`: of the draft, as its tab has it.
+  void draw(PanelContext& c, float tabs_height, const std::string& name, std::span<const ActionItem> items,
+            const StatusTexts& status);
   /// When something goes by itself; negative if nothing does.
   double changes_at_s() const { return draft_pictures_.minimap.goes_at_s(); }
   /// Another document is shown.
   void forget() { typed_threads_ = {}; }
 
  private:
-  void draw_draft_pane(PanelContext& c, const WindowLayout& layout, std::span<const ActionItem> items);
+  void draw_draft_pane(PanelContext& c, const WindowLayout& layout, const std::string& name,
+                       std::span<const ActionItem> items);
   void draw_splitter(PanelContext& c, const WindowLayout& layout) const;
   void draw_inspector(PanelContext& c, const WindowLayout& layout);
   void draw_status(PanelContext& c, const WindowLayout& layout, const StatusTexts& status);

@@ -94,6 +94,8 @@ void Tabs::quit() {
                });
 }
 
+std::string Tabs::shown_name() const { return tab_name(session_, session_.active().id); }
+
 std::string Tabs::awaits() const {
   const Saver& saver = std::as_const(files_).saver();
   if (saver.awaited(0)) return tr("Weftlight closes when your drafts are saved\xE2\x80\xA6");

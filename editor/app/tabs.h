@@ -36,6 +36,8 @@ class Tabs {
   void close_to_right();
   /// Asks about unsaved changes, then leaves.
   void quit();
+  /// The name of the shown draft, as its tab has it.
+  std::string shown_name() const;
   /// What happens when the saves in progress are done; empty if nothing.
   std::string awaits() const;
   /// True once the window may end.

@@ -22,6 +22,8 @@ class ToolWindows {
   }
   bool shows_commands() const { return commands_.open; }
   void toggle_keys() { keys_.open = !keys_.open; }
+  /// True while the history or the list of shortcuts has the keyboard: Escape closes it.
+  bool have_keyboard() const { return history_.focused || keys_.focused; }
   /// The list of shortcuts takes the key if an action waits for a new one.
   bool take_key(const std::string& key) {
     if (keys_.waiting.empty()) return false;

@@ -205,6 +205,18 @@ TEST_F(TabsTest, ItsMenuSavesAndCopiesThePath) {
   EXPECT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() == bytes_of(draft_); }));
 }
 
+TEST_F(TabsTest, ADraftWithoutAFileIsCalledTheSameInItsTabAndOverTheGrids) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const auto heading = [&] { return w.name_after("draft.heading:"); };
+  EXPECT_EQ(heading(), "straight.wif");
+  for (const char* name : {"Untitled", "Untitled 2"}) {
+    display_.key("ctrl+n");
+    ASSERT_NO_FATAL_FAILURE(press(w, "Create"));
+    EXPECT_TRUE(comes_true([&] { return heading() == name; })) << heading();
+  }
+}
+
 TEST_F(TabsTest, TheHistoryGoesToAnyStep) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

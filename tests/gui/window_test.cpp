@@ -463,6 +463,40 @@ TEST_F(WindowTest, EscapeClosesAMenuAndKeysWorkAgain) {
   quit(w);
 }
 
+TEST_F(WindowTest, EscapeClosesWhatLiesOverTheGridsBeforeItDeselects) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  const std::string original = w.live();
+  const auto deletes = [&] {
+    display_.key("Delete");
+    const bool changed = comes_true([&] { return w.live() != original; });
+    display_.key("ctrl+z");
+    return changed && comes_true([&] { return w.live() == original; });
+  };
+  display_.click(w.cell("warp_numbers", 3, 1));
+  ASSERT_TRUE(comes_true([&] { return w.has("threads.none"); })) << "no thread was selected";
+  display_.click(w.middle_of("tool:Select"));
+  display_.drag({w.cell("threading", 1, 1), w.cell("threading", 3, 3), w.cell("threading", 6, 6)});
+  display_.right_click(w.cell("threading", 3, 3));
+  ASSERT_TRUE(comes_true([&] { return w.has("context.cut"); }));
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("context.cut"); }));
+  EXPECT_TRUE(w.has("threads.none")) << "the menu took the selection of threads with it";
+  EXPECT_TRUE(deletes()) << "the menu took the selection with it";
+  // A window of the window is closed first as well.
+  display_.key("ctrl+h");
+  ASSERT_NO_FATAL_FAILURE(click(w, "history:0"));
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("history:0"); }));
+  EXPECT_TRUE(w.has("threads.none")) << "the history took the selection of threads with it";
+  EXPECT_TRUE(deletes()) << "the history took the selection with it";
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("threads.none"); }));
+  display_.key("Delete");
+  EXPECT_EQ(w.live(), original) << "Escape kept the selection";
+  quit(w);
+}
+
 TEST_F(WindowTest, AnyWindowSizeWorksAndTheInspectorCanBeHidden) {
   show_cloth();
   Window w(display_, folder_, draft_);

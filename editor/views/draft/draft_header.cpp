@@ -125,24 +125,25 @@ void draw_title(PanelContext& c, const std::string& title, float room) {
   const std::string shown = fitted(title, room);
   ImGui::TextUnformatted(shown.c_str());
   ImGui::PopFont();
+  c.map.add_item("draft.heading:" + title);
   if (shown != title) tooltip(c, title.c_str());
 }
 
 }  // namespace
 
-void draw_draft_header(PanelContext& c, const std::string& name, Tool tool, std::span<const ActionItem> items) {
+void draw_draft_header(PanelContext& c, const std::string& title, Tool tool, std::span<const ActionItem> items) {
   const Style& s = c.style;
   const ImVec2 at = ImGui::GetCursorPos();
   const float gap = s.px(kGap), margin = s.px(kMargin), room = ImGui::GetWindowWidth() - 2 * margin;
   const float buttons = s.pressed_px(kIconCell) * (kTools.size() + kMirrors.size()) + gap,
-              title = s.px(kMinTitle) + gap;
-  const bool list_styles = room < title + buttons + gap + s.px(kStyles);
+              least_title = s.px(kMinTitle) + gap;
+  const bool list_styles = room < least_title + buttons + gap + s.px(kStyles);
   const bool list_tools = room < buttons + gap + s.px(kStyleList);
   const float tools = list_tools ? s.px(kToolList) : buttons, styles = s.px(list_styles ? kStyleList : kStyles);
   const float tools_x = std::max(margin, margin + room - styles - tools - gap);
   const float title_room = tools_x - margin - gap;
   ImGui::SetCursorPos({at.x + margin, at.y + gap});
-  if (title_room >= s.px(kMinTitle) / 2) draw_title(c, c.design.title.empty() ? name : c.design.title, title_room);
+  if (title_room >= s.px(kMinTitle) / 2) draw_title(c, title, title_room);
   ImGui::SetCursorPos({at.x + tools_x, at.y + gap});
   if (list_tools) draw_tool_list(c, tool, items);
   else draw_tool_buttons(c, items);

@@ -12,8 +12,7 @@ namespace weftlight::views {
 
 using session::ActionItem, session::Tool;
 
-/// `tool`: the active one. `name`: of the file, shown if the draft has no title. `items`: the actions, for tips and
-/// shortcuts.
-void draw_draft_header(PanelContext& c, const std::string& name, Tool tool, std::span<const ActionItem> items);
+/// `title`: of the draft. `tool`: the active one. `items`: the actions, for tips and shortcuts.
+void draw_draft_header(PanelContext& c, const std::string& title, Tool tool, std::span<const ActionItem> items);
 
 }  // namespace weftlight::views

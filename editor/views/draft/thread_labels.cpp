@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "ui/imgui_compat.h"
 #include "ui/widgets.h"
 #include "views/draft/held_layout.h"
 
@@ -14,7 +13,7 @@ using design::Design;
 using draft::System;
 using session::Cell, session::Choose, session::DocumentView, session::MaybeEdit, session::ThreadChoice, session::Tool,
     session::begin_choice, session::drag_choice, session::threads_alike;
-using ui::Axis, ui::UiGrid, ui::hit_area, ui::key_pressed, ui::tooltip, ui::with_alpha;
+using ui::Axis, ui::UiGrid, ui::hit_area, ui::tooltip, ui::with_alpha;
 
 namespace {
 
@@ -104,10 +103,6 @@ bool choose_by_labels(DraftContext& c, const DraftLayout& l) {
   pressed |= label_input(c, l.weft_labels, "weft_numbers");
   if (!ImGui::IsAnyMouseDown() && choice.dragging)
     c.wanted.change_view([](DocumentView& v) { v.chosen.dragging = false; });
-  const bool busy = ImGui::GetIO().WantTextInput ||
-                    ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!busy && key_pressed(ImGuiKey_Escape, false))
-    c.wanted.change_view([](DocumentView& v) { v.chosen.threads.clear(); });
   return pressed;
 }
 

@@ -13,7 +13,7 @@ using session::GridId;
 bool chooses_on_bar(const DraftContext& c, GridId bar);
 /// Selects threads on a bar, whose ImGui item was drawn last.
 void choose_on_bar(DraftContext& c, const GridPane& bar);
-/// Selects threads by their numbers; Escape clears the selection. True while a button pressed there is down.
+/// Selects threads by their numbers. True while a button pressed there is down.
 bool choose_by_labels(DraftContext& c, const DraftLayout& layout);
 /// Highlights the selected threads on numbers and bars.
 void draw_chosen(ImDrawList* dl, const DraftContext& c, const DraftLayout& layout);

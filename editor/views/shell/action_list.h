@@ -34,6 +34,7 @@ struct KeysWindow {
   std::string waiting;    // id of the action that waits for a key
   std::string pressed;    // the key that was pressed for it
   std::string requested;  // a key that another action has
+  bool focused = false;   // has the keyboard
 };
 void draw_keys_window(PanelContext& c, std::span<const ActionItem> items, KeysWindow& window);
 /// The action with that shortcut, except `except`; null if there is none.

@@ -84,6 +84,7 @@ void draw_steps(PanelContext& c, const Document& document, HistoryWindow& window
 }  // namespace
 
 void draw_history(PanelContext& c, const Document& document, HistoryWindow& window) {
+  window.focused = false;
   if (!c.settings.show_history) return;
   const ImGuiViewport* view = ImGui::GetMainViewport();
   ImGui::SetNextWindowSize({c.style.px(kWidth), c.style.px(kHeight)}, ImGuiCond_Appearing);
@@ -95,7 +96,8 @@ void draw_history(PanelContext& c, const Document& document, HistoryWindow& wind
   bool open = true;
   if (ImGui::Begin(tr("History"), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     draw_steps(c, document, window);
-    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && key_pressed(ImGuiKey_Escape)) open = false;
+    window.focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+    if (window.focused && key_pressed(ImGuiKey_Escape) && !c.frame.popup_closed) open = false;
   }
   ImGui::End();
   ImGui::PopStyleColor();

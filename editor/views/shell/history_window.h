@@ -8,9 +8,9 @@ namespace weftlight::views {
 
 using session::Document;
 
-/// The step that was scrolled to last.
 struct HistoryWindow {
-  size_t steps = 0, position = 0;
+  size_t steps = 0, position = 0;  // when it was scrolled last
+  bool focused = false;            // has the keyboard
 };
 
 /// Draws the window while Settings::show_history is set.

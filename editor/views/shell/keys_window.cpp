@@ -232,8 +232,8 @@ void draw_keys_window(PanelContext& c, std::span<const ActionItem> items, KeysWi
     draw_keys(c, items, w);
     if (w.typed.empty()) draw_mouse(c);
     ImGui::EndChild();
-    if (!left_waiting && w.waiting.empty() && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
-        key_pressed(ImGuiKey_Escape))
+    w.focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+    if (!left_waiting && w.waiting.empty() && w.focused && key_pressed(ImGuiKey_Escape) && !c.frame.popup_closed)
       w.open = false;
   }
   ImGui::End();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 
@@ -228,6 +229,25 @@ TEST(ThreadActions, ColoursAndThicknessAreCopiedSeparately) {
   run("threads.weft_thick_as_warp");
   EXPECT_EQ(editor.document().now().draft.weft.thickness_mm, (std::vector<float>{0.5f, kFromYarn, 2, 0.5f, kFromYarn}));
   EXPECT_EQ(editor.document().now().draft.weft.color, d.draft.weft.color);
+}
+
+TEST(ThreadActions, DeselectIsForThreadsAsWellOnceNothingIsBeingPasted) {
+  Design d;
+  d.draft = blank_draft(4, 4, 2, 2);
+  BareEditor editor(d);
+  const std::vector<Action> all = make_actions(editor.subjects(), {});
+  const auto deselect = std::ranges::find(all, "select_none", [](const Action& a) { return a.item.id; });
+  ASSERT_NE(deselect, all.end());
+  EXPECT_FALSE(deselect->enabled());
+  editor.view().chosen = {System::kWarp, {0, 2}, 0, {}, false, false};
+  editor.view().select.held.emplace();
+  deselect->run();
+  EXPECT_FALSE(editor.view().select.held);
+  EXPECT_EQ(editor.view().chosen.threads.size(), 2u) << "one thing at a time";
+  ASSERT_TRUE(deselect->enabled());
+  deselect->run();
+  EXPECT_TRUE(editor.view().chosen.threads.empty());
+  EXPECT_FALSE(deselect->enabled());
 }
 
 TEST(SelectionActions, AQuarterTurnIsClockwiseOnTheScreen) {

@@ -68,7 +68,8 @@ void Dialogs::ask_path_in_window(FileAsk what, const std::string& title, const s
             [](const std::string& there) {
               return Question{fill(tr("Replace {file}?"), arg("file", file_name(there))),
                               fill(tr("{path} already exists. Its contents would be lost."), arg("path", there)),
-                              {mark("Replace"), mark("Cancel")}};
+                              {mark("Replace"), mark("Cancel")},
+                              1};
             },
             [chosen, path] { chosen(path); });
       });
@@ -107,7 +108,8 @@ void Dialogs::with_ending(const std::string& typed, const std::string& ending,
       [](const std::string& there) {
         return Question{fill(tr("Replace {file}?"), arg("file", file_name(there))),
                         tr("A file of that name already exists. Saving would replace it."),
-                        {mark("Replace"), mark("Cancel")}};
+                        {mark("Replace"), mark("Cancel")},
+                        1};
       },
       [then, path] { then(path); });
 }

@@ -308,7 +308,8 @@ void Files::reload() {
   if (document().is_saved()) return read_again();
   dialogs_.ask(Question{fill(tr("Reload {file}?"), arg("file", tab_name(session_, session_.active().id))),
                         tr("Your changes since the last save would be lost."),
-                        {mark("Reload"), mark("Cancel")}},
+                        {mark("Reload"), mark("Cancel")},
+                        1},
                [this](int button) {
                  if (button == 0) read_again();
                });

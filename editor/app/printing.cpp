@@ -131,7 +131,8 @@ void Printing::start(const std::string& path, const PrintPrompt& p) {
       [](const std::string& there) {
         return Question{fill(tr("Replace {file}?"), arg("file", std::filesystem::path(there).filename().string())),
                         tr("Sheets of that name already exist. Printing would replace them."),
-                        {mark("Replace"), mark("Cancel")}};
+                        {mark("Replace"), mark("Cancel")},
+                        1};
       },
       write);
 }

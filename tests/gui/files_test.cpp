@@ -92,6 +92,10 @@ TEST_F(FilesTest, SaveAsAsksBeforeItReplaces) {
   };
   ASSERT_NO_FATAL_FAILURE(save_as());
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Replace"); })) << "replaced without a question";
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Replace"); }));
+  EXPECT_EQ(bytes_of(taken), "somebody's work") << "Enter replaced it";
+  ASSERT_NO_FATAL_FAILURE(save_as());
   ASSERT_NO_FATAL_FAILURE(press(w, "Cancel"));
   EXPECT_EQ(bytes_of(taken), "somebody's work");
   ASSERT_NO_FATAL_FAILURE(save_as());

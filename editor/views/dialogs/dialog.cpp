@@ -35,7 +35,7 @@ DialogResult draw_prompt(PanelContext& c, Question& q) {
   ImGui::TextUnformatted(q.text.c_str());
   c.map.add_item("question:" + q.text);
   ImGui::PopTextWrapPos();
-  return dialog_result(draw_buttons(c, q.buttons, true), -2);
+  return dialog_result(draw_buttons(c, q.buttons, true, true, q.by_enter), -2);
 }
 
 DialogResult draw_prompt(PanelContext& c, PathPrompt& p) {

@@ -33,7 +33,7 @@ bool primary_button(PanelContext& c, const char* id, const char* label, bool pos
 
 }  // namespace
 
-int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first, bool possible) {
+int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool by_enter, bool possible, int primary) {
   const ImGuiStyle& s = ImGui::GetStyle();
   float width = -s.ItemSpacing.x;
   for (const std::string& l : labels)
@@ -44,12 +44,12 @@ int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool e
   for (int i = static_cast<int>(labels.size()) - 1; i >= 0; --i) {
     const std::string id = "dialog:" + labels[static_cast<size_t>(i)];
     const char* label = tr(labels[static_cast<size_t>(i)].c_str());
-    if (i == 0 ? primary_button(c, id.c_str(), label, possible) : text_button(c, id.c_str(), label, nullptr))
+    if (i == primary ? primary_button(c, id.c_str(), label, possible) : text_button(c, id.c_str(), label, nullptr))
       pressed = i;
     if (i > 0) ImGui::SameLine();
   }
-  const bool by_enter = enter_presses_first && possible && enter_pressed() && !takes_enter(c.map);
-  return pressed < 0 && by_enter ? 0 : pressed;
+  const bool entered = by_enter && possible && enter_pressed() && !takes_enter(c.map);
+  return pressed < 0 && entered ? primary : pressed;
 }
 
 DialogResult dialog_result(int button, int cancel_button) {

@@ -25,10 +25,11 @@ void heading(PanelContext& c, const std::string& text);
 unsigned field_of_number(const char* label);
 /// A labelled whole number with steps of one and ten.
 void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max);
-/// The buttons at the lower right; the first is the primary one and outermost. Labels are marked texts, and the map has
-/// them in English as dialog:LABEL. Returns the index of the pressed one or -1. `possible`: the first can be pressed.
-int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool enter_presses_first,
-                 bool possible = true);
+/// The buttons at the lower right, the first outermost. Labels are marked texts, and the map has them in English as
+/// dialog:LABEL. Returns the index of the pressed one or -1. `primary`: set off by its colour; -1: none. `by_enter`:
+/// Enter presses it. `possible`: it can be pressed.
+int draw_buttons(PanelContext& c, const std::vector<std::string>& labels, bool by_enter, bool possible = true,
+                 int primary = 0);
 /// The result for what draw_buttons returned.
 DialogResult dialog_result(int button, int cancel_button = 1);
 /// The result of the buttons of a dialog whose draft follows.

@@ -390,8 +390,10 @@ DialogResult draw_prompt(PanelContext& c, ExportPrompt& p) {
   draw_progress(c, p, state);
   ImGui::EndChild();
   ImGui::SetCursorPos(foot);
-  const char* first = state.busy ? mark("Stop") : p.conflicts.empty() ? mark("Export") : mark("Replace");
-  const int button = draw_buttons(c, {first, state.busy ? mark("Hide") : mark("Close")}, !ImGui::GetIO().WantTextInput);
+  const bool asks = !state.busy && !p.conflicts.empty();
+  const char* first = state.busy ? mark("Stop") : asks ? mark("Replace") : mark("Export");
+  const int button = draw_buttons(c, {first, state.busy ? mark("Hide") : mark("Close")},
+                                  !asks && !ImGui::GetIO().WantTextInput, true, asks ? -1 : 0);
   if (choose) return {DialogOutcome::kDone, ExportPrompt::kFolder, {}};
   return press(p, button, state.busy);
 }

@@ -24,7 +24,8 @@ using weaves::Joining;
 /// the other prompts, are marked texts.
 struct Question {
   std::string title, text;
-  std::vector<std::string> buttons;  // Enter presses the first
+  std::vector<std::string> buttons;
+  int by_enter = 0;  // the button that Enter presses: none that loses what Undo cannot bring back
 };
 /// A path to type, if the system has no file dialog.
 struct PathPrompt {

@@ -87,7 +87,7 @@ void add_draft_actions(Actions& all, const ActiveDraft& draft, const DraftDialog
   });
   const auto shed = [&all, &draft](const char* id, const char* label, bool rising) {
     Action& a = add(all, "Draft", id, label, "", [&draft, rising] {
-      draft.commit({rising ? tr("Rising shed") : tr("Sinking shed"),
+      draft.commit({rising ? tr("Use a rising shed") : tr("Use a sinking shed"),
                     [rising](Design d) { return with_rising(std::move(d), rising); }});
     });
     a.checked = [&draft, rising] { return draft.document().now().draft.rising == rising; };

@@ -46,7 +46,7 @@ Action& add_dialog(Actions& all, const char* submenu, const char* id, const char
 /// Takes a minute, in which the weaver goes on: the optics are for the yarn, whatever is woven with it meanwhile.
 SlowEdit optics_from_fibres(size_t yarn) {
   SlowEdit edit;
-  edit.label = tr("Optics from the fibres");
+  edit.label = tr("Fit optics to the fibres");
   edit.doing = tr("Tracing the fibres of the yarn");
   edit.no_change = tr("No optics are nearer to the fibres than these.");
   edit.apply = [yarn](Design d, const base::TaskProgress& progress) -> base::Result<Design> {

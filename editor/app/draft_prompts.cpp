@@ -96,7 +96,7 @@ void DraftPrompts::ask_size() {
 void DraftPrompts::ask_notes() {
   const Design& d = document().now();
   dialogs_.ask(NotesPrompt{d.title, d.author, joined(d.notes)}, [this](int) {
-    editing_.commit({tr("Title and notes"), [p = dialogs_.prompt<NotesPrompt>()](Design d2) {
+    editing_.commit({tr("Change title and notes"), [p = dialogs_.prompt<NotesPrompt>()](Design d2) {
                        d2.title = p.title;
                        d2.author = p.author;
                        d2.notes = split_lines(p.notes);
@@ -234,7 +234,7 @@ void DraftPrompts::ask_delete_yarn() {
 void DraftPrompts::ask_closest_weave() {
   if (!view().rejected_edit || !view().rejected_edit->closest) return;
   ClosestWeavePrompt p{view().rejected_edit->closest, document().snapshot(), kClosestStrokes | ++asked_};
-  Edit edit{tr("Closest weave for this loom"), [closest = p.closest](const Design&) { return *closest->design; }};
+  Edit edit{tr("Use closest weave"), [closest = p.closest](const Design&) { return *closest->design; }};
   edit.stroke = p.stroke;
   editing_.commit(edit);
   view().differences.closest = p.closest;

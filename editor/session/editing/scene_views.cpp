@@ -62,7 +62,7 @@ MaybeEdit go_to_view(ClothView& view, const Design& design, const NamedView& to)
   // The camera that a draft opens with does not change.
   const Scene scene = with_orbit(to.scene, orbit_of(design.scene));
   if (scene == design.scene) return {};
-  return Edit{fill(tr("View: {name}"), arg("name", to.name)), [scene](Design d) {
+  return Edit{fill(tr("Go to view {name}"), arg("name", to.name)), [scene](Design d) {
                 d.scene = with_orbit(scene, orbit_of(d.scene));
                 return d;
               }};

@@ -28,6 +28,12 @@ const char* shape_name(Tool tool) {
   return tool == Tool::kLine ? tr("Line") : tool == Tool::kRectangle ? tr("Rectangle") : tr("Filled rectangle");
 }
 
+const char* shape_label(Tool tool) {
+  return tool == Tool::kLine        ? tr("Draw line")
+         : tool == Tool::kRectangle ? tr("Draw rectangle")
+                                    : tr("Draw filled rectangle");
+}
+
 /// Index at `step` of `steps` equal steps between two indices.
 int between(int from, int to, int step, int steps) {
   const double t = steps == 0 ? 1 : static_cast<double>(step) / steps;
@@ -137,7 +143,7 @@ class Flood {
 };
 
 struct Drawing {
-  std::string name;
+  std::string name, label;
   GridId grid;
   bool on;
   Write write;
@@ -159,7 +165,7 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
   // With the drawdown leading only the loom limits it: then nothing is drawn rather than a part.
   if (missed > 0 && design.loom.leading == Leading::kDrawdown) next = design;
   else if (missed > 0) view.select.notice = missed_text(what.name, missed);
-  Edit edit{what.name, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
+  Edit edit{what.label, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.by_painting = *bits == BitGrid::kDrawdown;
   edit.anew = drawn_on;
   edit.why = [bits](const Design& d) { return problem_of(may_paint(d, *bits)); };
@@ -219,12 +225,12 @@ MaybeEdit finish_shape(DocumentView& view, const Design& design) {
   if (!view.drawing.shape) return {};
   const ActiveShape s = *std::exchange(view.drawing.shape, {});
   const Write write = !s.on ? Write::kErase : leaves_others(s) ? Write::kThreads : Write::kAdd;
-  return drawn(view, design, {shape_name(s.tool), s.grid, s.on, write},
+  return drawn(view, design, {shape_name(s.tool), shape_label(s.tool), s.grid, s.on, write},
                cells_of_shapes(s, mirror_of(view.drawing, view.select.selected, design.draft)));
 }
 
 MaybeEdit fill_region(DocumentView& view, const Design& design, GridId grid, const CellMask& region, bool on) {
-  return drawn(view, design, {tr("Fill"), grid, on, on ? Write::kAdd : Write::kErase}, {region});
+  return drawn(view, design, {tr("Fill"), tr("Fill"), grid, on, on ? Write::kAdd : Write::kErase}, {region});
 }
 
 Edit fill_bar_edit(const Draft& draft, GridId grid, Cell at, BarPaint what, int index) {

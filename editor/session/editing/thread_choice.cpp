@@ -114,20 +114,22 @@ void add(SharedLength& shared, float mm, bool own, bool first) {
 const char* label_text(ThreadProperty property, bool warp, long long n) {
   switch (property) {
     case ThreadProperty::kYarn:
-      return warp ? tr_n("Yarn of {count} end", "Yarn of {count} ends", n)
-                  : tr_n("Yarn of {count} pick", "Yarn of {count} picks", n);
+      return warp ? tr_n("Change yarn of {count} end", "Change yarn of {count} ends", n)
+                  : tr_n("Change yarn of {count} pick", "Change yarn of {count} picks", n);
     case ThreadProperty::kColor:
-      return warp ? tr_n("Colour of {count} end", "Colour of {count} ends", n)
-                  : tr_n("Colour of {count} pick", "Colour of {count} picks", n);
+      return warp ? tr_n("Change colour of {count} end", "Change colour of {count} ends", n)
+                  : tr_n("Change colour of {count} pick", "Change colour of {count} picks", n);
     case ThreadProperty::kThickness:
-      return warp ? tr_n("Thickness of {count} end", "Thickness of {count} ends", n)
-                  : tr_n("Thickness of {count} pick", "Thickness of {count} picks", n);
+      return warp ? tr_n("Change thickness of {count} end", "Change thickness of {count} ends", n)
+                  : tr_n("Change thickness of {count} pick", "Change thickness of {count} picks", n);
     case ThreadProperty::kSpacing:
-      return warp ? tr_n("Spacing of {count} end", "Spacing of {count} ends", n)
-                  : tr_n("Spacing of {count} pick", "Spacing of {count} picks", n);
+      return warp ? tr_n("Change spacing of {count} end", "Change spacing of {count} ends", n)
+                  : tr_n("Change spacing of {count} pick", "Change spacing of {count} picks", n);
     case ThreadProperty::kThicknessAndSpacing:
-      return warp ? tr_n("Thickness and spacing of {count} end", "Thickness and spacing of {count} ends", n)
-                  : tr_n("Thickness and spacing of {count} pick", "Thickness and spacing of {count} picks", n);
+      return warp ? tr_n("Change thickness and spacing of {count} end", "Change thickness and spacing of {count} ends",
+                         n)
+                  : tr_n("Change thickness and spacing of {count} pick",
+                         "Change thickness and spacing of {count} picks", n);
   }
   return "";
 }

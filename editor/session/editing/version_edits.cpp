@@ -25,7 +25,7 @@ Edit keep_version_edit(const std::string& name) {
 MaybeEdit go_to_version_edit(const Design& design, const Version& version) {
   const Version* now = current_version(design);
   if (now && *now->design == *version.design) return {};
-  return Edit{fill(tr("Version {name}"), arg("name", version.name)),
+  return Edit{fill(tr("Restore version {name}"), arg("name", version.name)),
               [version](Design d) { return at_version(std::move(d), version); }};
 }
 

@@ -99,7 +99,7 @@ LoomStep give_tabby(AtLoom& at, const Design& design, bool connected) {
 LoomStep put_tabby_between(AtLoom& at, const Design& design, bool on) {
   at.remark.clear();
   if (on && !loom::tabby_sheds(design.draft)) return give_tabby(at, design, false);  // which says why not
-  return {Edit{tr("Tabby between pattern picks"), [on](Design d) {
+  return {Edit{on ? tr("Add tabby between pattern picks") : tr("Remove tabby between pattern picks"), [on](Design d) {
                  d.loom.tabby_between = on;
                  return d;
                }}};

@@ -91,7 +91,7 @@ void draw_difference(PlanPanel& c) {
                  arg("picks", sett_text(m.draft_picks_per_cm, System::kWeft, c.state.units))));
   row_label(c, "", "");
   if (text_button(c, "plan.draw", tr("Apply planned sett"), tr("Sets the draft to the sett of the finished cloth")))
-    c.edit = Edit{tr("Sett of the plan"), [ends, picks](Design d) {
+    c.edit = Edit{tr("Apply planned sett"), [ends, picks](Design d) {
                     return with_sett(with_sett(std::move(d), System::kWarp, ends), System::kWeft, picks);
                   }};
 }
@@ -124,8 +124,8 @@ void draw_on_loom(PlanPanel& c) {
 
 Units units_of(const Settings& settings) { return settings.imperial ? Units::kImperial : Units::kMetric; }
 
-void change_plan(PlanPanel& c, const char* label, const std::function<void(ClothPlan&)>& change) {
-  c.edit = Edit{label, [change](Design d) {
+void change_plan(PlanPanel& c, const char* property, const std::function<void(ClothPlan&)>& change) {
+  c.edit = Edit{fill(tr("Change plan ({property})"), arg("property", property)), [change](Design d) {
                   ClothPlan plan = d.plan;
                   change(plan);
                   return with_plan(std::move(d), std::move(plan));

@@ -32,13 +32,13 @@ void draw_dents(PlanPanel& c) {
               tr("Dents of your reed; 0 if none is chosen yet. The list below has the reeds that suit"), false, 0,
               design::kMaxDents},
              dents))
-    change_plan(c, tr("Choose reed"), [d = std::round(2 * dents) / 2](ClothPlan& p) { p.reed.dents = d; });
+    change_plan(c, tr("Reed"), [d = std::round(2 * dents) / 2](ClothPlan& p) { p.reed.dents = d; });
   if (reed.dents <= 0) return;
   constexpr const char* kPer[] = {mark("per 10 cm"), mark("per inch")};
   row_label(c, tr("Dents"), tr("The length in which the dents are counted"));
   int per = reed.per_inch ? 1 : 0;
   if (segmented(c, "plan.reed_per", kPer, per))
-    change_plan(c, tr("Choose reed"), [per](ClothPlan& p) { p.reed.per_inch = per == 1; });
+    change_plan(c, tr("Reed"), [per](ClothPlan& p) { p.reed.per_inch = per == 1; });
 }
 
 void draw_sleying(PlanPanel& c) {
@@ -98,7 +98,7 @@ void draw_near_reeds(PlanPanel& c) {
     const std::string id = "plan.reed:" + std::to_string(++number);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (list_row(c, id.c_str(), "##row", plan.reed == r.reed && plan.sleying == r.sleying))
-      change_plan(c, tr("Choose reed"), [r](ClothPlan& p) { p.reed = r.reed, p.sleying = r.sleying; });
+      change_plan(c, tr("Reed"), [r](ClothPlan& p) { p.reed = r.reed, p.sleying = r.sleying; });
     tooltip(c, fill(tr("{reed}, {sleying}"), arg("reed", reed_text(r.reed)), arg("sleying", sleying_words(r.sleying)))
                    .c_str());
     const std::string dents = fill("{dents:.4g}", arg("dents", r.reed.dents));
@@ -113,7 +113,7 @@ void draw_selvedges(PlanPanel& c) {
   row_label(c, tr("Selvedges"), tr("An end beside each edge, through the reed but through no heddle"));
   bool floating = c.design.plan.floating_selvedges;
   if (ImGui::Checkbox(tr("Floating"), &floating))
-    change_plan(c, tr("Floating selvedges"), [floating](ClothPlan& p) { p.floating_selvedges = floating; });
+    change_plan(c, tr("Selvedges"), [floating](ClothPlan& p) { p.floating_selvedges = floating; });
   c.map.add_item("plan.floating");
   draw_fact(c, "plan.selvedges", "", selvedges_text(c.state.selvedges),
             tr("With one shuttle: whether the weft catches each edge end at every turn"));

@@ -18,8 +18,8 @@ struct PlanPanel : PanelContext {
   MaybeEdit edit = {};  // of this frame
 };
 
-/// Makes the edit of this frame. `label`: in the user's language.
-void change_plan(PlanPanel& c, const char* label, const std::function<void(ClothPlan&)>& change);
+/// Makes the edit of this frame. `property`: in the user's language; it names the edit.
+void change_plan(PlanPanel& c, const char* property, const std::function<void(ClothPlan&)>& change);
 
 /// A slider for a number of the plan that is shown in another unit: shown = kept * scale.
 struct PlanRow {

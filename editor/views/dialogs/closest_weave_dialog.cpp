@@ -59,7 +59,7 @@ DialogResult draw_prompt(PanelContext& c, ClosestWeavePrompt& p) {
 }
 
 MaybeEdit restored(const ClosestWeavePrompt& p) {
-  return Edit{tr("Closest weave"), [base = p.base](const Design&) { return *base; }, p.stroke};
+  return Edit{tr("Use closest weave"), [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

@@ -47,7 +47,7 @@ std::string counted(const GradientPrompt& p) {
 MaybeEdit preview_edit(GradientPrompt& p) {
   p.shown = true;
   auto made = std::make_shared<const Design>(with_gradient(*p.base, p.system, threads_of(p), p.gradient));
-  return Edit{tr("Gradient"), [made = std::move(made)](const Design&) { return *made; }, p.stroke};
+  return Edit{tr("Apply gradient"), [made = std::move(made)](const Design&) { return *made; }, p.stroke};
 }
 
 /// The colour as a field, and below it those of the palette to click.
@@ -123,7 +123,7 @@ DialogResult draw_prompt(PanelContext& c, GradientPrompt& p) {
 }
 
 MaybeEdit restored(const GradientPrompt& p) {
-  return Edit{tr("Gradient"), [base = p.base](const Design&) { return *base; }, p.stroke};
+  return Edit{tr("Apply gradient"), [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

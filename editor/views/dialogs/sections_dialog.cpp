@@ -53,7 +53,7 @@ MaybeEdit preview_edit(SectionsPrompt& p) {
   const base::Result<Design> both = assembled(made, System::kWeft, p.weft);
   if (both) made = *both;
   p.why = warp ? problem_of(both) : problem_of(warp);
-  return Edit{tr("Threads from sections"),
+  return Edit{tr("Build from sections"),
               [next = std::make_shared<const Design>(std::move(made))](const Design&) { return *next; }, p.stroke};
 }
 
@@ -264,7 +264,7 @@ DialogResult draw_prompt(PanelContext& c, SectionsPrompt& p) {
 }
 
 MaybeEdit restored(const SectionsPrompt& p) {
-  return Edit{tr("Threads from sections"), [base = p.base](const Design&) { return *base; }, p.stroke};
+  return Edit{tr("Build from sections"), [base = p.base](const Design&) { return *base; }, p.stroke};
 }
 
 }  // namespace weftlight::views

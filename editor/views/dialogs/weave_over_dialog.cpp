@@ -37,7 +37,7 @@ MaybeEdit preview_edit(WeaveOverPrompt& p) {
     p.why += (cut.empty() || p.why.empty() ? "" : "\n") + cut;
   }
   return Edit{
-      fill(tr("Weave: {weave}"), arg("weave", tr(kind_of(p).name))),
+      fill(tr("Apply weave {weave}"), arg("weave", tr(kind_of(p).name))),
       [next = made ? std::make_shared<const Design>(std::move(made->design)) : p.base](const Design&) { return *next; },
       p.stroke};
 }

@@ -401,7 +401,7 @@ void draw_list_buttons(PanelContext& c, YarnsPrompt& p) {
 /// it.
 void use(PanelContext& c, const LibraryYarn& yarn, int color) {
   const auto index = static_cast<size_t>(std::max(color, 0));
-  c.wanted.add(Edit{fill(tr("Yarn {name} from the library"), arg("name", yarn.yarn.name)),
+  c.wanted.add(Edit{fill(tr("Add \"{name}\" from the library"), arg("name", yarn.yarn.name)),
                     [yarn, index](Design now) { return with_yarn_from(std::move(now), yarn, index).design; }});
   const UsedYarn used = with_yarn_from(c.design, yarn, index);
   c.wanted.change_view([made = used.yarn, painted = used.color](DocumentView& v) {

@@ -42,7 +42,7 @@ MaybeEdit draw_accuracy(PanelContext& c) {
       0.5f};
   float tolerance = c.design.look.tolerance;
   if (!slider(c, limit, tolerance)) return {};
-  return Edit{tr("Error limit"), [tolerance](Design d) {
+  return Edit{tr("Change error limit"), [tolerance](Design d) {
                 d.look.tolerance = tolerance;
                 return d;
               }};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/text.h"
 #include "design/lights.h"
@@ -13,7 +14,7 @@
 
 namespace weftlight::views {
 
-using base::mark, base::tr;
+using base::arg, base::fill, base::mark, base::tr;
 using design::Design, design::LightingPreset, design::MethodFacts, design::Scene, design::is_environment,
     design::kLightingPresets, design::kMethods, design::lit_by, design::method_facts;
 using draft::Rgb;
@@ -43,8 +44,8 @@ const SceneSpec kLight[] = {
 };
 
 template <class Apply>
-Edit scene_edit(const char* label, Apply apply) {
-  return {label, [apply](Design d) {
+Edit scene_edit(std::string label, Apply apply) {
+  return {std::move(label), [apply](Design d) {
             apply(d);
             return d;
           }};
@@ -131,7 +132,7 @@ MaybeEdit draw_environment(PanelContext& c) {
   constexpr const char* kBackgrounds[] = {mark("Backdrop"), mark("Image")};
   int shown = c.design.scene.surroundings ? 1 : 0;
   if (!segmented(c, "scene.surroundings", kBackgrounds, shown)) return {};
-  return scene_edit(tr("Background"), [shown](Design& d) { d.scene.surroundings = shown == 1; });
+  return scene_edit(tr("Change background"), [shown](Design& d) { d.scene.surroundings = shown == 1; });
 }
 
 MaybeEdit draw_exposure(PanelContext& c) {
@@ -140,13 +141,13 @@ MaybeEdit draw_exposure(PanelContext& c) {
   const SliderSpec spec{
       "look.exposure_ev", tr("Exposure"), -3, 3, "%+.1f EV", tr("Brightness of the picture, in stops")};
   if (slider(c, spec, exposure))
-    edit = scene_edit(tr("Exposure"), [exposure](Design& d) { d.look.exposure_ev = exposure; });
+    edit = scene_edit(tr("Change exposure"), [exposure](Design& d) { d.look.exposure_ev = exposure; });
   row_label(c, tr("Auto exposure"),
             tr("On: the less light a cloth reflects, the more it is brightened. No cloth is darkened"));
   constexpr const char* kBy[] = {mark("On"), mark("Off")};
   int by = c.design.look.automatic_exposure ? 0 : 1;
   if (segmented(c, "look.automatic_exposure", kBy, by))
-    edit = scene_edit(tr("Exposure"), [by](Design& d) { d.look.automatic_exposure = by == 0; });
+    edit = scene_edit(tr("Change exposure"), [by](Design& d) { d.look.automatic_exposure = by == 0; });
   return edit;
 }
 
@@ -182,7 +183,8 @@ MaybeEdit draw_scene(PanelContext& c, const DrapeState& drape) {
   for (const SceneSpec& spec : kLight)
     if (!(is_environment(scene.lights) && spec.field == &Scene::light_elevation) &&
         slider(c, translated(spec.slider), scene.*spec.field))
-      edit = scene_edit(tr(spec.slider.label), [scene](Design& d) { d.scene = scene; });
+      edit = scene_edit(fill(tr("Change light ({property})"), arg("property", tr(spec.slider.label))),
+                        [scene](Design& d) { d.scene = scene; });
   return edit;
 }
 

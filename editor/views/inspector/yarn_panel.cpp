@@ -56,7 +56,7 @@ const char* lobe_sliders(const PanelContext& c, Lobes& lobes) {
 
 /// `property`: a marked text.
 MaybeEdit changed(int index, const Yarn& yarn, const char* property) {
-  return Edit{fill(tr("Yarn: {property}"), arg("property", tr(property))),
+  return Edit{fill(tr("Change yarn ({property})"), arg("property", tr(property))),
               [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
 }
 
@@ -259,7 +259,7 @@ MaybeEdit draw_finish(PanelContext& c) {
   Finish finish = c.design.finish;
   for (const YarnField<Finish>& field : kFinishFields) {
     if (!field_slider(c, field.facts, finish.*field.member)) continue;
-    return Edit{fill(tr("Finish: {property}"), arg("property", tr(field.facts.label))), [finish](Design d) {
+    return Edit{fill(tr("Change finish ({property})"), arg("property", tr(field.facts.label))), [finish](Design d) {
                   d.finish = finish;
                   return d;
                 }};

@@ -181,7 +181,11 @@ TEST(AtLoom, ATabbyPickIsKeptWithTheDraft) {
   take(d, step_by_hand(at, d, true, false));
   EXPECT_FALSE(d.loom.at_tabby);
   EXPECT_EQ(shown(at, d).number, 2) << "back to the pattern";
-  take(d, put_tabby_between(at, d, true));
+  const LoomStep between = put_tabby_between(at, d, true);
+  ASSERT_TRUE(between.edit);
+  EXPECT_EQ(between.edit->label, "Add tabby between pattern picks");
+  EXPECT_EQ(put_tabby_between(at, d, false).edit->label, "Remove tabby between pattern picks");
+  take(d, between);
   take(d, step_by_hand(at, d, true, false));
   EXPECT_EQ(shown(at, d).heading, "Tabby B before pick");
   EXPECT_EQ(d.loom.next_pick, 2);

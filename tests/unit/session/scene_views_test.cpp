@@ -56,6 +56,7 @@ TEST(Views, GoingToAViewMovesTheCameraAndEditsOnlyLightAndDrape) {
   d.scene.light_azimuth = 80;
   const MaybeEdit edit = go_to_view(v, d, d.views[0]);
   ASSERT_TRUE(edit);
+  EXPECT_EQ(edit->label, "Go to view " + d.views[0].name);
   EXPECT_EQ(edit->apply(d).scene, d.views[0].scene.mesh.empty() ? Scene{} : plain().scene);
   NamedView flat = d.views[0];
   flat.flat = true;

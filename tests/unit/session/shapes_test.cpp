@@ -99,6 +99,7 @@ TEST(Shapes, ALockedGridStaysWithAReason) {
   DocumentView v = view_with({Tool::kLine, GridId::kThreading, {0, 0}, {3, 3}, true});
   const MaybeEdit edit = finish_shape(v, d);
   ASSERT_TRUE(edit);
+  EXPECT_EQ(edit->label, "Draw line");
   EXPECT_EQ(edit->apply(d), d);
   EXPECT_EQ(edit->why(d), "This follows the drawdown and is locked.");
 }

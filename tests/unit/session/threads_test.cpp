@@ -109,8 +109,8 @@ TEST(SharedThreads, MixedValuesShowTheirRange) {
   EXPECT_TRUE(s.yarn.mixed());
   EXPECT_EQ(s.color.value, 0);
   EXPECT_EQ(s.color.others, Indices{1});
-  EXPECT_EQ(thread_label(ThreadProperty::kThickness, System::kWarp, 3), "Thickness of 3 ends");
-  EXPECT_EQ(thread_label(ThreadProperty::kYarn, System::kWeft, 1), "Yarn of 1 pick");
+  EXPECT_EQ(thread_label(ThreadProperty::kThickness, System::kWarp, 3), "Change thickness of 3 ends");
+  EXPECT_EQ(thread_label(ThreadProperty::kYarn, System::kWeft, 1), "Change yarn of 1 pick");
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ TEST(VersionEdits, AreOneStepOfUndoEach) {
   const auto dark = document.snapshot();
   const MaybeEdit back = go_to_version_edit(document.now(), document.now().versions[0]);
   ASSERT_TRUE(back);
+  EXPECT_EQ(back->label, "Restore version " + document.now().versions[0].name);
   ASSERT_TRUE(document.commit(*back, 4));
   EXPECT_EQ(document.now().draft.weft.color[0], 1);
   EXPECT_EQ(next_version(document.now(), 1)->name, "Dark");

@@ -49,8 +49,11 @@ struct CommandPalette {
 /// A list of all actions, filtered by typing; Enter runs the chosen one. Returns the id of the action or "".
 std::string draw_command_palette(const PanelContext& c, std::span<const ActionItem> items, CommandPalette& palette);
 
-/// True if every letter of `typed` occurs in `label` in that order, ignoring case. A better match scores higher: runs
-/// and starts of words count more.
-bool matches(const std::string& label, const std::string& typed, int& score);
+/// How a label has the typed words, by the one that fits worst: not at all, inside of a word, where one begins, or
+/// whole. Case and the marks of letters do not count.
+enum class Fit { kNone, kInside, kBeginning, kWord };
+Fit fit_of(const std::string& label, const std::string& typed);
+/// The actions whose labels have the typed words, those that fit best first; all in their order if nothing is typed.
+std::vector<const ActionItem*> found_actions(std::span<const ActionItem> items, const std::string& typed);
 
 }  // namespace weftlight::views

@@ -2,10 +2,18 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "session/shown_keys.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -13,30 +21,55 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::tr;
+using base::arg, base::fill, base::plain_latin, base::tr, base::utf8_sequence;
 using session::ActionItem;
 using ui::content_right, ui::key_pressed, ui::muted_text;
 
 namespace {
 
-char lower(char ch) { return static_cast<char>(std::tolower(static_cast<unsigned char>(ch))); }
-
-constexpr const char* kSeparator = "  \xE2\x80\xBA  ";
-
-struct Match {
-  const ActionItem* item;
-  int score;
-};
-
-std::vector<Match> narrowed(std::span<const ActionItem> items, const std::string& typed) {
-  std::vector<Match> out;
-  for (const ActionItem& item : items) {
-    int score = 0;
-    if (matches(item.label, typed, score)) out.push_back({&item, score});
+/// In small letters without marks, and with blanks for dots and dashes.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (size_t at = 0; at < text.size();) {
+    uint32_t code = 0;
+    const size_t length = std::max<size_t>(1, utf8_sequence(text.substr(at), code));
+    const std::string latin = code >= 0x2000 && code < 0x2070 ? " " : plain_latin(code);
+    out += latin.empty() ? text.substr(at, length) : latin;
+    at += length;
   }
-  std::stable_sort(out.begin(), out.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return out;
 }
+
+std::vector<std::string> words_of(const std::string& typed) {
+  std::istringstream read(plain(typed));
+  return {std::istream_iterator<std::string>(read), {}};
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// Both in plain letters.
+Fit fit_of_word(std::string_view label, std::string_view word) {
+  Fit best = Fit::kNone;
+  for (size_t at = label.find(word); at != std::string_view::npos; at = label.find(word, at + 1)) {
+    const size_t end = at + word.size();
+    const bool begins = at == 0 || !is_letter(label[at - 1]) || !is_letter(word.front());
+    const bool ends = end == label.size() || !is_letter(label[end]) || !is_letter(word.back());
+    best = std::max(best, !begins ? Fit::kInside : ends ? Fit::kWord : Fit::kBeginning);
+  }
+  return best;
+}
+
+Fit fit_of_words(std::string_view label, const std::vector<std::string>& words) {
+  Fit worst = Fit::kWord;
+  for (const std::string& word : words) worst = std::min(worst, fit_of_word(label, word));
+  return worst;
+}
+
+constexpr const char* kSeparator = "  \xE2\x80\xBA  ";
 
 void move_choice(CommandPalette& palette, int count) {
   if (key_pressed(ImGuiKey_DownArrow)) ++palette.chosen;
@@ -44,12 +77,12 @@ void move_choice(CommandPalette& palette, int count) {
   palette.chosen = std::clamp(palette.chosen, 0, std::max(0, count - 1));
 }
 
-std::string draw_matches(const PanelContext& c, const std::vector<Match>& found, CommandPalette& palette) {
+std::string draw_matches(const PanelContext& c, const std::vector<const ActionItem*>& found, CommandPalette& palette) {
   std::string run;
   ImGui::BeginChild("matches",
                     {0, std::clamp(ImGui::GetMainViewport()->WorkSize.y - c.style.px(140), 1.0f, c.style.px(300))});
   for (int i = 0; i < static_cast<int>(found.size()); ++i) {
-    const ActionItem& item = *found[static_cast<size_t>(i)].item;
+    const ActionItem& item = *found[static_cast<size_t>(i)];
     ImGui::PushID(item.id.c_str());
     ImGui::BeginDisabled(!item.enabled);
     std::string where = item.label;
@@ -75,31 +108,33 @@ std::string draw_matches(const PanelContext& c, const std::vector<Match>& found,
 }
 
 /// Why the chosen command cannot run now; empty if it can.
-std::string why_not_now(const std::vector<Match>& found, const CommandPalette& palette) {
+std::string why_not_now(const std::vector<const ActionItem*>& found, const CommandPalette& palette) {
   if (found.empty()) return {};
-  const ActionItem& item = *found[static_cast<size_t>(palette.chosen)].item;
+  const ActionItem& item = *found[static_cast<size_t>(palette.chosen)];
   if (item.enabled) return {};
   return item.on_selection ? tr("Needs a selection: S, then drag over a grid.") : tr("Not available now.");
 }
 
 }  // namespace
 
-bool matches(const std::string& label, const std::string& typed, int& score) {
-  score = 0;
-  size_t at = 0;
-  bool run = false;
-  for (char ch : typed) {
-    if (ch == ' ') continue;
-    const size_t before = at;
-    while (at < label.size() && lower(label[at]) != lower(ch)) ++at;
-    if (at == label.size()) return false;
-    run = run && at == before;
-    score += run ? 4 : (at == 0 || label[at - 1] == ' ') ? 3 : 0;
-    run = true;
-    ++at;
+Fit fit_of(const std::string& label, const std::string& typed) { return fit_of_words(plain(label), words_of(typed)); }
+
+std::vector<const ActionItem*> found_actions(std::span<const ActionItem> items, const std::string& typed) {
+  const std::vector<std::string> words = words_of(typed);
+  // Labels that begin with the first word before others, and of these the shortest.
+  using Rank = std::tuple<Fit, bool, ptrdiff_t>;
+  std::vector<std::pair<Rank, const ActionItem*>> ranked;
+  for (const ActionItem& item : items) {
+    const std::string label = plain(item.label);
+    const Fit fit = fit_of_words(label, words);
+    if (fit == Fit::kNone) continue;
+    ranked.emplace_back(words.empty() ? Rank() : Rank(fit, label.starts_with(words.front()), -std::ssize(label)),
+                        &item);
   }
-  score = score * 100 - static_cast<int>(label.size());
-  return true;
+  std::ranges::stable_sort(ranked, std::greater(), [](const auto& one) { return one.first; });
+  std::vector<const ActionItem*> found;
+  for (const auto& [rank, item] : ranked) found.push_back(item);
+  return found;
 }
 
 std::string draw_command_palette(const PanelContext& c, std::span<const ActionItem> items, CommandPalette& palette) {
@@ -119,7 +154,7 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
       ImGui::InputTextWithHint("##typed", tr("Type a command"), &palette.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("commands.typed");
   if (ImGui::IsItemEdited()) palette.chosen = 0;
-  const std::vector<Match> found = narrowed(items, palette.typed);
+  const std::vector<const ActionItem*> found = found_actions(items, palette.typed);
   move_choice(palette, static_cast<int>(found.size()));
   std::string run = draw_matches(c, found, palette);
   const std::string why = why_not_now(found, palette);
@@ -127,7 +162,7 @@ std::string draw_command_palette(const PanelContext& c, std::span<const ActionIt
     muted_text(c, why);
     c.map.add_item("commands.why");
   }
-  if (enter && !found.empty() && why.empty()) run = found[static_cast<size_t>(palette.chosen)].item->id;
+  if (enter && !found.empty() && why.empty()) run = found[static_cast<size_t>(palette.chosen)]->id;
   const bool leave = key_pressed(ImGuiKey_Escape) ||
                      (!palette.appearing && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows));
   ImGui::End();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
 #include "session/shown_keys.h"
@@ -141,26 +142,28 @@ void draw_action(PanelContext& c, std::span<const ActionItem> items, const Actio
   if (w.waiting == item.id) draw_choices(c, items, item, w);
 }
 
-/// Without a search text, the actions with a shortcut; otherwise all whose name or shortcut matches.
-bool is_listed(const ActionItem& item, const std::string& typed) {
-  if (item.id.starts_with("recent:") || item.id.starts_with("view.kept:") || item.menu == "Library") return false;
-  int score = 0;
-  if (typed.empty()) return !item.shortcut.empty() || item.shortcut != item.shipped;
-  return matches(item.label, typed, score) || matches(shown_keys(item.shortcut), typed, score);
+/// Without a search text, the actions with a shortcut; otherwise all whose name or shortcut has it.
+Fit listed_as(const ActionItem& item, const std::string& typed) {
+  if (item.id.starts_with("recent:") || item.id.starts_with("view.kept:") || item.menu == "Library") return Fit::kNone;
+  if (typed.empty()) return !item.shortcut.empty() || item.shortcut != item.shipped ? Fit::kWord : Fit::kNone;
+  return std::max(fit_of(item.label, typed), fit_of(shown_keys(item.shortcut), typed));
 }
 
+/// By menus; those that have the search text inside of their words only come after all others.
 void draw_keys(PanelContext& c, std::span<const ActionItem> items, KeysWindow& w) {
+  std::vector<const ActionItem*> listed, inside;
+  for (const ActionItem& item : items)
+    if (const Fit fit = listed_as(item, w.typed); fit != Fit::kNone)
+      (fit == Fit::kInside ? inside : listed).push_back(&item);
+  listed.insert(listed.end(), inside.begin(), inside.end());
   std::string menu;
-  bool any = false;
-  for (const ActionItem& item : items) {
-    if (!is_listed(item, w.typed)) continue;
-    const std::string own = item.menu.empty() ? mark("Selection") : item.menu;
+  for (const ActionItem* item : listed) {
+    const std::string own = item->menu.empty() ? mark("Selection") : item->menu;
     if (own != menu) heading(c, tr(own.c_str()));
     menu = own;
-    any = true;
-    draw_action(c, items, item, w);
+    draw_action(c, items, *item, w);
   }
-  if (!any) muted_text(c, tr("No command matches."));
+  if (listed.empty()) muted_text(c, tr("No command matches."));
 }
 
 void draw_mouse(const PanelContext& c) {

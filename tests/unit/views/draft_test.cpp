@@ -197,15 +197,35 @@ TEST(Layout, ASmallDraftFillsItsPaneWithinBounds) {
   EXPECT_EQ(fitting_width(blank_draft(2000, 2000, 8, 8), {}, style, 400, 700, 800), 700);
 }
 
-TEST(Commands, TypingFiltersAndTheBestMatchIsFirst) {
-  int score = 0, better = 0;
-  EXPECT_TRUE(matches("Save as", "sa", score));
-  EXPECT_TRUE(matches("Larger cells", "lc", score));
-  EXPECT_FALSE(matches("Save", "xs", score));
-  EXPECT_TRUE(matches("Undo", "", score));
-  ASSERT_TRUE(matches("Save", "save", better));
-  ASSERT_TRUE(matches("Slide a vase", "save", score));
-  EXPECT_GT(better, score);
+TEST(Commands, TypedWordsAreWholeBeginningsOrInside) {
+  EXPECT_EQ(fit_of("Undo: Paint threading", "undo"), Fit::kWord);
+  EXPECT_EQ(fit_of("Compare with a draft\xE2\x80\xA6", "DRAFT compare"), Fit::kWord) << "in any order";
+  EXPECT_EQ(fit_of("Save as", "sa"), Fit::kBeginning);
+  EXPECT_EQ(fit_of("Interface size: 150%", "size: 150"), Fit::kWord);
+  EXPECT_EQ(fit_of("Ctrl+Shift+S", "shift+s"), Fit::kWord);
+  EXPECT_EQ(fit_of("Houndstooth", "tooth"), Fit::kInside);
+  EXPECT_EQ(fit_of("Houndstooth", "undo"), Fit::kNone) << "its letters in their order are no match";
+  EXPECT_EQ(fit_of("Save as", "save quit"), Fit::kNone) << "every word";
+  EXPECT_EQ(fit_of("\xC3\x85ngra", "\xC3\xA5ngra"), Fit::kWord) << "capitals of any language";
+  EXPECT_EQ(fit_of("\xC3\x85ngra", "angra"), Fit::kWord) << "without marks";
+  EXPECT_EQ(fit_of("Undo", " "), Fit::kWord);
+}
+
+TEST(Commands, TheBestMatchIsFirst) {
+  std::vector<ActionItem> items;
+  for (const char* label : {"Unsaved work", "Do not save", "Save all", "Save", "Saved views", "Redo"}) {
+    items.emplace_back();
+    items.back().label = label;
+  }
+  const auto found = [&items](const char* typed) {
+    std::vector<std::string> labels;
+    for (const ActionItem* item : found_actions(items, typed)) labels.push_back(item->label);
+    return labels;
+  };
+  EXPECT_EQ(found("save"),
+            (std::vector<std::string>{"Save", "Save all", "Do not save", "Saved views", "Unsaved work"}));
+  EXPECT_EQ(found("").size(), items.size());
+  EXPECT_EQ(found("").front(), "Unsaved work") << "in their order";
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string file_name(const std::string& path) { return fs::path(path).filename(
 /// The path that a save dialog starts with.
 std::string first_path(const Document& document) {
   if (!document.path().empty()) return document.path();
-  return document.is_named() ? document.name() : "untitled.wif";
+  return document.is_named() ? document.name() : document.file_stem() + ".wif";
 }
 
 /// "twill-2.wif"; where that exists, the dialog asks.
@@ -130,9 +130,8 @@ void Files::keep_live_export() {
 }
 
 void Files::duplicate() {
-  const fs::path name = document().name();
   Document copy(document().now());
-  copy.without_file(name.stem().string() + "-copy.wif");
+  copy.without_file(document().file_stem() + "-copy.wif");
   open_beside(std::move(copy), Origin::kOwn);
 }
 
@@ -163,8 +162,7 @@ void Files::save_each(std::vector<uint64_t> ids, const std::function<void()>& th
 }
 
 void Files::save_for_others() {
-  fs::path start = document().path().empty() ? "untitled.wif" : document().path();
-  start.replace_filename(start.stem().string() + "-plain.wif");
+  const fs::path start = fs::path(document().path()).parent_path() / (document().file_stem() + "-plain.wif");
   dialogs_.ask_path(FileAsk::kSave, tr("Save for other programs and looms"), start.string(),
                     [this](const std::string& path) {
                       write(path, [design = document().snapshot()] { return write_plain_wif(*design); });

@@ -67,7 +67,7 @@ void Printing::ask() {
   prompt.options.threading_below = settings_.threading_below;
   prompt.options.heavy_lines = settings_.heavy_lines;
   prompt.options.units = units_of(settings_);
-  prompt.options.name = std::filesystem::path(document.shown_name()).stem().string();
+  prompt.options.name = document.is_named() ? document.file_stem() : document.shown_name();
   prompt.preview = std::make_shared<SheetPreview>(document.snapshot(), Window::wake);
   prompt.has_printer = platform::is_program(kSpooler, platform::variable("PATH"));
   dialogs_.ask(std::move(prompt), [this](int pressed) {
@@ -79,11 +79,11 @@ void Printing::ask() {
 }
 
 void Printing::save(const PrintPrompt& p) {
-  const std::string& path = editing_.document().path();
-  const std::filesystem::path draft(path.empty() ? "untitled.wif" : path);
+  const Document& document = editing_.document();
+  const std::filesystem::path folder = std::filesystem::path(document.path()).parent_path();
   const std::string ending = ending_of(p.format);
   dialogs_.ask_path(
-      FileAsk::kSave, tr("Print to a file"), (draft.parent_path() / (draft.stem().string() + ending)).string(),
+      FileAsk::kSave, tr("Print to a file"), (folder / (document.file_stem() + ending)).string(),
       [this, p](const std::string& to) { start(to, p); }, ending);
 }
 

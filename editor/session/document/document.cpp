@@ -5,19 +5,31 @@
 #include <utility>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "design/edits.h"
 #include "files/picture_draft.h"
 #include "wif/other_formats.h"
 
 namespace weftlight::session {
 
-using base::content_hash, base::mark, base::read_file, base::tr;
+using base::content_hash, base::cut_utf8, base::mark, base::read_file, base::tr;
 using draft::drawdown, draft::update_drawdown;
 using wif::Severity, wif::WifRead, wif::kMaxDraftBytes, wif::read_draft, wif::write_new_wif, wif::write_wif;
 
 namespace {
 
 constexpr const char* kUntitled = mark("Untitled");  // journals hold the English name
+
+/// A title without what names of files cannot hold on one system or another: "2/2 twill" becomes "2-2 twill".
+std::string as_file_name(std::string_view title) {
+  constexpr size_t kLongest = 100;  // bytes
+  std::string name(cut_utf8(title, kLongest));
+  for (char& ch : name)
+    if (static_cast<unsigned char>(ch) < ' ' || std::string_view("/\\:*?\"<>|").find(ch) != std::string_view::npos)
+      ch = '-';
+  const size_t first = name.find_first_not_of(". "), last = name.find_last_not_of(". ");
+  return first == std::string::npos ? std::string() : name.substr(first, last - first + 1);
+}
 
 }  // namespace
 
@@ -39,6 +51,12 @@ std::string Document::name() const {
 std::string Document::shown_name() const {
   if (path_.empty() && old_name_.empty() && !now().title.empty()) return now().title;
   return name();
+}
+
+std::string Document::file_stem() const {
+  if (is_named()) return std::filesystem::path(name()).stem().string();
+  const std::string name = as_file_name(now().title);
+  return name.empty() ? "untitled" : name;
 }
 
 WifUnit Document::unit(System system) const {

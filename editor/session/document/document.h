@@ -40,6 +40,8 @@ class Document {
   bool is_named() const { return !path_.empty() || !old_name_.empty(); }
   /// The name to show: without a file the title of the draft, if it has one.
   std::string shown_name() const;
+  /// What a new file of the draft is called, without an ending: as its file, after its title, or "untitled".
+  std::string file_stem() const;
   /// The unit of length of the threads in the opened file.
   WifUnit unit(System system) const;
   bool is_saved() const { return history_.is_saved(); }

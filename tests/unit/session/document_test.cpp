@@ -32,5 +32,22 @@ TEST(Document, AnImageOpensAsADraftThatAsksForANameWhenSaved) {
   EXPECT_EQ(d.cells().count(), 2);
 }
 
+TEST(Document, ItsFilesAreCalledAsItsFileOrAfterItsTitle) {
+  design::Design d;
+  d.draft = draft::blank_draft(4, 4, 2, 2);
+  EXPECT_EQ(Document(d).file_stem(), "untitled");
+  d.title = "Shawl No. 3";
+  Document document(d);
+  EXPECT_EQ(document.file_stem(), "Shawl No. 3") << "a point in a title is no ending";
+  document.without_file("scarf.wif");
+  EXPECT_EQ(document.file_stem(), "scarf");
+  d.title = " 2/2 twill: blue? ";
+  EXPECT_EQ(Document(d).file_stem(), "2-2 twill- blue-");
+  d.title = "../..";
+  EXPECT_EQ(Document(d).file_stem(), "-");
+  d.title = "...";
+  EXPECT_EQ(Document(d).file_stem(), "untitled");
+}
+
 }  // namespace
 }  // namespace weftlight::session

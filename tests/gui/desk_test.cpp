@@ -192,6 +192,18 @@ TEST_F(DeskTest, EscapeClosesTheListAndKeepsTheDialog) {
   EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); }));
 }
 
+TEST_F(DeskTest, ATitleIsTypedAndEntered) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  ASSERT_NO_FATAL_FAILURE(command(w, "title and notes"));
+  ASSERT_TRUE(comes_true([&] { return w.has("notes.title"); }));
+  display_.type("Shawl");
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return !w.has("notes.title"); })) << "Enter did not apply it";
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).title == "Shawl"; })) << "the letters went elsewhere";
+}
+
 TEST_F(DeskTest, AltAndF10OpenTheMenus) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

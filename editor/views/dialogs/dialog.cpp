@@ -122,20 +122,23 @@ DialogResult draw_prompt(PanelContext& c, SizePrompt& p) {
 
 DialogResult draw_prompt(PanelContext& c, NotesPrompt& p) {
   heading(c, tr("Title and notes"));
+  bool enter = false;
   const auto field = [&](const char* id, const char* label, std::string& text) {
     row_label(c, label, nullptr);
     ImGui::SetNextItemWidth(c.style.px(420));
     ImGui::PushID(id);
-    ImGui::InputText("##text", &text);
+    enter |= ImGui::InputText("##text", &text, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopID();
     c.map.add_item(id);
   };
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   field("notes.title", tr("Title"), p.title);
   field("notes.author", tr("Author"), p.author);
   row_label(c, tr("Notes"), nullptr);
   ImGui::InputTextMultiline("##notes", &p.notes, {c.style.px(420), c.style.px(220)});
   c.map.add_item("notes.text");
-  return dialog_result(draw_buttons(c, {mark("Apply"), mark("Cancel")}, false));
+  const int button = draw_buttons(c, {mark("Apply"), mark("Cancel")}, false);
+  return dialog_result(enter ? 0 : button);
 }
 
 DialogResult draw_prompt(PanelContext& c, ThreadPrompt& p) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "session/shown_keys.h"
 #include "ui/imgui_compat.h"
 #include "ui/widgets.h"
@@ -11,7 +12,7 @@
 
 namespace weftlight::views {
 
-using base::mark, base::tr;
+using base::as_utf8, base::mark, base::tr;
 using session::DrawdownStyle, session::Settings;
 using ui::Style, ui::begin_combo, ui::blend, ui::end_combo, ui::fitted, ui::hit_area, ui::push_font, ui::segmented,
     ui::tooltip;
@@ -125,7 +126,7 @@ void draw_title(PanelContext& c, const std::string& title, float room) {
   const std::string shown = fitted(title, room);
   ImGui::TextUnformatted(shown.c_str());
   ImGui::PopFont();
-  c.map.add_item("draft.heading:" + title);
+  c.map.add_item("draft.heading:" + as_utf8(title));
   if (shown != title) tooltip(c, title.c_str());
 }
 

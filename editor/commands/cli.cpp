@@ -126,7 +126,7 @@ void translate_help(CLI::App& app) {
 }
 
 void add_editor_options(CLI::App& app, EditorOptions& options) {
-  app.add_option("file", options.file, tr("Draft to open in the editor"));
+  app.add_option("file", options.files, tr("Drafts to open in the editor, each in a tab"));
   app.add_option("--live-export", options.live_export, tr("Editor: .wif file that every edit is written to"))
       ->type_name(tr("FILE"));
   app.add_option("--ui-map", options.ui_map, tr("Editor: JSON file for the positions of the controls"))

@@ -12,7 +12,7 @@ namespace weftlight::actions {
 
 using base::fill, base::mark, base::message, base::tr;
 using design::Design, design::RepeatExtent, design::ThreadRange, design::half_turned, design::inverted,
-    design::may_paint, design::mirrored_across, design::mirrored_down, design::threads_of,
+    design::may_paint, design::mirrored_across, design::mirrored_down, design::shifted, design::threads_of,
     design::with_advancing_repeat, design::with_bare_threads, design::with_block, design::with_cleared,
     design::with_doubled_threads, design::with_half_turn, design::with_inverted, design::with_mirrored_across,
     design::with_mirrored_down, design::with_point_repeat, design::with_repeated, design::with_reversed_threads,
@@ -312,11 +312,14 @@ void step(const SelectionSubjects& e, int dx, int dy) {
 }
 
 void shift_by_one(const SelectionSubjects& e, const char* label, int dx, int dy) {
-  const Cell by = screen_step(selected(e).grid, e.settings, dx, dy);
-  const bool properties = e.draft.view().select.with_properties;
-  e.draft.commit(unless_locked(selected(e).grid, {label, [s = selected(e), by, properties](Design d) {
-                                                    return with_shifted(std::move(d), s, by.a, by.b, properties);
-                                                  }}));
+  const Selection s = selected(e);
+  const Cell by = screen_step(s.grid, e.settings, dx, dy);
+  const bool crossings = s.grid == BitGrid::kDrawdown;
+  const BitMatrix wanted = crossings ? shifted(cells_of(e.draft.document().now().draft, s), by.a, by.b) : BitMatrix();
+  e.draft.commit(unless_locked(s.grid, {label, [s, by, properties = e.draft.view().select.with_properties](Design d) {
+                                          return with_shifted(std::move(d), s, by.a, by.b, properties);
+                                        }}));
+  tell_missed(e, label, s, wanted);
 }
 
 struct Arrow {

@@ -280,6 +280,20 @@ TEST_F(DrawingTest, APasteThatAddsTreadlesLeavesAFittedDraftFitted) {
       << "the last ends are out of sight";
 }
 
+TEST_F(DrawingTest, ALockedGridSaysWhyNothingIsDeletedInIt) {
+  design::Design locked = design_of(straight_draft());
+  locked.loom.leading = design::Leading::kDrawdown;
+  locked.loom.locked = true;
+  put(draft_, wif::write_new_wif(locked));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.drag_holding("ctrl", {w.cell("threading", 1, 1), w.cell("threading", 4, 4)});
+  EXPECT_FALSE(w.has("message.refusal"));
+  display_.key("Delete");
+  EXPECT_TRUE(comes_true([&] { return w.has("message.refusal"); })) << "it is silent";
+  EXPECT_EQ(draft_of(w), locked.draft);
+}
+
 TEST_F(DrawingTest, ANumberThatWaitsIsKeptByAClickElsewhere) {
   put(draft_, straight_draft(24, 16));
   Window w(display_, folder_, draft_);

@@ -67,6 +67,17 @@ bool is_language_name(std::string_view text) {
          std::all_of(text.begin(), text.end(), allowed);
 }
 
+bool has_language(const std::string& folder, std::string_view name) {
+  if (!is_language_name(name)) return false;
+  for (std::string code(name); !code.empty();) {
+    // C and POSIX are the texts as they are in the sources.
+    if (code == kEnglish || code == "C" || code == "POSIX" || texts_of(catalogue(folder, code))) return true;
+    const size_t last = code.find_last_of("_.@");
+    code.resize(last == std::string::npos ? 0 : last);
+  }
+  return false;
+}
+
 std::vector<Language> installed_languages(const std::string& folder) {
   std::vector<Language> found;
   const std::optional<uint32_t> all = texts_of(catalogue(folder, kEnglish));

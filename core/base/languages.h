@@ -15,6 +15,9 @@ struct Language {
 
 /// Letters, digits, _ @ - and dots, not first: nothing that leads out of the folder of catalogues.
 bool is_language_name(std::string_view text);
+/// True for English and for a language whose catalogue is there, which may be that of a shorter name: "de" for "de_AT"
+/// or "de_AT.UTF-8".
+bool has_language(const std::string& folder, std::string_view name);
 /// English, then those of FOLDER/CODE/LC_MESSAGES/weftlight.mo by their names. The catalogue of English says how many
 /// texts there are.
 std::vector<Language> installed_languages(const std::string& folder);

@@ -18,8 +18,9 @@ constexpr std::string_view kMarks = "#Xx*1", kEmpty = ".0-_ \t";
 constexpr BitGrid kGrids[] = {BitGrid::kThreading, BitGrid::kTieup, BitGrid::kTreadling, BitGrid::kLiftplan,
                               BitGrid::kDrawdown};
 
+/// Tabs stay: a spreadsheet ends a row of empty cells with them.
 std::string_view without_trailing_space(std::string_view line) {
-  const size_t last = line.find_last_not_of(" \t\r");
+  const size_t last = line.find_last_not_of(" \r");
   return line.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
@@ -44,6 +45,19 @@ bool is_separated(std::string_view line) {
   for (size_t i = 1; i < line.size(); i += 2)
     if (line[i] != ' ' && line[i] != '\t') return false;
   return line.find_first_not_of(" \t") == 0;
+}
+
+/// One character for each cell between tabs, as a spreadsheet copies them; its empty cells have none. Nothing if a cell
+/// has several.
+std::optional<std::string> without_tabs(std::string_view line) {
+  std::string cells;
+  for (size_t at = 0; at <= line.size();) {
+    const size_t end = std::min(line.find('\t', at), line.size());
+    if (end - at > 1) return {};
+    cells += end > at && line[at] != ' ' ? line[at] : '.';
+    at = end + 1;
+  }
+  return cells;
 }
 
 bool is_row(std::string_view line) {
@@ -77,6 +91,19 @@ base::Result<CellBlock> read_rows(BitGrid from, const std::vector<std::string_vi
   return block;
 }
 
+/// The same with cells between tabs.
+base::Result<CellBlock> read_tabbed_rows(BitGrid from, const std::vector<std::string_view>& lines) {
+  std::vector<std::string> rows;
+  for (const std::string_view line : lines) {
+    std::optional<std::string> row = without_tabs(line);
+    if (!row) return refused(tr("The clipboard holds text that is not cells."));
+    rows.push_back(std::move(*row));
+  }
+  return read_rows(from, {rows.begin(), rows.end()});
+}
+
+bool has_tabs(std::string_view line) { return line.find('\t') != line.npos; }
+
 }  // namespace
 
 const char* bit_grid_name(BitGrid grid) {
@@ -104,7 +131,10 @@ base::Result<CellBlock> read_block_text(std::string_view text) {
     return refused(tr("The clipboard holds more cells than can be pasted."));
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   std::vector<std::string_view> lines = lines_of(text);
-  if (lines.empty() || lines[0].substr(0, kHead.size()) != kHead) return read_rows(BitGrid::kDrawdown, lines);
+  if (lines.empty() || lines[0].substr(0, kHead.size()) != kHead) {
+    const bool tabbed = std::ranges::any_of(lines, has_tabs);
+    return tabbed ? read_tabbed_rows(BitGrid::kDrawdown, lines) : read_rows(BitGrid::kDrawdown, lines);
+  }
   const std::optional<BitGrid> from = grid_named(lines[0].substr(kHead.size()));
   if (!from) return refused(tr("The clipboard holds cells of an unknown grid."));
   lines.erase(lines.begin());

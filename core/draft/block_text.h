@@ -7,7 +7,8 @@
 //
 // One line per row b, one character per column a, in ascending order: pick 1 (shaft 1) first, end 1 first, as
 // `weftlight drawdown` writes. Without the first line the text is read as crossings. # X x * 1 are marks; . 0 - _ and
-// blanks are empty cells.
+// blanks are empty cells. Cells may be parted by blanks, or by tabs as in a spreadsheet, whose empty cells have no
+// text.
 
 #include <string>
 #include <string_view>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "actions/action_parts.h"
+#include "design/loom.h"
 #include "draft/block_text.h"
 #include "session/editing/selection_state.h"
 #include "session/editing/typing.h"
@@ -11,19 +12,19 @@ namespace weftlight::actions {
 
 using base::fill, base::mark, base::message, base::tr;
 using design::Design, design::RepeatExtent, design::ThreadRange, design::half_turned, design::inverted,
-    design::mirrored_across, design::mirrored_down, design::threads_of, design::with_advancing_repeat,
-    design::with_bare_threads, design::with_block, design::with_cleared, design::with_doubled_threads,
-    design::with_half_turn, design::with_inverted, design::with_mirrored_across, design::with_mirrored_down,
-    design::with_point_repeat, design::with_repeated, design::with_reversed_threads, design::with_shifted,
-    design::without_threads;
+    design::may_paint, design::mirrored_across, design::mirrored_down, design::shifted, design::threads_of,
+    design::with_advancing_repeat, design::with_bare_threads, design::with_block, design::with_cleared,
+    design::with_doubled_threads, design::with_half_turn, design::with_inverted, design::with_mirrored_across,
+    design::with_mirrored_down, design::with_point_repeat, design::with_repeated, design::with_reversed_threads,
+    design::with_shifted, design::without_threads;
 using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Selection, draft::System, draft::Write,
     draft::block_text, draft::cells_of, draft::clipped, draft::columns_of, draft::for_each_bit, draft::kMaxBlockCells,
     draft::read_block_text, draft::rows_of, draft::whole_grid;
 using session::Cell, session::DrawingState, session::MaybeEdit, session::SelectDrag, session::SelectState,
-    session::Tool, session::begin_typing, session::bit_grid_of, session::cancel_drag, session::drop_block,
-    session::escape, session::extend_selection, session::hold_block, session::hold_block_over,
+    session::Tool, session::accept_number, session::begin_typing, session::bit_grid_of, session::cancel_drag,
+    session::drop_block, session::escape, session::extend_selection, session::hold_block, session::hold_block_over,
     session::missed_crossings, session::missed_text, session::move_selection, session::screen_step,
-    session::select_cells, session::size_text, session::turn_held_block;
+    session::select_cells, session::size_text, session::turn_held_block, session::unless_locked;
 
 namespace {
 
@@ -48,15 +49,16 @@ Action& on_selection(const SelectionSubjects& e, Action& a, const char* submenu 
 
 Action& add_edit(Actions& all, const SelectionSubjects& e, const char* submenu, const char* id, const char* label,
                  const char* key, SelectionEdit edit) {
-  return on_selection(e,
-                      add(all, "Edit", id, label, key,
-                          [=] {
-                            const bool properties = e.draft.view().select.with_properties;
-                            e.draft.commit({label, [s = selected(e), edit, properties](Design d) {
-                                              return edit(std::move(d), s, properties);
-                                            }});
-                          }),
-                      submenu);
+  return on_selection(
+      e,
+      add(all, "Edit", id, label, key,
+          [=] {
+            const bool properties = e.draft.view().select.with_properties;
+            e.draft.commit(unless_locked(selected(e).grid, {label, [s = selected(e), edit, properties](Design d) {
+                                                              return edit(std::move(d), s, properties);
+                                                            }}));
+          }),
+      submenu);
 }
 
 Action& add_thread_edit(Actions& all, const SelectionSubjects& e, const char* submenu, const char* id,
@@ -89,7 +91,8 @@ bool copy_selection(const SelectionSubjects& e) {
 
 void cut_selection(const SelectionSubjects& e) {
   if (!copy_selection(e)) return;
-  e.draft.commit({tr("Cut"), [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }});
+  e.draft.commit(unless_locked(selected(e).grid,
+                               {tr("Cut"), [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }}));
 }
 
 void paste(const SelectionSubjects& e, bool as_marks) {
@@ -170,6 +173,13 @@ void add_clipboard(Actions& all, const SelectionSubjects& e) {
   };
 }
 
+/// A locked grid has given its own reason.
+void tell_missed(const SelectionSubjects& e, const std::string& done, const Selection& s, const BitMatrix& wanted) {
+  const Design& now = e.draft.document().now();
+  const int64_t missed = may_paint(now, s.grid) ? missed_crossings(now.draft, s.grid, s.a0, s.b0, wanted) : 0;
+  if (missed > 0) e.window.refuse(missed_text(done, missed));
+}
+
 using BlockTurn = BitMatrix (*)(const BitMatrix&);
 
 /// Mirrors or rotates the active block, else the selection.
@@ -178,11 +188,10 @@ void turn(const SelectionSubjects& e, const char* label, SelectionEdit edit, Blo
   const Selection s = selected(e);
   const bool crossings = s.grid == BitGrid::kDrawdown;
   const BitMatrix wanted = crossings ? of_block(cells_of(e.draft.document().now().draft, s)) : BitMatrix();
-  e.draft.commit({label, [s, edit, properties = e.draft.view().select.with_properties](Design d) {
-                    return edit(std::move(d), s, properties);
-                  }});
-  const int64_t missed = missed_crossings(e.draft.document().now().draft, s.grid, s.a0, s.b0, wanted);
-  if (missed > 0) e.window.refuse(missed_text(label, missed));
+  e.draft.commit(unless_locked(s.grid, {label, [s, edit, properties = e.draft.view().select.with_properties](Design d) {
+                                          return edit(std::move(d), s, properties);
+                                        }}));
+  tell_missed(e, label, s, wanted);
 }
 
 /// Row 0 becomes the last column.
@@ -217,11 +226,11 @@ void quarter_turn(const SelectionSubjects& e) {
     for (int x = 0; x < s.columns(); ++x) cells.set(s.b0 - both.b0 + y, s.a0 - both.a0 + x, false);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) cells.set(b - both.b0 + y, a - both.a0 + x, block.get(y, x));
-  e.draft.commit({tr("Rotate by a quarter turn"), [both, cells](Design d) {
-                    return with_block(std::move(d), both.grid, both.a0, both.b0, cells, Write::kInside);
-                  }});
-  const int64_t missed = missed_crossings(e.draft.document().now().draft, grid, both.a0, both.b0, cells);
-  if (missed > 0) e.window.refuse(missed_text(tr("Rotate by a quarter turn"), missed));
+  e.draft.commit(unless_locked(grid, {tr("Rotate by a quarter turn"), [both, cells](Design d) {
+                                        return with_block(std::move(d), both.grid, both.a0, both.b0, cells,
+                                                          Write::kInside);
+                                      }}));
+  tell_missed(e, tr("Rotate by a quarter turn"), both, cells);
   select_cells(e.draft.view().select, {grid, a, a + columns, b, b + rows});
 }
 
@@ -308,11 +317,14 @@ void step(const SelectionSubjects& e, int dx, int dy) {
 }
 
 void shift_by_one(const SelectionSubjects& e, const char* label, int dx, int dy) {
-  const Cell by = screen_step(selected(e).grid, e.settings, dx, dy);
-  const bool properties = e.draft.view().select.with_properties;
-  e.draft.commit({label, [s = selected(e), by, properties](Design d) {
-                    return with_shifted(std::move(d), s, by.a, by.b, properties);
-                  }});
+  const Selection s = selected(e);
+  const Cell by = screen_step(s.grid, e.settings, dx, dy);
+  const bool crossings = s.grid == BitGrid::kDrawdown;
+  const BitMatrix wanted = crossings ? shifted(cells_of(e.draft.document().now().draft, s), by.a, by.b) : BitMatrix();
+  e.draft.commit(unless_locked(s.grid, {label, [s, by, properties = e.draft.view().select.with_properties](Design d) {
+                                          return with_shifted(std::move(d), s, by.a, by.b, properties);
+                                        }}));
+  tell_missed(e, label, s, wanted);
 }
 
 struct Arrow {
@@ -355,13 +367,16 @@ void add_keys(Actions& all, const SelectionSubjects& e) {
   }).enabled = [e] { return has_block(e); };
 }
 
+/// A number that was typed so far is kept.
+void change_tool(const SelectionSubjects& e, Tool to) {
+  if (const MaybeEdit typed = accept_number(e.draft.view(), e.draft.document().now())) e.draft.commit(*typed);
+  e.draft.view().select.tool = to;
+  e.draft.view().drawing.shape.reset();
+}
+
 void add_tools(Actions& all, const SelectionSubjects& e) {
   const auto tool = [&all, &e](const char* id, const char* label, const char* key, Tool to) {
-    Action& a = add(all, "Edit", id, label, key, [to, e] {
-      e.draft.view().select.tool = to;
-      e.draft.view().drawing.shape.reset();
-      e.draft.view().drawing.cursor.typed = 0;
-    });
+    Action& a = add(all, "Edit", id, label, key, [to, e] { change_tool(e, to); });
     a.checked = [to, e] { return e.draft.view().select.tool == to; };
     a.item.submenu = mark("Tools");
     return &a;
@@ -373,6 +388,7 @@ void add_tools(Actions& all, const SelectionSubjects& e) {
   tool("tool_filled", tr("Filled rectangle tool"), "Shift+U", Tool::kFilledRectangle);
   tool("tool_fill", tr("Fill tool"), "G", Tool::kFill);
   tool("tool_type", tr("Type shaft and treadle numbers"), "N", Tool::kType)->run = [e] {
+    change_tool(e, Tool::kType);
     begin_typing(e.draft.view(), e.draft.document().now().draft, e.window.hover());
   };
   const auto mirror = [&all, &e](const char* id, const char* label, const char* key, bool DrawingState::*on) {

@@ -45,8 +45,8 @@ base::Result<void> of_option(const char* option, const base::Result<void>& resul
 base::Result<void> check_options(const EditorOptions& o) {
   base::Result<void> fine;
   if (!o.live_export.empty())
-    fine = of_option("--live-export", session::LiveExport(o.live_export, base::state_folder()).check(o.file));
-  if (fine && !o.ui_map.empty()) fine = of_option("--ui-map", session::check_ui_map(o.ui_map, o.file));
+    fine = of_option("--live-export", session::LiveExport(o.live_export, base::state_folder()).check(o.files));
+  if (fine && !o.ui_map.empty()) fine = of_option("--ui-map", session::check_ui_map(o.ui_map, o.files));
   if (fine && base::same_file(o.ui_map, o.live_export))
     fine = of_option(
         "--ui-map", base::failure(base::ErrorKind::kUsage, tr("--live-export writes there; give two files"), o.ui_map));

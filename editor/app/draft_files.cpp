@@ -23,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The kind of the task that reads a file.
+std::string reading_kind(const std::string& path) { return "read:" + path; }
+
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
 /// The path that a save dialog starts with.
@@ -100,33 +103,32 @@ void Files::read(const std::string& path, std::function<void(OpenResult)> then) 
       [this, path, then = std::move(then)](base::Result<OpenResult> result) {
         if (result) then(std::move(*result));
         else messages_.report({{Severity::kError, 0, message(result.error()), {}}}, path);
-        end_start();
+        end_start(reading_kind(path));
       });
-  task.kind = "read:" + path;
+  task.kind = reading_kind(path);
   task.name = fill(tr("Opening {file}"), arg("file", file_name(path)));
   task.may_be_left = true;
   tasks_.reading().start(std::move(task));
 }
 
-void Files::start_with(const std::string& path) {
+void Files::start_with(const std::vector<std::string>& paths) {
   constexpr std::chrono::milliseconds kPatience{300};  // a window that shows another draft first would flicker
-  starting_ = true;
-  open_path(path);
+  for (const std::string& path : paths) starting_.insert(reading_kind(path));
+  for (const std::string& path : paths) open_path(path);
   if (tasks_.reading().wait_for(kPatience)) tasks_.reading().take();
 }
 
-void Files::end_start() {
-  if (!std::exchange(starting_, false)) return;
-  keep_live_export();
+void Files::end_start(const std::string& kind) {
+  if (starting_.erase(kind) > 0) keep_live_export();
 }
 
 void Files::cancel(const std::string& kind) {
   tasks_.reading().stop(kind);
-  end_start();
+  end_start(kind);
 }
 
 void Files::keep_live_export() {
-  if (!starting_) live_export_.keep(document());
+  if (!starting()) live_export_.keep(document());
 }
 
 void Files::duplicate() {

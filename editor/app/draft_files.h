@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,10 @@ class Files {
   void duplicate();
   /// Reads a draft beside the window; `then` gets it, or why there is none.
   void read(const std::string& path, std::function<void(OpenResult)> then);
-  /// Opens the draft that the program was started with.
-  void start_with(const std::string& path);
-  /// True until that draft is shown, or cannot be.
-  bool starting() const { return starting_; }
+  /// Opens the drafts that the program was started with, the last one in front.
+  void start_with(const std::vector<std::string>& paths);
+  /// True until they are open, or cannot be.
+  bool starting() const { return !starting_.empty(); }
   /// The user cancelled what is read as a task of this kind.
   void cancel(const std::string& kind);
   /// Writes the shown draft to the file of --live-export.
@@ -80,8 +81,8 @@ class Files {
   void keep_mine(const FileIdentity& on_disk);
   /// Reads the file of the shown document again.
   void read_again();
-  /// The draft that the program was started with is shown, or cannot be.
-  void end_start();
+  /// What is read as a task of this kind is open, or cannot be.
+  void end_start(const std::string& kind);
 
   Session& session_;
   Settings& settings_;
@@ -91,7 +92,7 @@ class Files {
   LiveExportWriter& live_export_;
   std::function<void()> edited_;
   Saver saver_;
-  bool starting_ = false;  // the draft that the program was started with is being read
+  std::set<std::string> starting_;  // kinds of the tasks that read what the program was started with
 };
 
 }  // namespace weftlight::app

@@ -14,6 +14,7 @@
 #include "design/repeat.h"
 #include "design/selection_edits.h"
 #include "design/versions.h"
+#include "session/editing/selection_state.h"
 #include "weaves/sections.h"
 
 namespace weftlight::app {
@@ -23,7 +24,8 @@ using design::Design, design::Loom, design::Repeat, design::structure_repeat, de
     design::free_version_name, design::threads_of, design::with_size;
 using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Selection, draft::System;
 using session::OpenResult, session::color_deletion, session::color_deletion_words, session::delete_color_edit,
-    session::delete_yarn_edit, session::scroll_to, session::yarn_deletion, session::yarn_deletion_words;
+    session::delete_yarn_edit, session::scroll_to, session::with_added, session::yarn_deletion,
+    session::yarn_deletion_words;
 using views::ClosestWeavePrompt, views::GradientPrompt, views::JoinPrompt, views::NotesPrompt, views::PicturePrompt,
     views::PictureStage, views::Question, views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt,
     views::VersionPictures, views::VersionsPrompt, views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
@@ -137,7 +139,13 @@ void DraftPrompts::ask_weave() {
     if (weave_kinds()[i].id == weave) p.kind = static_cast<int>(i);
   p.base = document().snapshot();
   p.stroke = kWeaveStrokes | ++asked_;
-  dialogs_.ask(std::move(p), [](int) {});
+  dialogs_.ask(std::move(p), [this](int button) {
+    if (button != 0) return;
+    const auto& done = dialogs_.prompt<WeaveOverPrompt>();
+    const std::string name = tr(weave_kinds()[static_cast<size_t>(done.kind)].name);
+    const std::string said = with_added(name, done.base->draft, document().now().draft);
+    if (said != name) messages_.say(said);
+  });
 }
 
 void DraftPrompts::ask_sections() {

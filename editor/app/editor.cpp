@@ -59,13 +59,13 @@ Editor::Editor(Window& window, const EditorOptions& options)
       actions_(subjects()),
       map_file_(options.ui_map) {
   style_.dark = settings_.dark;
-  if (!options.file.empty()) files_.start_with(options.file);
+  if (!options.files.empty()) files_.start_with(options.files);
   if (!options.notice.empty()) messages_.refuse(options.notice);
   // No tour if a program drives the window.
   const bool driven = !options.ui_map.empty() || !options.live_export.empty();
   if (!settings_.toured && !driven) settings_.tour = 0;
   follow_shown();
-  start_.begin(opens_with_gallery(settings_, !options.file.empty(), driven));
+  start_.begin(opens_with_gallery(settings_, !options.files.empty(), driven));
 }
 
 Subjects Editor::subjects() {

@@ -1,6 +1,7 @@
 #pragma once
 // What the window tells the user: the message in the status line, and the messages about a file.
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -30,9 +31,10 @@ class Messages {
   /// The user begins another action: what had the time to be read goes.
   void begin_action();
 
-  /// Shows why a file could not be opened.
+  /// Shows why a file could not be opened. Of several, each is told.
   void report(std::vector<Diagnostic> remarks, const std::string& path);
-  /// Another document is shown: the messages about its file.
+  /// Another document is shown: the messages about its file, after those about files that could not be opened while
+  /// they are shown.
   void follow(std::vector<Diagnostic> remarks);
   std::span<const Diagnostic> remarks() const { return remarks_; }
   void show_remarks() { remarks_open_ = true; }
@@ -44,11 +46,15 @@ class Messages {
 
  private:
   void show(StatusMessage message);
+  /// Leaves only what is shown about files that could not be opened.
+  void keep_unopened();
 
   std::function<double()> seconds_;
   StatusMessage shown_;
   double said_at_s_ = 0;
-  std::vector<Diagnostic> remarks_;  // about the document, or a file that could not be opened
+  std::vector<Diagnostic> remarks_;    // about files that could not be opened, then about the document
+  std::vector<std::string> unopened_;  // the names of these files
+  size_t about_unopened_ = 0;          // so many of the remarks, the first ones
   bool remarks_open_ = false;
 };
 

@@ -205,8 +205,10 @@ void Window::listen(GLFWwindow* w) {
     in.alt_alone = false;  // GLFW releases the keys of a window that loses the keyboard: Alt+Tab
     ImGui_ImplGlfw_WindowFocusCallback(at, focused);
   });
-  glfwSetDropCallback(
-      w, [](GLFWwindow* at, int count, const char** paths) { Inbox::of(at).dropped.assign(paths, paths + count); });
+  glfwSetDropCallback(w, [](GLFWwindow* at, int count, const char** paths) {
+    std::vector<std::string>& dropped = Inbox::of(at).dropped;
+    dropped.insert(dropped.end(), paths, paths + count);  // what waits for the end of a dialog is opened, too
+  });
   glfwSetWindowSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
   glfwSetFramebufferSizeCallback(w, [](GLFWwindow* at, int, int) { Inbox::of(at); });
   glfwSetWindowContentScaleCallback(w, [](GLFWwindow* at, float, float) { Inbox::of(at); });

@@ -10,6 +10,7 @@
 
 #include "base/caught.h"
 #include "base/languages.h"
+#include "base/resources.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "commands/built_commit.h"
@@ -23,18 +24,26 @@
 
 namespace weftlight::commands {
 
-using base::arg, base::cause_of, base::fill, base::is_language_name, base::tr;
+using base::arg, base::cause_of, base::fill, base::has_language, base::languages_dir, base::tr;
 
 namespace {
 
 constexpr std::string_view kLanguageOption = "--language";
 
-CLI::Validator language_name() {
+/// "de (Deutsch)"; the code alone if the name is not known.
+std::string listed(const base::Language& language) {
+  return language.name == language.code ? language.code : language.code + " (" + language.name + ")";
+}
+
+CLI::Validator installed_language() {
   return CLI::Validator(
       [](const std::string& text) {
-        return is_language_name(text)
-                   ? std::string{}
-                   : fill(tr("{text} is not the name of a language, such as de or pt_BR"), arg("text", quoted(text)));
+        const std::string folder = languages_dir();
+        if (has_language(folder, text)) return std::string{};
+        std::vector<std::string> all;
+        for (const base::Language& each : base::installed_languages(folder)) all.push_back(listed(each));
+        return fill(tr("there is no language {text}; the languages are {languages}"), arg("text", quoted(text)),
+                    arg("languages", CLI::detail::join(all, ", ")));
       },
       "LANG");
 }
@@ -52,7 +61,7 @@ void add_language(CLI::App& app) {
   app.add_option_function<std::string>(
          std::string(kLanguageOption), [](const std::string&) {},
          tr("Language of all texts, such as de or pt_BR; default: that of the system"))
-      ->check(language_name());
+      ->check(installed_language());
 }
 
 /// Refuses a first word that is neither a verb nor looks like a file: the editor would open an empty window.
@@ -117,7 +126,7 @@ void translate_help(CLI::App& app) {
 }
 
 void add_editor_options(CLI::App& app, EditorOptions& options) {
-  app.add_option("file", options.file, tr("Draft to open in the editor"));
+  app.add_option("file", options.files, tr("Drafts to open in the editor, each in a tab"));
   app.add_option("--live-export", options.live_export, tr("Editor: .wif file that every edit is written to"))
       ->type_name(tr("FILE"));
   app.add_option("--ui-map", options.ui_map, tr("Editor: JSON file for the positions of the controls"))
@@ -155,7 +164,7 @@ std::string requested_language(int argc, char** argv) {
     language = used == 2 ? word : word.substr(std::min(word.size(), kLanguageOption.size() + 1));
     i += used - 1;
   }
-  return is_language_name(language) ? language : "";
+  return has_language(languages_dir(), language) ? language : "";
 }
 
 CommandLine run_command_line(int argc, char** argv) {

@@ -173,7 +173,7 @@ struct CommandLine {
   int exit_code = kDone;
   EditorOptions editor;
 };
-/// The value of --language, wherever it stands; empty if there is none or it is not a name. The caller passes it to
+/// The value of --language, wherever it stands; empty if there is none or it is not installed. The caller passes it to
 /// platform::use_language before run_command_line, which already prints translated texts.
 std::string requested_language(int argc, char** argv);
 /// Parses the arguments and runs the verb that they name.

@@ -2,6 +2,7 @@
 // How the program ends and says why, with a window or without.
 
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 
@@ -12,7 +13,8 @@ enum Exit : int { kDone = 0, kUsage = 2, kBadInput = 3, kNoGraphics = 4, kNotWri
 
 /// What the window is opened with.
 struct EditorOptions {
-  std::string file, live_export, ui_map;
+  std::vector<std::string> files;  // each in a tab
+  std::string live_export, ui_map;
   bool language_asked = false;  // --language; else that of the settings
   std::string notice;           // what the window says at its start; translated
 };

@@ -164,6 +164,10 @@ bool Session::commit(OpenDocument& open, const Edit& edit, uint64_t stroke) {
   std::optional<RejectedEdit> rejected_edit =
       refusal_after(std::move(open.view.rejected_edit), *before, edit, stroke, changed);
   if (changed) follow_given(open.view.drawing.given, before->draft, open.document.now().draft, edit.by_painting);
+  // Painting goes on where it is; another edit that adds shafts or treadles leaves a fitted draft fitted.
+  const Draft& now = open.document.now().draft;
+  if (changed && !edit.by_painting && (now.shafts > before->draft.shafts || now.treadles > before->draft.treadles))
+    open.view.draft.has_grown = true;
   followed(open, changed);
   open.view.rejected_edit = std::move(rejected_edit);
   return changed;

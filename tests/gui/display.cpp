@@ -199,13 +199,15 @@ std::string Display::picture(Point where, Point size) const {
 }
 
 Window::Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
-               const std::vector<std::string>& more, const std::string& errors)
+               const std::vector<std::string>& more, const std::string& errors,
+               const std::vector<std::filesystem::path>& others)
     : map_(folder / "map.json"), live_(folder / "live.wif") {
   std::filesystem::remove(map_);
   std::filesystem::remove(live_);
   const std::string own = folder.string();
   std::vector<std::string> words{tested_program(), "--ui-map", map_.string(), "--live-export", live_.string()};
   if (!draft.empty()) words.push_back(draft.string());
+  for (const std::filesystem::path& other : others) words.push_back(other.string());
   std::vector<std::string> environment = more;  // the first entry of a name counts
   for (const std::string& variable :
        {"DISPLAY=" + display.name(), std::string("WAYLAND_DISPLAY="), "HOME=" + own, "XDG_STATE_HOME=" + own + "/state",

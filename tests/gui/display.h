@@ -85,8 +85,10 @@ class Display {
 class Window {
  public:
   /// `draft`: empty to open none. `more`: NAME=value for the environment. `errors`: file of its standard error.
+  /// `others`: files to open after the draft.
   Window(const Display& display, const std::filesystem::path& folder, const std::filesystem::path& draft,
-         const std::vector<std::string>& more = {}, const std::string& errors = {});
+         const std::vector<std::string>& more = {}, const std::string& errors = {},
+         const std::vector<std::filesystem::path>& others = {});
   bool is_ready() const;
   /// The number of the frame that last changed the layout.
   int frame() const;

@@ -258,6 +258,53 @@ TEST_F(DrawingTest, TheMinimapShowsThePartAndScrolls) {
   EXPECT_TRUE(comes_true([&] { return !w.has("minimap"); }));
 }
 
+TEST_F(DrawingTest, APasteThatAddsTreadlesLeavesAFittedDraftFitted) {
+  design::Design wide = design_of(straight_draft(60, 8));
+  wide = design::with_size(std::move(wide), 60, 24, 8, 8);
+  put(draft_, wif::write_new_wif(wide));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_FALSE(w.has("scroll.ends")) << "it is fitted";
+  const auto pitch = [&] { return std::abs(w.cell("drawdown", 1, 1).x - w.cell("drawdown", 2, 1).x); };
+  const double before = pitch();
+  // Eight picks that lift a shaft each.
+  display_.drag_holding("ctrl", {w.cell("threading", 1, 1), w.cell("threading", 8, 8)});
+  display_.key("ctrl+c");
+  display_.move(w.cell("drawdown", 1, 1));
+  display_.key("ctrl+v");
+  display_.click(w.cell("drawdown", 1, 1));
+  ASSERT_TRUE(comes_true([&] { return draft_of(w).treadles == 16; }));
+  EXPECT_EQ(pitch(), before) << "the cells stay under the hand";
+  display_.move(w.cell("threading", 20, 4));
+  EXPECT_TRUE(comes_true([&] { return pitch() < before && !w.has("scroll.ends"); }))
+      << "the last ends are out of sight";
+}
+
+TEST_F(DrawingTest, ALockedGridSaysWhyNothingIsDeletedInIt) {
+  design::Design locked = design_of(straight_draft());
+  locked.loom.leading = design::Leading::kDrawdown;
+  locked.loom.locked = true;
+  put(draft_, wif::write_new_wif(locked));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.drag_holding("ctrl", {w.cell("threading", 1, 1), w.cell("threading", 4, 4)});
+  EXPECT_FALSE(w.has("message.refusal"));
+  display_.key("Delete");
+  EXPECT_TRUE(comes_true([&] { return w.has("message.refusal"); })) << "it is silent";
+  EXPECT_EQ(draft_of(w), locked.draft);
+}
+
+TEST_F(DrawingTest, ANumberThatWaitsIsKeptByAClickElsewhere) {
+  put(draft_, straight_draft(24, 16));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.move(w.cell("threading", 3, 3));
+  display_.key("n");
+  display_.key("1");
+  display_.click(w.cell("threading", 9, 9));
+  EXPECT_TRUE(comes_true([&] { return draft_of(w).threading.first(2) == 0; })) << "end 3 is on shaft 1";
+}
+
 TEST_F(DrawingTest, OnlyTheColoursOfThreadsAreCopied) {
   blank_.draft.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
   blank_.draft.warp.color[0] = blank_.draft.warp.color[2] = 2;

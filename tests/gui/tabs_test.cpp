@@ -37,6 +37,16 @@ class TabsTest : public OnDisplay {
   fs::path other_;
 };
 
+TEST_F(TabsTest, EachFileOfTheCommandLineIsOpenedAndWhatCannotBeOpenedIsTold) {
+  Window w(display_, folder_, draft_, {}, {}, {folder_ / "none.wif", other_});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  EXPECT_TRUE(comes_true([&] { return w.has("tab.shown:2") && w.live() == bytes_of(other_); })) << "the last in front";
+  EXPECT_TRUE(comes_true([&] { return w.has("message.refusal") && w.has("remarks.panel"); })) << "none.wif is not told";
+  EXPECT_FALSE(w.has("tab:3"));
+  display_.click(w.middle_of("tab:1"));
+  EXPECT_TRUE(comes_true([&] { return w.live() == bytes_of(draft_); }));
+}
+
 TEST_F(TabsTest, EachHasItsOwnWorkAndQuittingAsksOnceForAll) {
   const std::string one = bytes_of(draft_), two = bytes_of(other_);
   Window w(display_, folder_, draft_, without_dialogs());

@@ -11,6 +11,13 @@ constexpr float kLargestPitch = 48.0f;
 
 }  // namespace
 
+bool is_fitted(const DraftView& v) { return v.pitch <= 0 || v.pitch == v.fitted_pitch; }
+
+void fit_grown(DraftView& v) {
+  if (v.has_grown && is_fitted(v)) v.pitch = 0;
+  v.has_grown = false;
+}
+
 float zoomed_pitch(float pitch, float steps) {
   float next = pitch * std::pow(1.2f, steps);
   if (next >= 2) {

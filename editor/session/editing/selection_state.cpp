@@ -4,13 +4,15 @@
 #include <utility>
 
 #include "base/text.h"
+#include "design/crossings.h"
+#include "design/loom.h"
 
 namespace weftlight::session {
 
 using base::arg, base::fill, base::tr, base::tr_n;
-using design::with_block, design::with_moved;
-using draft::ShedControl, draft::Write, draft::clipped, draft::columns_of, draft::missed_cells, draft::rows_of,
-    draft::turned_for;
+using design::may_paint, design::painted_crossings, design::with_block, design::with_moved;
+using draft::ShedControl, draft::Write, draft::clipped, draft::columns_of, draft::covered, draft::missed_cells,
+    draft::rows_of, draft::turned_for;
 
 namespace {
 
@@ -24,6 +26,20 @@ Design moved_from(const MarksOnTheMove& m, int a, int b) {
 /// True while the design is the result of the move, with no edit after it.
 bool goes_on(const SelectState& s, const Design& design) {
   return s.move && moved_from(*s.move, s.selected.a0, s.selected.b0) == design;
+}
+
+/// True, with the reason, if the grid is locked.
+bool is_refused(SelectState& s, const Design& design, BitGrid grid) {
+  const auto open = may_paint(design, grid);
+  if (!open) s.refusal = problem_of(open);
+  return !open;
+}
+
+/// Why the loom cannot weave a block in the drawdown; empty if it can.
+std::string why_unwoven(const Design& design, const ActiveBlock& held, const BitMatrix& cells, Write write) {
+  if (held.grid != BitGrid::kDrawdown) return {};
+  const Selection place = covered(design.draft, held.grid, held.at.a, held.at.b, cells);
+  return place.empty() ? "" : problem_of(painted_crossings(design, place, held.at.a, held.at.b, cells, write));
 }
 
 /// "3 ends", for columns of a grid.
@@ -172,9 +188,15 @@ bool escape(SelectState& s) {
   return selected;
 }
 
+Edit unless_locked(BitGrid grid, Edit edit) {
+  edit.why = [grid](const Design& d) { return problem_of(may_paint(d, grid)); };
+  return edit;
+}
+
 MaybeEdit move_selection(SelectState& s, const Design& design, int a, int b, bool copy) {
   if (s.selected.empty()) return {};
   const Selection& at = s.selected;
+  if (is_refused(s, design, at.grid)) return {};
   a = std::clamp(a, 0, columns_of(design.draft, at.grid) - at.columns());
   b = std::clamp(b, 0, rows_of(design.draft, at.grid) - at.rows());
   if (copy || !goes_on(s, design))
@@ -226,18 +248,24 @@ void turn_held_block(SelectState& s, BitMatrix (*turn)(const BitMatrix&)) {
 MaybeEdit drop_block(SelectState& s, const Design& design, bool keep) {
   if (!s.held) return {};
   const ActiveBlock held = *s.held;
+  if (is_refused(s, design, held.grid)) return {};
   if (!keep) s.held.reset();
   const BitMatrix cells = turned_for(held.block, held.grid);
   const Selection place{held.grid, held.at.a, held.at.a + cells.cols(), held.at.b, held.at.b + cells.rows()};
-  Design next = with_block(design, held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
-  s.notice = pasted_text(place, clipped(place, next.draft));
+  const Write write = held.add ? Write::kAdd : Write::kThreads;
+  Design next = with_block(design, held.grid, held.at.a, held.at.b, cells, write);
+  s.notice = with_added(pasted_text(place, clipped(place, next.draft)), design.draft, next.draft);
   const int64_t missed = held.add ? 0 : missed_crossings(next.draft, held.grid, held.at.a, held.at.b, cells);
   if (missed > 0) s.notice = missed_text(s.notice, missed);
+  if (std::string why = next.draft == design.draft ? why_unwoven(design, held, cells, write) : ""; !why.empty()) {
+    s.refusal = std::move(why);
+    s.notice.clear();
+  }
   select_cells(s, clipped(place, next.draft));
   s.anchor = held.at;
   Edit edit{tr("Paste"), [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
-  edit.anew = [held, cells](Design d) {
-    return with_block(std::move(d), held.grid, held.at.a, held.at.b, cells, held.add ? Write::kAdd : Write::kThreads);
+  edit.anew = [held, cells, write](Design d) {
+    return with_block(std::move(d), held.grid, held.at.a, held.at.b, cells, write);
   };
   return edit;
 }
@@ -252,6 +280,17 @@ std::string missed_text(const std::string& done, int64_t missed) {
                 "{count} crossings could not follow, because ends on the same shafts rise together", missed),
            arg("count", missed));
   return fill(tr("{edit}: {problem}"), arg("edit", done), arg("problem", problem));
+}
+
+std::string with_added(std::string done, const Draft& before, const Draft& after) {
+  const int shafts = after.shafts - before.shafts, treadles = after.treadles - before.treadles;
+  if (shafts > 0)
+    done = fill(tr_n("{edit}; {count} shaft added", "{edit}; {count} shafts added", shafts), arg("edit", done),
+                arg("count", shafts));
+  if (treadles > 0 && after.shed_control == ShedControl::kTreadling)
+    done = fill(tr_n("{edit}; {count} treadle added", "{edit}; {count} treadles added", treadles), arg("edit", done),
+                arg("count", treadles));
+  return done;
 }
 
 std::string size_text(BitGrid grid, int columns, int rows) {

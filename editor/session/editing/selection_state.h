@@ -34,9 +34,12 @@ void follow_design(SelectState& state, const Design& design, uint64_t revision);
 /// Drops the active block, else the selection. False if there was neither.
 bool escape(SelectState& state);
 
-/// Moves the selected marks so that they begin at (a, b), kept inside the grid. All steps of one move start from the
-/// same draft, so that cells passed over are restored, and are one undo step. `copy` starts a new move that also leaves
-/// the marks in place.
+/// The edit, with the reason if a locked grid takes nothing.
+Edit unless_locked(BitGrid grid, Edit edit);
+
+/// Moves the selected marks so that they begin at (a, b), kept inside the grid; those of a locked grid stay. All steps
+/// of one move start from the same draft, so that cells passed over are restored, and are one undo step. `copy` starts
+/// a new move that also leaves the marks in place.
 MaybeEdit move_selection(SelectState& state, const Design& design, int a, int b, bool copy);
 /// Cancels a drag; moved marks return to their origin.
 MaybeEdit cancel_drag(SelectState& state, const Design& design);
@@ -48,8 +51,8 @@ void hold_block(SelectState& state, const Draft& draft, CellBlock block, bool ad
 void hold_block_over(SelectState& state, BitGrid grid, Cell at);
 /// Mirrors or rotates the active block as it is seen on the screen.
 void turn_held_block(SelectState& state, BitMatrix (*turn)(const BitMatrix&));
-/// Pastes the block and selects it; `state.notice` reports it, and the crossings that the loom could not follow.
-/// `keep`: the block stays active.
+/// Pastes the block and selects it; `state.notice` reports it, the shafts and treadles that it added, and the crossings
+/// that the loom could not follow. `keep`: the block stays active, as it does over a locked grid.
 MaybeEdit drop_block(SelectState& state, const Design& design, bool keep);
 
 /// The crossings of a block in the drawdown, its first cell at (a, b), that the threading cannot weave; 0 in other
@@ -57,6 +60,8 @@ MaybeEdit drop_block(SelectState& state, const Design& design, bool keep);
 int64_t missed_crossings(const Draft& draft, BitGrid grid, int a, int b, const BitMatrix& cells);
 /// What was done, with the number of crossings that could not follow: "Paste; 3 crossings could not follow: ...".
 std::string missed_text(const std::string& done, int64_t crossings);
+/// What was done, with the shafts and treadles that it added: "Paste; 2 treadles added".
+std::string with_added(std::string done, const Draft& before, const Draft& after);
 /// "8 ends x 4 shafts".
 std::string size_text(BitGrid grid, int columns, int rows);
 /// Describes the selection or the active block and its keys; empty if there is neither.

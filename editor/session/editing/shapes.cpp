@@ -164,7 +164,9 @@ MaybeEdit drawn(DocumentView& view, const Design& design, const Drawing& what, c
     for (const CellMask& m : masks) missed += missed_by(next.draft, m, what.on);
   // With the drawdown leading only the loom limits it: then nothing is drawn rather than a part.
   if (missed > 0 && design.loom.leading == Leading::kDrawdown) next = design;
-  else if (missed > 0) view.select.notice = missed_text(what.name, missed);
+  const std::string done = with_added(what.name, design.draft, next.draft);
+  if (missed > 0 && design.loom.leading != Leading::kDrawdown) view.select.notice = missed_text(done, missed);
+  else if (done != what.name) view.select.notice = done;
   Edit edit{what.label, [next = std::make_shared<const Design>(std::move(next))](const Design&) { return *next; }};
   edit.by_painting = *bits == BitGrid::kDrawdown;
   edit.anew = drawn_on;

@@ -55,34 +55,31 @@ void go_on(DocumentView& v, const Draft& d) {
   go(v, d, columns ? 1 : 0, columns ? 0 : 1);
 }
 
-Edit with_why(Edit edit, GridId grid) {
-  edit.why = [grid](const Design& d) { return problem_of(may_paint(d, *bit_grid_of(grid))); };
-  return edit;
-}
-
 Edit number_edit(const TypeCursor& c, const Design& design, int number) {
   const Cell at = numbered(c, number);
   const bool on = holds_one(c.grid) || !is_on(design.draft, {}, c.grid, at);
   const std::string label = fill(c.grid == GridId::kTreadling ? tr("Type treadle {number}") : tr("Type shaft {number}"),
                                  arg("number", number));
-  return with_why({label, [grid = c.grid, at, on](Design d) { return with_cell(std::move(d), grid, at, on, true); }},
-                  c.grid);
+  return unless_locked(*bit_grid_of(c.grid), {label, [grid = c.grid, at, on](Design d) {
+                                                return with_cell(std::move(d), grid, at, on, true);
+                                              }});
 }
 
 /// Clears all marks of the thread (or treadle) at the cursor.
 Edit clear_edit(const TypeCursor& c, const Draft& d) {
   const int cells = most(d, c.grid);
-  return with_why({tr("Clear typed"),
-                   [c, cells](Design design) {
-                     for (int i = 1; i <= cells; ++i)
-                       if (is_on(design.draft, {}, c.grid, numbered(c, i)))
-                         design = with_cell(std::move(design), c.grid, numbered(c, i), false, false);
-                     return design;
-                   }},
-                  c.grid);
+  return unless_locked(*bit_grid_of(c.grid), {tr("Clear typed"), [c, cells](Design design) {
+                                                for (int i = 1; i <= cells; ++i)
+                                                  if (is_on(design.draft, {}, c.grid, numbered(c, i)))
+                                                    design = with_cell(std::move(design), c.grid, numbered(c, i), false,
+                                                                       false);
+                                                return design;
+                                              }});
 }
 
-MaybeEdit take_number(DocumentView& v, const Design& design) {
+}  // namespace
+
+MaybeEdit accept_number(DocumentView& v, const Design& design) {
   const int number = std::exchange(v.drawing.cursor.typed, 0);
   if (number == 0) return {};
   if (const auto open = may_paint(design, *bit_grid_of(v.drawing.cursor.grid)); !open) {
@@ -93,9 +90,11 @@ MaybeEdit take_number(DocumentView& v, const Design& design) {
   return number_edit(v.drawing.cursor, design, number);
 }
 
+namespace {
+
 /// The number is complete.
 MaybeEdit finish_number(DocumentView& v, const Design& design) {
-  MaybeEdit edit = take_number(v, design);
+  MaybeEdit edit = accept_number(v, design);
   if (edit && holds_one(v.drawing.cursor.grid)) go_on(v, design.draft);
   v.drawing.cursor.fresh = edit && holds_one(v.drawing.cursor.grid);
   return edit;
@@ -192,7 +191,7 @@ TypedKey type_key(DocumentView& v, const Design& design, const Settings& setting
   } else if (key == "Delete") {
     if (std::exchange(v.drawing.cursor.typed, 0) == 0) typed.edits.push_back(clear_edit(v.drawing.cursor, d));
   } else if (!parts) {
-    add_to(typed.edits, take_number(v, design));
+    add_to(typed.edits, accept_number(v, design));
     if (key == "Tab") next_grid(v, d);
     else typed.taken = move_by(v, d, settings, key);
   }
@@ -242,11 +241,17 @@ std::string typing_text(const TypeCursor& c, const Design& design, const BitMatr
   if (c.grid == GridId::kDrawdown) text = tr("{cell}    Space toggles the cell; arrows, Tab: next grid; Esc ends");
   else if (c.grid == GridId::kTreadling)
     text =
-        tr("{cell}    type a treadle, 0 clears; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc ends");
+        tr("{cell}    type a treadle, 1 to {last}, 0 clears; Space toggles the cell; arrows, Home, End, Tab: next "
+           "grid; Esc ends");
   else if (holds_one(c.grid))
-    text = tr("{cell}    type a shaft, 0 clears; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc ends");
-  else text = tr("{cell}    type a shaft; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc ends");
-  return fill(text, arg("cell", here));
+    text =
+        tr("{cell}    type a shaft, 1 to {last}, 0 clears; Space toggles the cell; arrows, Home, End, Tab: next "
+           "grid; Esc ends");
+  else
+    text =
+        tr("{cell}    type a shaft, 1 to {last}; Space toggles the cell; arrows, Home, End, Tab: next grid; Esc "
+           "ends");
+  return fill(text, arg("cell", here), arg("last", most(design.draft, c.grid)));
 }
 
 }  // namespace weftlight::session

@@ -29,6 +29,8 @@ struct TypedKey {
 /// grid.
 TypedKey type_key(DocumentView& view, const Design& design, const Settings& settings, const std::string& key,
                   double now_s);
+/// Accepts a number that waits for another digit, before the cursor or the tool is changed by other means than a key.
+MaybeEdit accept_number(DocumentView& view, const Design& design);
 /// Accepts a number that has waited long enough.
 TypedKey type_after_wait(DocumentView& view, const Design& design, double now_s);
 /// Time in seconds until which a number waits.

@@ -21,6 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_one_of(const std::string& path, const std::vector<std::string>& drafts) {
+  return std::ranges::any_of(drafts, [&](const std::string& draft) { return same_file(path, draft); });
+}
+
 /// True if nothing is lost: no file, an empty one, or a device such as /dev/null.
 bool is_free(const std::string& path) {
   std::error_code error;
@@ -53,16 +57,17 @@ LiveExport::LiveExport(std::string path, const std::string& state_folder) : path
   record_ = (fs::path(state_folder) / "live_exports" / name.str()).string();
 }
 
-base::Result<void> LiveExport::check(const std::string& draft) const {
-  if (same_file(path_, draft)) return refused(path_, tr(kIsTheDraft));
+base::Result<void> LiveExport::check(const std::vector<std::string>& drafts) const {
+  if (is_one_of(path_, drafts)) return refused(path_, tr(kIsTheDraft));
   if (is_free(path_)) return {};
   std::error_code error;
   if (fs::is_directory(path_, error)) return refused(path_, tr("it is a folder; give a file"));
   const std::vector<uint64_t> own = hashes_in(record_);
   const uint64_t there = identify(path_).hash;
   if (std::find(own.begin(), own.end(), there) != own.end()) return {};
-  // A copy of the opened draft: writing it again changes nothing.
-  if (!draft.empty() && there == identify(draft).hash) return {};
+  // A copy of an opened draft: writing it again changes nothing.
+  for (const std::string& draft : drafts)
+    if (there == identify(draft).hash) return {};
   return refused(path_, tr("another program's file already exists; remove it or give another name"));
 }
 
@@ -78,8 +83,8 @@ base::Result<void> LiveExport::write(std::string_view bytes) {
   return written;
 }
 
-base::Result<void> check_ui_map(const std::string& path, const std::string& draft) {
-  if (same_file(path, draft)) return refused(path, tr(kIsTheDraft));
+base::Result<void> check_ui_map(const std::string& path, const std::vector<std::string>& drafts) {
+  if (is_one_of(path, drafts)) return refused(path, tr(kIsTheDraft));
   if (is_free(path)) return {};
   const nlohmann::json json = base::read_json(read_file(path, kLongestMap).value_or(""));
   if (json.is_object() && json.contains("frame") && json.contains("controls") && json.contains("grids")) return {};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 
@@ -15,8 +16,8 @@ class LiveExport {
  public:
   LiveExport(std::string path, const std::string& state_folder);
   const std::string& path() const { return path_; }
-  /// An error if the file may not be written while `draft` is open. `draft` may be empty.
-  base::Result<void> check(const std::string& draft) const;
+  /// An error if the file may not be written while these drafts are open.
+  base::Result<void> check(const std::vector<std::string>& drafts) const;
   base::Result<void> write(std::string_view bytes);
 
  private:
@@ -25,6 +26,6 @@ class LiveExport {
 };
 
 /// The same for --ui-map, which is recognised by its content.
-base::Result<void> check_ui_map(const std::string& path, const std::string& draft);
+base::Result<void> check_ui_map(const std::string& path, const std::vector<std::string>& drafts);
 
 }  // namespace weftlight::session

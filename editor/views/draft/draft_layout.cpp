@@ -162,6 +162,7 @@ DraftLayout lay_out_draft(const Draft& d, const DraftView& v, const Settings& se
 
 void settle(DraftView& v, const DraftLayout& l) {
   const Axis &ends = l.drawdown.x, &picks = l.drawdown.y;
+  if (v.pitch <= 0) v.fitted_pitch = l.pitch;
   v.pitch = l.pitch;
   v.scroll_end = ends.scroll, v.scroll_pick = picks.scroll;
   v.scroll_shaft = l.threading.y.scroll, v.scroll_treadle = l.lift.x.scroll;

@@ -23,8 +23,9 @@ namespace weftlight::views {
 using base::tr;
 using design::Design;
 using draft::System, draft::Threads;
-using session::Cell, session::DraftView, session::GridId, session::SelectDrag, session::Tool, session::begin_stroke,
-    session::go_on_with_stroke, session::grid_name, session::is_on, session::put_cursor, session::zoomed_pitch;
+using session::Cell, session::DraftView, session::GridId, session::MaybeEdit, session::SelectDrag, session::Tool,
+    session::accept_number, session::begin_stroke, session::fit_grown, session::go_on_with_stroke, session::grid_name,
+    session::is_on, session::put_cursor, session::zoomed_pitch;
 using ui::Axis, ui::clamp_scroll, ui::hit_area, ui::scroll_about, ui::with_alpha;
 
 namespace {
@@ -87,7 +88,11 @@ void tell_about(DraftContext& c, GridId id) {
 /// A click with the tool that types numbers.
 void place_cursor(DraftContext& c, const GridPane& pane, Cell at) {
   if (ImGui::IsItemActivated() && at.valid())
-    c.wanted.change_view([grid = pane.id, at](DocumentView& v) { put_cursor(v.drawing.cursor, grid, at); });
+    c.wanted.gesture([grid = pane.id, at](DocumentView& v, const Design& design) {
+      MaybeEdit typed = accept_number(v, design);
+      put_cursor(v.drawing.cursor, grid, at);
+      return typed;
+    });
 }
 
 void use_tool(DraftContext& c, const GridPane& pane, ImVec2 hand) {
@@ -263,7 +268,14 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
       hand_of_frame());
   // In its first frame ImGui does not know yet how high the menu bar is: a draft fitted to that room would not fit.
   const bool room_is_known = ImGui::GetFrameCount() > 1;
-  if (room_is_known && !is_settled(c.view, l)) c.wanted.change_view([l](DocumentView& v) { settle(v.draft, l); });
+  if (room_is_known && !is_settled(c.view, l))
+    c.wanted.change_view([l, pitch = c.view.pitch](DocumentView& v) {
+      if (v.draft.pitch == pitch) settle(v.draft, l);  // else a fit was asked for in this frame
+    });
+  if (c.view.has_grown && !pictures.held.is_held()) {  // a hand that has not moved yet finds all in its place
+    c.wanted.change_view([](DocumentView& v) { fit_grown(v.draft); });
+    c.frame.again = true;
+  }
   pictures.minimap.apply_input(c, l);
   bool pressed = false;
   for (const GridPane* pane : l.panes()) {

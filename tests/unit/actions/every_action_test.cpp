@@ -19,6 +19,7 @@
 #include "platform/missing_font.h"
 #include "session/editing/follow_document.h"
 #include "session/editing/selection_state.h"
+#include "session/editing/typing.h"
 
 namespace weftlight::actions {
 
@@ -336,6 +337,24 @@ TEST(EveryAction, ASkeletonTieupHasNoMoreTreadlesThanTheLoom) {
     const std::vector<Action> all = whole_table(editor);
     std::ranges::find(all, "skeleton", [](const Action& action) { return action.item.id; })->run();
     EXPECT_EQ(editor.document().now().draft.treadles, has < 8 ? 2 : 8);
+  }
+}
+
+TEST(EveryAction, ANumberThatIsTypedIsKeptWhenTheToolChanges) {
+  Design design;
+  design.draft = blank_draft(8, 8, 16, 16);
+  for (const char* tool : {"tool_paint", "tool_type", "tool_select"}) {
+    BareEditor editor(design);
+    const std::vector<Action> all = whole_table(editor);
+    const auto run = [&all](const char* id) {
+      std::ranges::find(all, id, [](const Action& action) { return action.item.id; })->run();
+    };
+    run("tool_type");
+    session::type_key(editor.view(), editor.document().now(), {}, "1", 0);
+    ASSERT_TRUE(session::waits_until(editor.view())) << "it could become 10 to 16";
+    run(tool);
+    EXPECT_EQ(editor.document().now().draft.threading.first(0), 0) << tool;
+    EXPECT_FALSE(session::waits_until(editor.view())) << tool;
   }
 }
 

@@ -37,6 +37,15 @@ TEST_F(InstalledLanguages, have_their_own_names_and_say_how_far_they_are) {
   EXPECT_EQ(all, "English; Deutsch (unfinished, 99%); Svenska; tlh (unfinished, 25%); ");
 }
 
+TEST_F(InstalledLanguages, are_found_by_longer_names) {
+  add("de", 3), add("pt_BR", 3);
+  const std::string folder = dir_.string();
+  for (const char* name : {"en", "en_GB", "C", "de", "de_AT", "de_AT.UTF-8", "de@latin", "pt_BR", "pt_BR.UTF-8"})
+    EXPECT_TRUE(has_language(folder, name)) << name;
+  for (const char* name : {"", "klingon", "pt", "d", "deu", "../de", "fr_FR"})
+    EXPECT_FALSE(has_language(folder, name)) << name;
+}
+
 TEST_F(InstalledLanguages, are_english_alone_without_catalogues) {
   written("de", "no folder");
   for (const std::string& folder : {dir_.string(), path("none")}) {

@@ -200,6 +200,12 @@ TEST_F(ExitCodes, an_output_that_cannot_be_written_is_5) {
   EXPECT_EQ(read_file(path("file")).value_or(""), "in the way");
 }
 
+TEST_F(ExitCodes, the_editor_opens_every_file_that_is_named) {
+  const Ran ran = run({"a.wif", "--ui-map", "map.json", "b.wif", "none"});
+  EXPECT_EQ(ran.code, -1) << ran.said;
+  EXPECT_EQ(ran.opened, (Args{"a.wif", "b.wif", "none"}));
+}
+
 TEST_F(ExitCodes, a_folder_that_takes_no_files_is_not_said_to_be_missing) {
   const Ran ran = run({"weave", "plain", "-o", "/proc/x.wif"});
   EXPECT_EQ(ran.code, kNotWritten);

@@ -51,8 +51,8 @@ TEST_F(Language, is_that_of_what_is_wrong_with_the_arguments) {
   EXPECT_NE(printed("info", kUsage).find("weftlight info: FILE is required ("), std::string::npos);
 }
 
-TEST_F(Language, is_english_without_the_option_or_without_a_catalogue) {
-  for (const char* args : {"info --help", "info --language fr --help"})
+TEST_F(Language, is_english_without_the_option_or_if_asked_for) {
+  for (const char* args : {"info --help", "info --language en_GB --help"})
     EXPECT_NE(printed(args).find(kEnglish), std::string::npos) << args << "\n" << printed(args);
 }
 
@@ -70,6 +70,18 @@ TEST_F(Language, that_is_not_a_name_is_bad_usage) {
   for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{
            {"--language", "../de", "info", draft}, {"info", draft, "--language"}, {"info", draft, "--language", ""}})
     EXPECT_EQ(run(args).code, kUsage) << ::testing::PrintToString(args);
+}
+
+TEST_F(Language, that_is_not_installed_is_bad_usage_and_the_installed_ones_are_listed) {
+  const std::string draft = "'" + fixture_path("twill.wif") + "'";
+  for (const std::string& args : {std::string("--language klingon"), "--language=klingon " + draft,
+                                  "info --language klingon " + draft, "--language klingon info " + draft}) {
+    const std::string said = printed(args, kUsage);
+    EXPECT_NE(said.find("there is no language 'klingon'; the languages are en (English), de (Deutsch)"),
+              std::string::npos)
+        << args << "\n"
+        << said;
+  }
 }
 
 std::string in_quotes(const std::string& path) {

@@ -30,10 +30,11 @@ class ScratchFolder : public ScratchTest {
   }
 };
 
-/// The exit code of `weftlight ARGS`; said: stderr, out: stdout.
+/// The exit code of `weftlight ARGS`; said: stderr, out: stdout; opened: the files for the editor, whose code is -1.
 struct Ran {
   int code = -1;
   std::string said, out;
+  std::vector<std::string> opened;
 };
 inline Ran run(std::vector<std::string> args) {
   args.insert(args.begin(), "weftlight");
@@ -44,7 +45,7 @@ inline Ran run(std::vector<std::string> args) {
   const CommandLine line = run_command_line(static_cast<int>(argv.size()), argv.data());
   std::string out = ::testing::internal::GetCapturedStdout();
   std::string said = ::testing::internal::GetCapturedStderr();
-  return {line.open_editor ? -1 : line.exit_code, said, out};
+  return {line.open_editor ? -1 : line.exit_code, said, out, line.editor.files};
 }
 
 }  // namespace weftlight::commands

@@ -242,12 +242,18 @@ TEST(BlockText, AcceptsHandwrittenAndSpreadsheetText) {
   }
 }
 
+TEST(BlockText, EmptyCellsOfASpreadsheetKeepTheirPlace) {
+  EXPECT_EQ(read_block_text("1\t\t\t1\n\t1\t1\t\n")->cells, matrix_of({"1001", "0110"}));
+  EXPECT_EQ(read_block_text("\t\t\t\r\nx\t \tx\t\r\n\t\t\t\r\n")->cells, matrix_of({"0000", "1010", "0000"}));
+}
+
 TEST(BlockText, RejectsWithAReason) {
   for (const std::string& text :
-       {std::string(), std::string("\n\n"), std::string("Dear weaver"), std::string("weftlight cells: "),
-        std::string("weftlight cells: warp, 2 x 2\n##\n##\n"), std::string("weftlight cells: threading, 9 x 9\n"),
-        std::string("1\0001", 3), std::string("\xFF\xFE"), std::string(200000, '1'), std::string(20'000'000, '\n'),
-        std::string(20'000'000, '#'), std::string(3'000'000, '\n') + "#"}) {
+       {std::string("10\t1\n"), std::string(), std::string("\n\n"), std::string("Dear weaver"),
+        std::string("weftlight cells: "), std::string("weftlight cells: warp, 2 x 2\n##\n##\n"),
+        std::string("weftlight cells: threading, 9 x 9\n"), std::string("1\0001", 3), std::string("\xFF\xFE"),
+        std::string(200000, '1'), std::string(20'000'000, '\n'), std::string(20'000'000, '#'),
+        std::string(3'000'000, '\n') + "#"}) {
     const base::Result<CellBlock> read = read_block_text(text);
     EXPECT_FALSE(read.has_value()) << text.substr(0, 40);
     EXPECT_FALSE(problem_of(read).empty());

@@ -161,7 +161,7 @@ TEST_F(PowerLoss, TheLiveExportKnowsItsFile) {
   disk.after_each_crash([&](int promised) {
     const std::string now = base::read_file(path("live.wif")).value_or("");
     EXPECT_TRUE(now.empty() ? promised == 0 : now >= "text " + std::to_string(promised)) << now;
-    EXPECT_EQ(base::problem_of(session::LiveExport(path("live.wif"), path("state")).check("")), "") << now;
+    EXPECT_EQ(base::problem_of(session::LiveExport(path("live.wif"), path("state")).check({})), "") << now;
   });
 }
 

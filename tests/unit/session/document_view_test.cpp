@@ -37,6 +37,22 @@ TEST(DraftView, ATenthOfThePageStaysVisible) {
   EXPECT_EQ(w.scroll_end, 72);
 }
 
+TEST(DraftView, ADraftThatHasGrownIsFittedAgainIfItWasBefore) {
+  DraftView v;
+  v.pitch = v.fitted_pitch = 12;
+  fit_grown(v);
+  EXPECT_EQ(v.pitch, 12) << "it has not grown";
+  v.has_grown = true;
+  fit_grown(v);
+  EXPECT_EQ(v.pitch, 0);
+  EXPECT_FALSE(v.has_grown);
+  v.pitch = zoomed_pitch(v.fitted_pitch, 1);
+  v.has_grown = true;
+  fit_grown(v);
+  EXPECT_EQ(v.pitch, 14) << "zoomed by hand";
+  EXPECT_FALSE(v.has_grown);
+}
+
 TEST(DraftView, ScrollsAThreadToTheMiddle) {
   DraftView w;
   w.seen_ends = 41;

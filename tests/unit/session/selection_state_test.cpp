@@ -174,6 +174,65 @@ TEST(SelectTool, SaysWhatDidNotFit) {
   EXPECT_EQ(pasted({5, 2}), "Pasted 3 ends \xC3\x97 2 shafts; 1 end and 1 shaft did not fit");
 }
 
+/// Ends 1 and 3 up, which no treadle of a 2/2 twill does.
+CellBlock plain_pick() {
+  BitMatrix cells(1, 4);
+  cells.set(0, 0, true), cells.set(0, 2, true);
+  return {BitGrid::kDrawdown, cells};
+}
+
+TEST(SelectTool, SaysHowManyTreadlesAPasteAdded) {
+  const Design start = straight_twill(8, 6);
+  SelectState s;
+  hold_block(s, start.draft, plain_pick(), false);
+  const MaybeEdit edit = drop_block(s, start, false);
+  ASSERT_TRUE(edit);
+  EXPECT_EQ(edit->apply(start).draft.treadles, start.draft.treadles + 1);
+  EXPECT_EQ(s.notice, "Pasted 4 ends \xC3\x97 1 pick; 1 treadle added");
+}
+
+TEST(SelectTool, NamesShaftsAndTreadlesThatAnEditAdded) {
+  draft::Draft before = straight_twill(8, 6).draft, after = before;
+  EXPECT_EQ(with_added("Weave", before, after), "Weave");
+  after.treadles += 2;
+  EXPECT_EQ(with_added("Weave", before, after), "Weave; 2 treadles added");
+  after.shafts += 1;
+  EXPECT_EQ(with_added("Weave", before, after), "Weave; 1 shaft added; 2 treadles added");
+  EXPECT_EQ(with_added("Weave", after, before), "Weave") << "none was added";
+  after.shed_control = draft::ShedControl::kLiftplan;
+  EXPECT_EQ(with_added("Weave", before, after), "Weave; 1 shaft added") << "a liftplan shows no treadles";
+}
+
+TEST(SelectTool, WhatTheLoomCannotWeaveIsNotSaidToBePasted) {
+  Design start = straight_twill(8, 6);
+  start.loom.shafts = start.draft.shafts, start.loom.treadles = start.draft.treadles;
+  SelectState s;
+  hold_block(s, start.draft, plain_pick(), false);
+  const MaybeEdit edit = drop_block(s, start, false);
+  ASSERT_TRUE(edit) << "the closest weave is offered for it";
+  EXPECT_EQ(edit->apply(start), start);
+  EXPECT_EQ(s.notice, "");
+  EXPECT_NE(s.refusal, "");
+}
+
+TEST(SelectTool, ALockedGridTakesNoPasteAndItsMarksStay) {
+  Design start = straight_twill(8, 6);
+  start.loom.leading = design::Leading::kDrawdown;
+  start.loom.locked = true;
+  SelectState s;
+  hold_block(s, start.draft, {BitGrid::kThreading, BitMatrix(3, 4)}, false);
+  EXPECT_FALSE(drop_block(s, start, false));
+  EXPECT_TRUE(s.held) << "it can be placed elsewhere";
+  EXPECT_EQ(s.notice, "");
+  EXPECT_EQ(s.refusal, "This follows the drawdown and is locked.");
+  s = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
+  EXPECT_FALSE(move_selection(s, start, 3, 0, false));
+  EXPECT_EQ(s.selected.a0, 0) << "the selection does not leave its marks";
+  EXPECT_EQ(s.refusal, "This follows the drawdown and is locked.");
+  const Edit clear = unless_locked(BitGrid::kThreading, {"Delete", [](Design d) { return d; }});
+  EXPECT_EQ(clear.why(start), "This follows the drawdown and is locked.");
+}
+
 TEST(SelectTool, AnActiveBlockRotatesAsSeenOnTheScreen) {
   const Design start = straight_twill(8, 6);
   SelectState s;

@@ -90,6 +90,22 @@ class SessionTest : public ScratchTest {
 
 using Titles = std::vector<std::string>;
 
+TEST_F(SessionTest, AnEditThatAddsTreadlesLetsTheDraftBeFittedAgainPaintingDoesNot) {
+  const auto s = session();
+  Edit wider{"Paste", [](Design d) {
+               const int treadles = d.draft.treadles + 2;
+               return design::with_size(std::move(d), 8, 8, 4, treadles);
+             }};
+  ASSERT_TRUE(s->commit(wider, 1));
+  EXPECT_TRUE(s->active().view.draft.has_grown);
+  s->active().view.draft.has_grown = false;
+  ASSERT_TRUE(s->commit(paint(), 2));
+  EXPECT_FALSE(s->active().view.draft.has_grown) << "no treadle more";
+  wider.by_painting = true;
+  ASSERT_TRUE(s->commit(wider, 3));
+  EXPECT_FALSE(s->active().view.draft.has_grown);
+}
+
 TEST_F(SessionTest, EachDocumentHasItsOwnHistoryAndView) {
   const auto s = session();
   const uint64_t one = open(*s, draft_file("one.wif")).id;

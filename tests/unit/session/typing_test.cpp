@@ -90,6 +90,31 @@ TEST(Typing, ANumberThatCouldGetAnotherDigitWaits) {
   EXPECT_EQ(t.shafts()[7], 10);
 }
 
+TEST(Typing, TheStatusLineSaysWhichNumbersThereAre) {
+  Typist t(blank(6, 8));
+  t.type("1 2");
+  EXPECT_EQ(t.shafts(), (Shafts{1, 2, 0, 0, 0, 0})) << "there is no shaft 12";
+  const auto said = [](const Typist& typist) {
+    return typing_text(typist.view.drawing.cursor, typist.document.now(), {});
+  };
+  EXPECT_NE(said(t).find("type a shaft, 1 to 8"), std::string::npos) << said(t);
+  t.type("Tab Tab");
+  EXPECT_NE(said(t).find("type a treadle, 1 to 8"), std::string::npos) << said(t);
+  Typist wide(blank(6, 16));
+  EXPECT_NE(said(wide).find("type a shaft, 1 to 16"), std::string::npos) << said(wide);
+}
+
+TEST(Typing, AWaitingNumberIsKeptWhenTheCursorIsPutElsewhere) {
+  Typist t(blank(8, 16));
+  t.type("1");
+  const MaybeEdit typed = accept_number(t.view, t.document.now());
+  ASSERT_TRUE(typed);
+  t.document.commit(*typed, 0);
+  EXPECT_EQ(t.shafts()[0], 1);
+  EXPECT_FALSE(waits_until(t.view));
+  EXPECT_FALSE(accept_number(t.view, t.document.now())) << "once only";
+}
+
 TEST(Typing, ACommaMayFollowAnyNumber) {
   Typist t(blank(8, 16));
   t.type("2 , 1 , 1 2 , 5 Enter Enter 7");

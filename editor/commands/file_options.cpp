@@ -69,7 +69,8 @@ std::vector<std::string> kept(const Inputs& inputs, const std::string& output, b
 }  // namespace
 
 CLI::Validator input_file() {
-  return CLI::Validator([](const std::string&) { return std::string(); }, "", kRead);
+  return CLI::Validator(
+      [](const std::string& name) -> std::string { return name.empty() ? tr("the name is empty") : ""; }, "", kRead);
 }
 
 CLI::Validator output_file(Extensions extensions) { return checked_name(std::move(extensions)).name(kWritten); }

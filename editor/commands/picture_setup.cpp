@@ -107,6 +107,8 @@ int PictureSetup::read(const PictureOptions& o) {
   if (progress != ProgressForm::kTerminal) status.silence();
   if (const auto place = o.turntable > 0 ? base::Result<void>() : base::check_writable(o.out); !place)
     return fail(place.error());
+  if (const auto place = o.stats.empty() ? base::Result<void>() : base::check_writable(o.stats); !place)
+    return fail(place.error());
   status.show(fill(tr("reading {file}"), arg("file", o.file)));
   OpenedDesign opened = open_design(o.file);
   status.clear();

@@ -55,12 +55,35 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"convert", "--", "--x.wif"}, "weftlight convert: OUT is required (Output file: .wif)\n"},
       {{"export", "--", "--x.wif"}, "weftlight export: -o is required (Output folder)\n"},
       {{"export", draft(), "-o", "a", "--versions=all"}, "weftlight export: --versions takes no value\n"},
+      {{"convert", draft(), "c.foo"}, "weftlight convert: 'c.foo' must end in .wif, .wifw\n"},
+      {{"completion", "csh"}, "weftlight completion: 'csh' must be one of bash, zsh, fish\n"},
+      {{"convert", draft(), ""}, "weftlight convert: OUT: the name is empty\n"},
+      {{"info", ""}, "weftlight info: FILE: the name is empty\n"},
+      {{"export", draft(), "", "-o", "a"}, "weftlight export: FILES: the name is empty\n"},
   };
   for (const auto& [args, said] : cases) {
     const Ran ran = run(args);
     EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
     EXPECT_EQ(ran.said.substr(0, ran.said.find('\n') + 1), said);
   }
+}
+
+TEST(ParserTexts, an_unknown_drape_is_answered_with_those_there_are) {
+  const std::string forms = "sphere, tablecloth, curtain, skirt, tunic, shirt, scarf, cushion";
+  const std::string what = "no drape is called 'tent'; give one of plane, " + forms;
+  for (const char* verb : {"render", "reference", "export"}) {
+    const Ran ran = run({verb, draft(), "-o", "a.png", "--mesh", "tent"});
+    EXPECT_EQ(ran.code, kUsage) << verb;
+    EXPECT_TRUE(ran.said.starts_with("weftlight " + std::string(verb) + ": --mesh: " + what +
+                                     ", or the path of a .glb or .gltf file\n"))
+        << ran.said;
+  }
+  const Ran drape = run({"drape", "tent", "-o", "a.glb"});
+  EXPECT_EQ(drape.code, kUsage);
+  EXPECT_EQ(drape.said, "weftlight: " + what + ", all, or the path of a draft\n");
+  const Ran fabric = run({"drape", draft(), "-o", "a.glb", "--mesh", "plane"});
+  EXPECT_EQ(fabric.code, kUsage);
+  EXPECT_EQ(fabric.said, "weftlight: --mesh plane: a fabric is draped as one of " + forms + "\n");
 }
 
 TEST(ParserTexts, two_dashes_end_the_options) {

@@ -148,6 +148,16 @@ TEST_F(ExitCodes, a_bad_mesh_is_3_and_is_named) {
   EXPECT_EQ(files(), std::set<std::string>{"broken.glb"});
 }
 
+TEST_F(ExitCodes, a_draft_that_names_no_drape_is_3_and_is_named) {
+  const std::string tent =
+      written("tent.wif", read_file(draft()).value_or("") + "\n[PRIVATE WEFTLIGHT SCENE]\nMesh=tent\n");
+  for (const char* verb : {"render", "reference"}) {
+    const Ran ran = run({verb, tent, "-o", path("out.png"), "--size", "32x24"});
+    EXPECT_EQ(ran.code, kBadInput) << verb;
+    EXPECT_TRUE(ran.said.starts_with(tent + ": no drape is called 'tent'")) << ran.said;
+  }
+}
+
 TEST_F(ExitCodes, a_bad_environment_map_is_3_and_is_named) {
   written("words.hdr", "these are words\n");
   written("broken.exr", "v/1\x01, but not really");

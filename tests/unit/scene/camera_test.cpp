@@ -114,8 +114,8 @@ float furthest_out(const Mesh& mesh, int width, int height) {
   Scene scene;
   scene.pan_x = scene.pan_y = 0, scene.view_distance = 1;
   float furthest = 0;
-  for (float azimuth = 0; azimuth < 360; azimuth += 40)
-    for (const float elevation : {-30.0f, 0.0f, 22.0f, 40.0f, 60.0f}) {
+  for (float azimuth = 40; azimuth < 400; azimuth += 60)
+    for (const float elevation : {-30.0f, 0.0f, 22.0f, 60.0f}) {
       scene.view_azimuth = azimuth, scene.view_elevation = elevation;
       const Camera camera = place_camera(scene, mesh, bounds, width, height, 0, 0);
       for (const auto& place : mesh.position_mm) {

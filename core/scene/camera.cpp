@@ -61,24 +61,28 @@ Gaze gaze_of(float azimuth, float elevation, const Bounds& bounds, float aspect)
 
 /// The half height, as a tangent, of a picture whose edges the cloth does not cross. A form is taken as the body that
 /// it fills while it is turned, so that this does not depend on the azimuth: each of its points goes round in a circle,
-/// which is furthest from the middle of the picture at its front or at its back. Without a mesh a form needs no height.
+/// which is highest or lowest in the picture at its front or its back, and widest where a ray from the eye touches it.
+/// Without a mesh a form needs no height.
 float height_to_hold(const Gaze& gaze, const Mesh& mesh, const Bounds& bounds) {
-  const auto height_for = [&gaze](glm::vec3 p) {
-    const float aside = std::abs(glm::dot(gaze.right, p)), above = std::abs(glm::dot(gaze.up, p));
-    return std::max(above, aside / gaze.aspect) / (gaze.away - glm::dot(gaze.back, p));
-  };
+  const auto depth = [&gaze](glm::vec3 p) { return gaze.away - glm::dot(gaze.back, p); };
+  const auto above = [&](glm::vec3 p) { return std::abs(glm::dot(gaze.up, p)) / depth(p); };
   const glm::vec3 centre = bounds.centre(), corner = bounds.high - centre;
   float height = 0;
   if (corner.z <= 0) {
     for (const float x : {-corner.x, corner.x})
-      for (const float y : {-corner.y, corner.y}) height = std::max(height, height_for({x, y, 0}));
+      for (const float y : {-corner.y, corner.y}) {
+        const glm::vec3 p(x, y, 0);
+        height = std::max({height, above(p), std::abs(glm::dot(gaze.right, p)) / depth(p) / gaze.aspect});
+      }
     return height;
   }
   const glm::vec3 towards = glm::cross(gaze.right, glm::vec3(0, 1, 0));
   for (const Vec3& place : mesh.position_mm) {
-    const glm::vec3 p = place - centre, upright(0, p.y, 0);
-    const glm::vec3 out = std::hypot(p.x, p.z) * towards;
-    height = std::max({height, height_for(upright + out), height_for(upright - out)});
+    const glm::vec3 p = place - centre, middle(0, p.y, 0);
+    const float radius = std::hypot(p.x, p.z), deep = depth(middle), nearer = radius * glm::dot(gaze.back, towards);
+    const float aside = radius / std::sqrt(deep * deep - nearer * nearer);
+    height =
+        std::max({height, above(middle + radius * towards), above(middle - radius * towards), aside / gaze.aspect});
   }
   return height;
 }

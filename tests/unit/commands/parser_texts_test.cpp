@@ -45,6 +45,9 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"info", draft(), "--json=maybe"}, "weftlight info: --json takes no value\n"},
       {{"convert", draft(), "a.wif", "--liftplan=perhaps"}, "weftlight convert: --liftplan takes no value\n"},
       {{"info", draft(), "info", draft()}, "weftlight info: unexpected argument 'info'\n"},
+      {{"weave", "twill", "-o", "a.wif", "--ends", "100000", "--picks", "100000"},
+       "weftlight: --ends 100000 --picks 100000: this is more than the " + std::to_string(draft::kMaxCells) +
+           " crossings that can be opened\n"},
       {{"weave", "twill", "--set"}, "weftlight weave: --set needs a value: ID=VALUE\n"},
       {{"render", draft(), "-o", "a.png", "--view", "0,500"},
        "weftlight render: --view: '500' is not a number from -90 to 90\n"},

@@ -73,6 +73,8 @@ base::Result<void> write_mesh(const std::string& path, const Mesh& mesh, const G
 /// and the twist. The stage is in millimetres, the face of the cloth towards +z.
 base::Result<void> write_curves(const std::string& path, const cloth::Curves& curves);
 
+/// An error with the names of the shipped drapes if this is none of them, nor can it be the path of a mesh.
+base::Result<void> check_drape(const std::string& name_or_path);
 /// Reads a shipped drape by name (presets/meshes/NAME.glb), or a file by path.
 base::Result<Mesh> load_drape(const std::string& name_or_path);
 

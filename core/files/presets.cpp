@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include "base/file_names.h"
@@ -27,6 +28,16 @@ std::string names_of_drapes() {
 
 }  // namespace
 
+Result<void> check_drape(const std::string& name_or_path) {
+  std::error_code ec;
+  const std::string extension = base::extension_of(name_or_path);
+  if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return {};
+  if (std::ranges::count(drape_names(), name_or_path) > 0) return {};
+  return base::failure(base::ErrorKind::kInput,
+                       fill(tr("no drape is called '{name}'; give one of {names}, or the path of a .glb or .gltf file"),
+                            arg("name", name_or_path), arg("names", names_of_drapes())));
+}
+
 Result<Mesh> load_drape(const std::string& name_or_path) {
   for (const std::string& name : drape_names()) {
     if (name != name_or_path) continue;
@@ -36,12 +47,7 @@ Result<Mesh> load_drape(const std::string& name_or_path) {
     if (read) read->name = name;
     return read;
   }
-  std::error_code ec;
-  const std::string extension = base::extension_of(name_or_path);
-  if (extension == ".glb" || extension == ".gltf" || fs::exists(name_or_path, ec)) return read_mesh(name_or_path);
-  return base::failure(base::ErrorKind::kInput,
-                       fill(tr("no mesh is called '{name}'; give one of {names}, or a .glb or .gltf file"),
-                            arg("name", name_or_path), arg("names", names_of_drapes())));
+  return check_drape(name_or_path).and_then([&] { return read_mesh(name_or_path); });
 }
 
 }  // namespace weftlight::files

@@ -13,8 +13,7 @@ using drape::Mesh;
 
 struct Bounds {
   glm::vec3 low{0}, high{0};
-  // Of a form: how far it reaches from the upright axis through the centre. 0: a flat swatch, whose corners may be cut
-  // off in a narrow picture.
+  // Of a form: how far it reaches from the upright axis through the centre. 0: a flat swatch.
   float reach = 0;
   glm::vec3 centre() const { return 0.5f * (low + high); }
   float radius() const { return 0.5f * glm::length(high - low); }
@@ -30,8 +29,9 @@ struct Camera {
   float pixel_mm = 1;  // size of a pixel at the surface in the centre of the picture
 };
 
-/// Frames the bounds at view_distance 1. For smaller distances the field of view narrows, so that the eye never enters
-/// the folds. `yarns_per_pixel` > 0 sets the footprint at the centre instead.
+/// Frames the mesh at view_distance 1: nothing of it is cut off, and a form keeps its size while the view turns round
+/// it. For smaller distances the field of view narrows, so that the eye never enters the folds. `yarns_per_pixel` > 0
+/// sets the footprint at the centre instead.
 Camera place_camera(const Scene& scene, const Mesh& mesh, const Bounds& bounds, int width, int height,
                     float yarns_per_pixel, float mean_spacing_mm);
 

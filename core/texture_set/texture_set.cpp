@@ -26,7 +26,7 @@
 
 namespace weftlight::texture_set {
 
-using base::arg, base::fill, base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::tr_n, base::write_file_atomically;
 using cloth::ThreadBody;
 using design::Yarn;
 using draft::BitMatrix, draft::drawdown;
@@ -531,8 +531,10 @@ std::vector<std::string> warnings_of(const Design& design, const TextureSetOptio
                        arg("size", kMaxSize), arg("density", rounded(per_mm)),
                        arg("wanted", rounded(options.texels_per_mm))));
   else if (each < kMinTexelsPerThread && options.detail == ThreadDetail::kAll)
-    out.push_back(fill(tr("a thread has only {texels} texels; give a larger --size or a smaller tile to see threads"),
-                       arg("texels", rounded(each))));
+    out.push_back(fill(
+        tr_n("a thread has only {texels} texel; give a larger --size or a smaller tile to see threads",
+             "a thread has only {texels} texels; give a larger --size or a smaller tile to see threads", rounded(each)),
+        arg("texels", rounded(each))));
   if (options.alpha == Alpha::kMask && !keeps_masks(*options.target, options.mips) &&
       estimated_cover(cloth) < kOpenCover)
     out.push_back(fill(tr("{target}: the gaps of a mask close in the distance, since the program makes the mipmaps; "

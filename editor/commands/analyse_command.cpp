@@ -235,9 +235,9 @@ int analyse_command(const AnalyseOptions& options) {
     std::printf("%s\n", as_json(*planned, f, options).c_str());
     return kDone;
   }
-  print_row(tr("repeat"), fill(tr("{ends} ends, {picks} picks; with colours {color_ends} ends, {color_picks} picks"),
-                               arg("ends", f.structure.ends), arg("picks", f.structure.picks),
-                               arg("color_ends", f.design.ends), arg("color_picks", f.design.picks)));
+  print_row(tr("repeat"),
+            fill(tr("{weave}; with colours {colours}"), arg("weave", threads_text(f.structure.ends, f.structure.picks)),
+                 arg("colours", threads_text(f.design.ends, f.design.picks))));
   print_floats(f, options.float_limit);
   print_layers(f);
   print_loom(f);

@@ -16,15 +16,17 @@
 #include "design/lights.h"
 #include "design/methods.h"
 #include "drape/mesh.h"
+#include "files/files.h"
 #include "light/formulas.h"
 #include "texture_set/targets.h"
 
 namespace weftlight::commands {
 
-using base::arg, base::fill, base::mark, base::tr;
+using base::arg, base::fill, base::mark, base::problem_of, base::tr;
 using chart::ChartScene, chart::ChartSelection, chart::kChartFootprints, chart::kChartScenes, chart::kChartViews;
 using design::LightingPreset, design::MethodFacts, design::kLightingPresets, design::kMethods;
 using drape::drape_names;
+using files::check_drape;
 using texture_set::ExportTarget, texture_set::kTargets;
 
 namespace {
@@ -84,9 +86,16 @@ bool apply_picture_texts(PictureVerb& verb) {
   return true;
 }
 
+/// The name of a shipped drape, or a file.
+CLI::Validator drape_or_file() {
+  return CLI::Validator([](const std::string& text) { return problem_of(check_drape(text)); }, tr("NAME|FILE"));
+}
+
 void add_mesh_options(CLI::App& verb, PictureOptions& o) {
-  verb.add_option("--mesh", o.mesh, tr("Drape by its name, or a .glb or .gltf file; default: the draft's"))
-      ->type_name(tr("NAME|FILE"))
+  verb.add_option(
+          "--mesh", o.mesh,
+          fill(tr("Drape: {drapes}; or a .glb or .gltf file; default: the draft's"), arg("drapes", all_drape_names())))
+      ->check(drape_or_file())
       ->check(input_file());
   verb.add_flag("--simulate-drape", o.simulated_drape,
                 tr("Drape simulated with this fabric's own stiffness; takes up to a minute"));
@@ -223,7 +232,10 @@ void add_texture_options(CLI::App& verb, ExportOptions& o) {
           tr("Format for 8-bit images with prefiltered mipmaps, written beside each image; in dds-bc and ktx2-bc "
              "colours and masks are compressed (BC4, BC5, BC7); default: none, for godot dds of the colours"))
       ->check(one_of({"dds", "ktx2", "dds-bc", "ktx2-bc"}));
-  verb.add_option("--mesh", o.mesh, tr("Drape that the .glb shows; default: plane"))->type_name(tr("NAME|FILE"));
+  verb.add_option("--mesh", o.mesh,
+                  fill(tr("Drape that the .glb shows: {drapes}; or a .glb or .gltf file; default: plane"),
+                       arg("drapes", all_drape_names())))
+      ->check(drape_or_file());
 }
 
 void add_material_options(CLI::App& verb, MaterialOptions& material) {
@@ -251,7 +263,9 @@ RunVerb add_export(CLI::App& verb) {
   };
   const auto options = std::make_shared<Options>();
   ExportOptions& o = options->command;
-  verb.add_option("files", o.files, tr("Drafts (.wif, .dtx, .wpo), or folders of drafts"))->required();
+  verb.add_option("files", o.files, tr("Drafts (.wif, .dtx, .wpo), or folders of drafts"))
+      ->required()
+      ->check(input_file());
   verb.add_option("--target", o.targets, tr("Target programs, separated by commas; default: gltf"))
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is a draft

@@ -21,7 +21,7 @@ namespace {
 
 RunVerb add_info(CLI::App& verb) {
   const auto options = std::make_shared<InfoOptions>();
-  verb.add_option("file", options->file, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required();
+  verb.add_option("file", options->file, tr("Draft: .wif, .dtx, .wpo, or a picture"))->required()->check(input_file());
   verb.add_flag("--json", options->json, tr("Output as JSON"));
   return [options] { return info_command(*options); };
 }
@@ -29,7 +29,7 @@ RunVerb add_info(CLI::App& verb) {
 RunVerb add_analyse(CLI::App& verb) {
   const auto options = std::make_shared<AnalyseOptions>();
   AnalyseOptions& o = *options;
-  verb.add_option("file", o.file, tr("Draft"))->required();
+  verb.add_option("file", o.file, tr("Draft"))->required()->check(input_file());
   verb.add_flag("--json", o.json, tr("Output as JSON"));
   verb.add_option("--floats", o.float_limit,
                   tr("Longest float allowed, in threads; longer ones are listed; default: 7"))
@@ -177,8 +177,8 @@ RunVerb add_weave(CLI::App& verb) {
 
 RunVerb add_diff(CLI::App& verb) {
   const auto options = std::make_shared<DiffOptions>();
-  verb.add_option("a", options->a, tr("First draft"))->required();
-  verb.add_option("b", options->b, tr("Second draft"))->required();
+  verb.add_option("a", options->a, tr("First draft"))->required()->check(input_file());
+  verb.add_option("b", options->b, tr("Second draft"))->required()->check(input_file());
   return [options] { return diff_command(*options); };
 }
 

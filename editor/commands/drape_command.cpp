@@ -52,11 +52,12 @@ bool is_drape_name(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Refuses a name; `first` is listed before the names of the drapes.
-int refuse_name(const std::string& name, const char* first) {
-  std::string names = first;
-  for (const std::string& known : drape_names()) names.append(names.empty() ? "" : ", ").append(known);
-  return refuse(fill(tr("no drape is called '{name}'; choose from {names}"), arg("name", name), arg("names", names)));
+/// Refuses a name; `form` is the sentence, with the names of the drapes from `first` on.
+int refuse_name(const std::string& name, const char* form, size_t first) {
+  const std::vector<std::string>& all = drape_names();
+  std::string names;
+  for (size_t i = first; i < all.size(); ++i) names.append(names.empty() ? "" : ", ").append(all[i]);
+  return refuse(fill(form, arg("name", name), arg("names", names)));
 }
 
 /// The drape of this fabric from the cache, or simulated.
@@ -77,7 +78,7 @@ int write_design_drape(const DrapeOptions& options) {
   if (!options.stiffness.empty())
     return refuse(tr("--stiffness is for a generic fabric; a draft is simulated with its own yarns and sett"));
   if (!options.mesh.empty() && (!is_drape_name(options.mesh) || options.mesh == "plane"))
-    return refuse_name(options.mesh, "");
+    return refuse_name(options.mesh, tr("--mesh {name}: a fabric is draped as one of {names}"), 1);  // not on the plane
   OpenedDesign opened = open_design(options.name);
   if (!opened.ok) return kBadInput;
   Design& design = opened.design;
@@ -93,7 +94,9 @@ int write_named(const DrapeOptions& options) {
   const std::filesystem::path name(options.name);
   std::error_code ec;
   const bool known = is_drape_name(options.name);
-  if (!known && !name.has_extension() && !std::filesystem::exists(name, ec)) return refuse_name(options.name, "all");
+  if (!known && !name.has_extension() && !std::filesystem::exists(name, ec))
+    return refuse_name(options.name,
+                       tr("no drape is called '{name}'; give one of {names}, all, or the path of a draft"), 0);
   const std::string extension = base::extension_of(options.out);
   if (extension != ".glb" && extension != ".gltf")
     return refuse(fill(tr("{file}: a drape is written as .glb or .gltf"), arg("file", options.out)));

@@ -89,7 +89,7 @@ struct ExportRun {
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
-/// The files themselves, and every draft below the folders, sorted by name.
+/// The files themselves, and every draft below the folders, sorted by name; each once, however often it is named.
 std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
   std::vector<std::string> out;
   std::error_code ec;
@@ -104,6 +104,9 @@ std::vector<std::string> drafts_of(const std::vector<std::string>& given) {
     for (const std::string& folder : within.unread)
       print_problem(fill(tr("{folder}: the folder cannot be read; its drafts are left out"), arg("folder", folder)));
   }
+  std::set<fs::path> seen;
+  std::erase_if(out,
+                [&seen](const std::string& file) { return !seen.insert(fs::path(file).lexically_normal()).second; });
   return out;
 }
 
@@ -245,22 +248,39 @@ bool has_archive(const ExportRun& run, const Job& job) {
   return lists_archive(job.folder) && fs::file_size(archive_of(job), ec) == plain_zip_size(archive_entries(job));
 }
 
-/// Prints the failure of a set; the same text of several sets once.
-void report(ExportRun& run, int code, const std::string& problem) {
-  const std::lock_guard lock(run.console);
+/// Counts the failure of a set; true if its text is new.
+bool count_failure(ExportRun& run, int code, const std::string& problem) {
   ++run.failed_sets;
   for (int seen = run.worst; code > seen && !run.worst.compare_exchange_weak(seen, code);) {
   }
-  if (std::ranges::find(run.failed, problem) != run.failed.end()) return;
+  if (std::ranges::find(run.failed, problem) != run.failed.end()) return false;
+  run.failed.push_back(problem);
+  return true;
+}
+
+/// Prints the failure of a set; the same text of several sets once.
+void report(ExportRun& run, int code, const std::string& problem) {
+  const std::lock_guard lock(run.console);
+  if (!count_failure(run, code, problem)) return;
   run.progress.clear();
   std::fprintf(stderr, "%s\n", problem.c_str());
-  run.failed.push_back(problem);
+}
+
+/// Of a draft whose problems were printed as it was read: the list at the end alone names it again.
+void report_unread(ExportRun& run, const std::string& file) {
+  const std::lock_guard lock(run.console);
+  count_failure(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", file)));
 }
 
 std::shared_ptr<const OpenedDesign> open_shared(ExportRun& run, const std::string& file) {
   SharedDraft& draft = run.drafts.at(file);
   const std::lock_guard lock(draft.reading);
-  if (!draft.opened) draft.opened = std::make_shared<const OpenedDesign>(open_design(file));
+  if (draft.opened) return draft.opened;
+  {
+    const std::lock_guard before_problems(run.console);
+    run.progress.clear();
+  }
+  draft.opened = std::make_shared<const OpenedDesign>(open_design(file));
   return draft.opened;
 }
 
@@ -291,8 +311,7 @@ std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
 void run_job(Job job, int index, ExportRun& run, SharedWork& work) {
   const std::shared_ptr<const OpenedDesign> shared = open_shared(run, job.file);
   const OpenedDesign& opened = *shared;
-  if (!opened.ok)
-    return report(run, kBadInput, fill(tr("{file}: not exported: it cannot be read"), arg("file", job.file)));
+  if (!opened.ok) return report_unread(run, job.file);
   const design::Version* version = version_named(opened.design, job.version);
   if (!version && !job.version.empty())
     return report(run, kBadInput,
@@ -378,7 +397,9 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
                             "{written} sets written, {complete} already complete, {failed} failed", run.written.load()),
                        arg("written", run.written.load()), arg("complete", run.kept.load()),
                        arg("failed", run.failed_sets.load())));
-    for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());
+    // Again only where the names of sets came between.
+    if (run.written > 0 && !options.quiet)
+      for (const std::string& problem : run.failed) std::fprintf(stderr, "  %s\n", problem.c_str());
   }
   if (run.stop.stop_requested()) {
     print_problem(message(stopped().value()));

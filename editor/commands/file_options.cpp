@@ -28,7 +28,9 @@ bool has_check(CLI::Option& option, const char* name) {
 std::string name_problem(const std::string& name, const Extensions& extensions) {
   if (name.empty()) return tr("the name is empty");
   const std::string extension = extension_of(name);
-  if (extensions.allowed.empty() || (extension.empty() && !extensions.needed)) return {};
+  const bool any = extensions.allowed.empty() || (extension.empty() && !extensions.needed);
+  if (name == "-" && any) return tr("a - is no file; the standard output is /dev/stdout");
+  if (any) return {};
   if (std::ranges::count(extensions.allowed, extension) > 0) return {};
   return fill(tr("{file} must end in {extensions}"), arg("file", quoted(name)),
               arg("extensions", CLI::detail::join(extensions.allowed, ", ")));
@@ -69,7 +71,8 @@ std::vector<std::string> kept(const Inputs& inputs, const std::string& output, b
 }  // namespace
 
 CLI::Validator input_file() {
-  return CLI::Validator([](const std::string&) { return std::string(); }, "", kRead);
+  return CLI::Validator(
+      [](const std::string& name) -> std::string { return name.empty() ? tr("the name is empty") : ""; }, "", kRead);
 }
 
 CLI::Validator output_file(Extensions extensions) { return checked_name(std::move(extensions)).name(kWritten); }

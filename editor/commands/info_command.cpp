@@ -80,12 +80,7 @@ void print_text(const std::string& path, const OpenedDesign& opened, const Facts
   const bool liftplan = draft.shed_control == ShedControl::kLiftplan;
   print_row(tr("shed control"), liftplan ? tr("liftplan") : tr("tie-up and treadling"));
   print_row(tr("longest float"), longest_float_text(facts.floats));
-  print_row(
-      tr("repeat"),
-      fill(tr("{ends}, {picks}"),
-           arg("ends", fill(tr_n("{count} end", "{count} ends", facts.repeat.ends), arg("count", facts.repeat.ends))),
-           arg("picks",
-               fill(tr_n("{count} pick", "{count} picks", facts.repeat.picks), arg("count", facts.repeat.picks)))));
+  print_row(tr("repeat"), threads_text(facts.repeat.ends, facts.repeat.picks));
   if (!facts.weave_code.empty())
     print_row(tr("weave code"), fill(tr("{code} (ISO 9354)"), arg("code", facts.weave_code)));
   for (const design::Version& version : opened.design.versions) print_row(tr("version"), version.name);

@@ -11,7 +11,7 @@
 namespace weftlight::commands {
 
 using analysis::LongestFloats;
-using base::ErrorKind, base::arg, base::fill, base::read_file, base::tr;
+using base::ErrorKind, base::arg, base::fill, base::read_file, base::tr, base::tr_n;
 using files::is_picture, files::read_picture_draft;
 using wif::Diagnostic, wif::Severity, wif::WifRead, wif::kMaxDraftBytes, wif::read_draft;
 
@@ -29,6 +29,11 @@ void print_row(const std::string& label, const std::string& value) {
   for (const char c : label) width += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;  // the heads of UTF-8
   const std::string gap(width < kColumn ? kColumn - width : 1, ' ');
   std::printf("%s%s%s\n", label.c_str(), gap.c_str(), value.c_str());
+}
+
+std::string threads_text(int ends, int picks) {
+  return fill(tr("{ends}, {picks}"), arg("ends", fill(tr_n("{count} end", "{count} ends", ends), arg("count", ends))),
+              arg("picks", fill(tr_n("{count} pick", "{count} picks", picks), arg("count", picks))));
 }
 
 std::string longest_float_text(const LongestFloats& floats) {

@@ -22,6 +22,8 @@ struct OpenedDesign {
 };
 /// "file:line: what; what to do" on stderr.
 void print_diagnostic(const std::string& path, const Diagnostic& diagnostic);
+/// "4 ends, 1 pick"
+std::string threads_text(int ends, int picks);
 std::string longest_float_text(const analysis::LongestFloats& floats);
 /// Prints a line of a report, its values in one column; labels and values are in the user's language.
 void print_row(const std::string& label, const std::string& value);

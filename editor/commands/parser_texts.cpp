@@ -141,6 +141,18 @@ std::string count_text(const CLI::App& parser, std::string_view said) {
               arg("form", value_form(*option)));
 }
 
+/// The words of option_checks.h, behind the option's name. That of an argument says less than the value, which most
+/// words name.
+std::string validation_text(const CLI::App& parser, const std::string& said) {
+  const CLI::Option* option = option_in(parser, said);
+  if (option == nullptr || !option->get_positional()) return said;
+  const std::string words = said.substr(option->get_name().size() + 2);  // behind ": "
+  const bool names_value = std::ranges::any_of(option->results(), [&words](const std::string& value) {
+    return !value.empty() && words.find(quoted(value)) != std::string::npos;
+  });
+  return names_value ? words : short_name(*option) + ": " + words;
+}
+
 /// A value that an option's variable cannot hold, "--json=maybe"; its checks find all others.
 std::string conversion_text(const CLI::App& parser, const std::string& said) {
   for (const CLI::Option* option : parser.get_options()) {
@@ -180,7 +192,7 @@ std::string parse_problem(const CLI::App& parser, const CLI::Error& error) {
   else if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) text = excluded_text(parser);
   else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) text = count_text(parser, said);
   else if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) text = conversion_text(parser, said);
-  else if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return said;  // the words of option_checks.h
+  else if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) text = validation_text(parser, said);
   return text.empty() ? tr("invalid arguments") : text;
 }
 

@@ -107,6 +107,9 @@ int PictureSetup::read(const PictureOptions& o) {
   if (progress != ProgressForm::kTerminal) status.silence();
   if (const auto place = o.turntable > 0 ? base::Result<void>() : base::check_writable(o.out); !place)
     return fail(place.error());
+  if (const auto place = o.stats.empty() ? base::Result<void>() : base::check_writable(o.stats); !place)
+    return fail(place.error());
+  draft_ = o.file;
   status.show(fill(tr("reading {file}"), arg("file", o.file)));
   OpenedDesign opened = open_design(o.file);
   status.clear();
@@ -133,10 +136,12 @@ int PictureSetup::upload(bool cloth) {
   const std::string weaving =
       fill(tr("weaving {ends} ends by {picks} picks"), arg("ends", d.ends()), arg("picks", d.picks()));
   status.show(weaving);
-  const base::Result<void> shown =
+  base::Result<void> shown =
       upload_once(std::make_shared<const Design>(design), *renderer, steps_shown(weaving, status), cloth);
   status.clear();
   for (const std::string& remark : renderer->light_remarks()) print_problem(remark);
+  if (!shown && shown.error().kind == base::ErrorKind::kInput && shown.error().file.empty())
+    shown.error().file = draft_;
   return finish(shown);
 }
 

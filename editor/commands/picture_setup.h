@@ -34,6 +34,7 @@ struct PictureSetup {
   Frame frame(const PictureOptions& options) const;
 
  private:
+  std::string draft_;  // the path of what was read
   int open_graphics();
 };
 

@@ -104,7 +104,8 @@ void print_warping(const Design& design, const ClothMeasures& m, Units units) {
 
 void print_need(const Design& design, const YarnNeed& need, Units units) {
   const std::string line =
-      fill(tr("{system} {yarn:<16} {colour} {threads:6} threads {length:>10} {weight:>9}"),
+      fill(tr_n("{system} {yarn:<16} {colour} {threads:6} thread  {length:>10} {weight:>9}",
+                "{system} {yarn:<16} {colour} {threads:6} threads {length:>10} {weight:>9}", need.threads),
            arg("system", need.system == System::kWarp ? tr("warp") : tr("weft")),
            arg("yarn", design.yarns[static_cast<size_t>(need.yarn)].name), arg("colour", hex_of(design, need.color)),
            arg("threads", need.threads), arg("length", yarn_length_text(need.length_m, units)),

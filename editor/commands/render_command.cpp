@@ -118,6 +118,8 @@ int render_command(const PictureOptions& o, Backdrop backdrop) {
   for (int k = 1; k <= o.turntable; ++k)
     if (const std::string problem = replaces_input(numbered(o.out, k), {o.file, o.lights}); !problem.empty())
       return refuse(problem);
+  if (o.turntable > 0)
+    if (const auto place = base::check_writable(numbered(o.out, 1)); !place) return fail(place.error());
   if (const int code = setup.open(o); code != kDone) return code;
   if (o.budget_ms > 0) keep_within(o.budget_ms, setup, setup.frame(o));
   if (o.turntable > 0) return draw_turntable(setup, o, backdrop);

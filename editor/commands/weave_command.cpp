@@ -101,6 +101,9 @@ int weave_command(const WeaveOptions& options) {
   const WeaveKind* kind = find_weave(options.weave);
   if (!kind) return refuse(unknown_weave(options.weave));
   if (options.out.empty()) return refuse(tr("give a name for the draft with -o; see weftlight weave --help"));
+  if (int64_t{options.ends} * options.picks > draft::kMaxCells)
+    return refuse(fill(tr("--ends {ends} --picks {picks}: this is more than the {most} crossings that can be opened"),
+                       arg("ends", options.ends), arg("picks", options.picks), arg("most", draft::kMaxCells)));
   WeaveValues values;
   if (!read_values(*kind, options.set, values)) return kUsage;
   if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));

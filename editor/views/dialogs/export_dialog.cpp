@@ -179,7 +179,8 @@ void draw_facts(PanelContext& c, const ExportPrompt& p) {
                                arg("ends", f.set.ends), arg("picks", f.set.picks)));
     line(tr("Images"), fill(tr("{count} of {width} \xC3\x97 {height}"), arg("count", f.images),
                             arg("width", f.set.size.width), arg("height", f.set.size.height)));
-    line(tr("Per thread"), fill(tr("{count} texels"), arg("count", figure(f.texels_a_thread))));
+    const std::string texels = figure(f.texels_a_thread);
+    line(tr("Per thread"), fill(tr_n("{count} texel", "{count} texels", texels), arg("count", texels)));
     c.map.add_item("export.images:" + std::to_string(f.images));
     const int64_t disk = bytes_on_disk(p.stage->shown, f.set.size);
     const char* text = disk <= 0           ? tr("{gpu} on the GPU")

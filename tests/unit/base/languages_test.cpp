@@ -9,6 +9,7 @@
 
 #include "../catalogue.h"
 #include "../scratch_fixture.h"
+#include "base/translated.h"
 
 namespace weftlight::base {
 namespace {
@@ -16,6 +17,12 @@ namespace {
 TEST(Languages, names_lead_nowhere_else) {
   for (const char* name : {"de", "pt_BR", "sr@latin", "zh-Hans"}) EXPECT_TRUE(is_language_name(name)) << name;
   for (const char* name : {"", "../de", "de/x", ".de", "-de", "d e"}) EXPECT_FALSE(is_language_name(name)) << name;
+}
+
+TEST(Translated, only_a_figure_that_is_shown_as_1_is_one) {
+  EXPECT_STREQ(tr_n("{count} texel", "{count} texels", "1"), "{count} texel");
+  for (const char* shown : {"0.6667", "1.5", "0", "11"})
+    EXPECT_STREQ(tr_n("{count} texel", "{count} texels", shown), "{count} texels") << shown;
 }
 
 class InstalledLanguages : public ScratchTest {

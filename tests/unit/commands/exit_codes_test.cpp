@@ -80,6 +80,9 @@ TEST_F(ExitCodes, bad_usage_is_2) {
            {"render", draft(), "-o", out, "--no-such-option"},
            {"render", draft(), "-o", out, "--surroundings"},
            {"reference", draft(), "-o", out, "--surroundings", "--lights", "window"},
+           {"render", draft(), "-o", out, "--mesh", "no_such_drape"},
+           {"reference", draft(), "-o", out, "--mesh", "no_such_drape"},
+           {"export", draft(), "-o", path("set"), "--mesh", "no_such_drape"},
            {"reference", draft(), "-o", out, "--spp", "0"},
            {"reference", draft(), "-o", path("out")},
            {"export", draft()},
@@ -133,7 +136,7 @@ TEST_F(ExitCodes, a_bad_draft_is_3_and_the_line_is_named) {
 
 TEST_F(ExitCodes, a_bad_mesh_is_3_and_is_named) {
   written("broken.glb", "glTF, but not really");
-  for (const std::string& mesh : {std::string("no_such_drape"), path("none.glb"), path("broken.glb")}) {
+  for (const std::string& mesh : {path("none.glb"), path("broken.glb")}) {
     for (const Args& args : std::vector<Args>{{"render", draft(), "-o", path("out.png"), "--method", "flat"},
                                               {"reference", draft(), "-o", path("out.png"), "--size", "32x24"},
                                               {"export", draft(), "-o", path("set"), "--size", "16"}}) {
@@ -143,6 +146,16 @@ TEST_F(ExitCodes, a_bad_mesh_is_3_and_is_named) {
     }
   }
   EXPECT_EQ(files(), std::set<std::string>{"broken.glb"});
+}
+
+TEST_F(ExitCodes, a_draft_that_names_no_drape_is_3_and_is_named) {
+  const std::string tent =
+      written("tent.wif", read_file(draft()).value_or("") + "\n[PRIVATE WEFTLIGHT SCENE]\nMesh=tent\n");
+  for (const char* verb : {"render", "reference"}) {
+    const Ran ran = run({verb, tent, "-o", path("out.png"), "--size", "32x24"});
+    EXPECT_EQ(ran.code, kBadInput) << verb;
+    EXPECT_TRUE(ran.said.starts_with(tent + ": no drape is called 'tent'")) << ran.said;
+  }
 }
 
 TEST_F(ExitCodes, a_bad_environment_map_is_3_and_is_named) {
@@ -215,9 +228,20 @@ TEST_F(ExitCodes, a_folder_that_takes_no_files_is_not_said_to_be_missing) {
 
 TEST_F(ExitCodes, an_output_that_cannot_be_written_fails_before_the_work) {
   for (const char* verb : {"render", "reference"}) {
-    const std::string said = said_on_a_terminal(Args{verb, draft(), "-o", path("no/out.png")} + kSmall);
-    EXPECT_EQ(said.find("weaving "), std::string::npos) << said;
+    for (const Args& args : std::vector<Args>{{verb, draft(), "-o", path("no/out.png")},
+                                              {verb, draft(), "-o", path("out.png"), "--stats", path("no/out.json")}}) {
+      const std::string said = said_on_a_terminal(args + kSmall);
+      EXPECT_NE(said.find(path("no/out.")), std::string::npos) << said;
+      EXPECT_EQ(said.find("weaving "), std::string::npos) << said;
+    }
   }
+}
+
+TEST_F(ExitCodes, a_turn_that_cannot_be_written_fails_before_its_first_picture) {
+  const Args args{"render", draft(), "-o", path("no/out.png"), "--turntable", "2"};
+  const std::string said = said_on_a_terminal(args + kSmall);
+  EXPECT_NE(said.find(path("no/out_001.png")), std::string::npos) << said;
+  EXPECT_EQ(said.find("weaving "), std::string::npos) << said;
 }
 
 TEST_F(ExitCodes, a_full_disk_keeps_the_old_picture_without_temporary_files) {

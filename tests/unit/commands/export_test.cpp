@@ -95,6 +95,8 @@ TEST_F(Export, texels_per_millimetre_and_tiles_of_several_repeats) {
   const Ran thin = exported({"--target", "raw", "--size", "16", "--tile-cm", "5"});
   EXPECT_EQ(thin.code, kDone);
   EXPECT_NE(thin.said.find("texels; give a larger --size"), std::string::npos) << thin.said;
+  const Ran one = exported({"--target", "raw", "--size", "16", "--tile-cm", "3.2"});
+  EXPECT_NE(one.said.find("a.wif: a thread has only 1 texel; give"), std::string::npos) << one.said;
 }
 
 TEST_F(Export, archives_are_written_beside_their_sets) {
@@ -123,8 +125,31 @@ TEST_F(Export, a_broken_draft_is_reported_once_for_all_targets) {
   EXPECT_EQ(ran.code, kBadInput);
   size_t lines = 0;
   for (size_t at = 0; (at = ran.said.find("aa.wif", at)) != std::string::npos; ++at) ++lines;
-  EXPECT_EQ(lines, 3u) << "what is wrong, that it is not exported, and the list at the end\n" << ran.said;
+  EXPECT_EQ(lines, 2u) << "what is wrong, and the list at the end\n" << ran.said;
   EXPECT_NE(ran.said.find("6 sets written, 0 already complete, 3 failed"), std::string::npos) << ran.said;
+}
+
+TEST_F(Export, what_is_wrong_with_one_draft_is_one_line) {
+  const Ran ran = run({"export", path("none"), "-o", path("sets")});
+  EXPECT_EQ(ran.code, kBadInput);
+  EXPECT_EQ(ran.said, path("none") + ": there is no such file; give the path of a draft\n");
+}
+
+TEST_F(Export, failures_are_listed_again_only_where_something_came_between) {
+  write_file_atomically(path("sets"), "no folder");
+  const Ran ran = exported({"--target", "raw,gltf", "--size", "16"});
+  EXPECT_EQ(ran.code, kNotWritten);
+  size_t told = 0;
+  for (size_t at = 0; (at = ran.said.find(": not exported: ", at)) != std::string::npos; ++at) ++told;
+  EXPECT_EQ(told, 4u) << ran.said;
+}
+
+TEST_F(Export, a_draft_that_is_named_twice_is_exported_once) {
+  const Ran ran = run({"export", path("drafts"), path("drafts/a.wif"), path("drafts/deep/../a.wif"), "-o", path("sets"),
+                       "--target", "raw", "--size", "16"});
+  EXPECT_EQ(ran.code, kDone) << ran.said;
+  EXPECT_NE(ran.said.find("2 sets written"), std::string::npos) << ran.said;
+  EXPECT_FALSE(has("a-2"));
 }
 
 TEST_F(Export, warnings_of_a_draft_are_given_once_for_all_targets) {

@@ -45,6 +45,9 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"info", draft(), "--json=maybe"}, "weftlight info: --json takes no value\n"},
       {{"convert", draft(), "a.wif", "--liftplan=perhaps"}, "weftlight convert: --liftplan takes no value\n"},
       {{"info", draft(), "info", draft()}, "weftlight info: unexpected argument 'info'\n"},
+      {{"weave", "twill", "-o", "a.wif", "--ends", "100000", "--picks", "100000"},
+       "weftlight: --ends 100000 --picks 100000: this is more than the " + std::to_string(draft::kMaxCells) +
+           " crossings that can be opened\n"},
       {{"weave", "twill", "--set"}, "weftlight weave: --set needs a value: ID=VALUE\n"},
       {{"render", draft(), "-o", "a.png", "--view", "0,500"},
        "weftlight render: --view: '500' is not a number from -90 to 90\n"},
@@ -55,12 +58,39 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"convert", "--", "--x.wif"}, "weftlight convert: OUT is required (Output file: .wif)\n"},
       {{"export", "--", "--x.wif"}, "weftlight export: -o is required (Output folder)\n"},
       {{"export", draft(), "-o", "a", "--versions=all"}, "weftlight export: --versions takes no value\n"},
+      {{"convert", draft(), "c.foo"}, "weftlight convert: 'c.foo' must end in .wif, .wifw\n"},
+      {{"completion", "csh"}, "weftlight completion: 'csh' must be one of bash, zsh, fish\n"},
+      {{"convert", draft(), "-"}, "weftlight convert: OUT: a - is no file; the standard output is /dev/stdout\n"},
+      {{"drawdown", draft(), "-o", "-"},
+       "weftlight drawdown: --output: a - is no file; the standard output is /dev/stdout\n"},
+      {{"render", draft(), "-o", "-"}, "weftlight render: --output: '-' must end in .png, .exr\n"},
+      {{"convert", draft(), ""}, "weftlight convert: OUT: the name is empty\n"},
+      {{"info", ""}, "weftlight info: FILE: the name is empty\n"},
+      {{"export", draft(), "", "-o", "a"}, "weftlight export: FILES: the name is empty\n"},
   };
   for (const auto& [args, said] : cases) {
     const Ran ran = run(args);
     EXPECT_EQ(ran.code, kUsage) << ::testing::PrintToString(args);
     EXPECT_EQ(ran.said.substr(0, ran.said.find('\n') + 1), said);
   }
+}
+
+TEST(ParserTexts, an_unknown_drape_is_answered_with_those_there_are) {
+  const std::string forms = "sphere, tablecloth, curtain, skirt, tunic, shirt, scarf, cushion";
+  const std::string what = "no drape is called 'tent'; give one of plane, " + forms;
+  for (const char* verb : {"render", "reference", "export"}) {
+    const Ran ran = run({verb, draft(), "-o", "a.png", "--mesh", "tent"});
+    EXPECT_EQ(ran.code, kUsage) << verb;
+    EXPECT_TRUE(ran.said.starts_with("weftlight " + std::string(verb) + ": --mesh: " + what +
+                                     ", or the path of a .glb or .gltf file\n"))
+        << ran.said;
+  }
+  const Ran drape = run({"drape", "tent", "-o", "a.glb"});
+  EXPECT_EQ(drape.code, kUsage);
+  EXPECT_EQ(drape.said, "weftlight: " + what + ", all, or the path of a draft\n");
+  const Ran fabric = run({"drape", draft(), "-o", "a.glb", "--mesh", "plane"});
+  EXPECT_EQ(fabric.code, kUsage);
+  EXPECT_EQ(fabric.said, "weftlight: --mesh plane: a fabric is draped as one of " + forms + "\n");
 }
 
 TEST(ParserTexts, two_dashes_end_the_options) {

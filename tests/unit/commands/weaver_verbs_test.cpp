@@ -54,6 +54,17 @@ TEST_F(WeaverVerbs, analyse_as_json) {
   EXPECT_NE(said(analyse_command, options).find("layers          one connected cloth"), std::string::npos);
 }
 
+TEST_F(WeaverVerbs, one_thread_is_told_as_one) {
+  WeaveOptions cell{"plain", path("cell.wif"), {}, 1, 1, false};
+  ASSERT_EQ(weave_command(cell), kDone);
+  AnalyseOptions options;
+  options.file = cell.out;
+  const std::string report = said(analyse_command, options);
+  EXPECT_NE(report.find("repeat          1 end, 1 pick; with colours 1 end, 1 pick\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("      1 thread  "), std::string::npos) << report;
+  EXPECT_EQ(report.find("1 threads"), std::string::npos) << report;
+}
+
 TEST_F(WeaverVerbs, wraps_are_of_the_threads_as_the_file_has_them) {
   std::string text =
       "[WIF]\nVersion=1.1\n[CONTENTS]\nWEAVING=yes\nWARP=yes\nWEFT=yes\nTHREADING=yes\nTIEUP=yes\n"

@@ -46,7 +46,7 @@ void set_colors(ImVec4* at, const Colors& c) {
   at[ImGuiCol_ResizeGripHovered] = at[ImGuiCol_ResizeGripActive] = vec(c.line_strong, 0.6f);
   at[ImGuiCol_TextSelectedBg] = vec(c.accent, 0.28f);
   at[kFocusColor] = vec(c.accent, 0.8f);
-  at[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.28f);
+  at[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, kDim);
 }
 
 }  // namespace
@@ -107,6 +107,8 @@ void apply(const Style& style) {
   s.FramePadding.y = std::max(s.FramePadding.y, std::ceil((style.finger - font_size(style.font.small)) / 2));
   s.ScrollbarSize = style.px(16);
 }
+
+void dim_behind_dialogs(float dim) { ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = dim; }
 
 ImU32 blend(ImU32 from, ImU32 to, float t) {
   ImU32 out = 0;

@@ -45,6 +45,11 @@ Colors dark_colors();
 /// Sets ImGui's own colours and spacings from the style.
 void apply(const Style& style);
 
+/// How much the window is darkened behind a dialog, 0..1: beside a draft that follows the dialog's choices hardly,
+/// since its colours are to be judged.
+inline constexpr float kDim = 0.28f, kDimBesideDraft = 0.06f;
+void dim_behind_dialogs(float dim);
+
 /// Linear interpolation by `t`, per channel.
 ImU32 blend(ImU32 from, ImU32 to, float t);
 ImU32 with_alpha(ImU32 color, float alpha);

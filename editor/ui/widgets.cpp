@@ -104,12 +104,16 @@ bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign al
   return changed;
 }
 
+/// As high as the controls beside it, though its letters are smaller: all have one middle.
+void push_figure_padding(const Context& c) {
+  const float pad = std::max(0.0f, (ImGui::GetFrameHeight() - font_size(c.style.font.mono_small)) / 2);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), pad});
+}
+
 /// In the column of figures, `room_after` pixels before the end.
 bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
-  // As high as the track beside it, though its letters are smaller: both have one middle.
-  const float pad = std::max(0.0f, (ImGui::GetFrameHeight() - font_size(c.style.font.mono_small)) / 2);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), pad});
+  push_figure_padding(c);
   ImGui::SetNextItemWidth(span.room_after > 0 ? -span.room_after : -FLT_MIN);
   const bool mixed = span.low != span.high;
   const ImU32 color = mixed || span.inherited ? c.style.color.muted : c.style.color.text;
@@ -154,8 +158,10 @@ bool slider(const Context& c, const SliderSpec& spec, float& value) {
 bool number_field(const Context& c, const SliderSpec& spec, bool mixed, float width, float& value) {
   ImGui::PushID(spec.id);
   ImGui::SetNextItemWidth(width);
+  push_figure_padding(c);
   const bool changed =
       figure(c, spec, mixed, FigureAlign::kMiddle, mixed ? c.style.color.muted : c.style.color.text, value);
+  ImGui::PopStyleVar();
   c.map.add_item(spec.id);
   tooltip(c, spec.tip);
   ImGui::PopID();
@@ -232,7 +238,8 @@ void end_combo() {
 
 namespace {
 
-/// Equal widths where every label fits; else each by its label, and all no wider than there is room.
+/// Equal widths where every label fits; else each by its label, with the same room beside all of them, and all no wider
+/// than there is room.
 std::vector<float> segment_widths(const Context& c, std::span<const char* const> labels, float width) {
   std::vector<float> widths;
   float widest = 0, sum = 0;
@@ -243,9 +250,10 @@ std::vector<float> segment_widths(const Context& c, std::span<const char* const>
   }
   const auto count = static_cast<float>(labels.size());
   const float each = static_cast<float>(static_cast<int>(width / count));
-  if (widest - c.style.px(6) <= each) return std::vector<float>(labels.size(), each);
+  if (widest <= each) return std::vector<float>(labels.size(), each);
   const float room = std::max(width, std::min(sum, ImGui::GetContentRegionAvail().x));
-  for (float& own : widths) own = static_cast<float>(static_cast<int>(own * room / sum));
+  const float spare = std::max(0.0f, room - sum) / count, shrunk = std::min(1.0f, room / sum);
+  for (float& own : widths) own = static_cast<float>(static_cast<int>(own * shrunk + spare));
   return widths;
 }
 

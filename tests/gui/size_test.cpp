@@ -36,6 +36,24 @@ TEST_F(SizeTest, FiguresStandInTheMiddleOfTheirSliders) {
   }
 }
 
+TEST_F(SizeTest, ControlsOfARowAreOfOneHeightAndEndWithTheirPanel) {
+  for (const int percent : {100, 150}) {
+    settings({{"interface_percent", percent}});
+    Window w(display_, folder_, draft_);
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Threads"));
+    ASSERT_TRUE(comes_true([&] { return w.has("threads.sett") && w.has("palette.add"); }));
+    EXPECT_NEAR(w.place_of("threads.sett").second.y, w.place_of("threads.per:/cm").second.y, 1) << percent;
+    const auto right_of = [&](const std::string& control) {
+      const auto [at, size] = w.place_of(control);
+      return at.x + size.x;
+    };
+    EXPECT_LE(right_of("palette.add"), right_of("threads.which") + 1) << percent << ": the button is cut";
+    EXPECT_LE(right_of("threads.spacing:yarn"), right_of("threads.which") + 1) << percent << ": the button is cut";
+    EXPECT_GT(w.place_of("inspector:Threads").second.x, w.place_of("inspector:Plan").second.x)
+        << percent << ": the longest name has no room beside it";
+  }
+}
+
 TEST_F(SizeTest, ADraftIsFittedBelowTheMenuBar) {
   settings({{"interface_percent", 150}});
   put(draft_, straight_draft(16, 2));

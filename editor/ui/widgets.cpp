@@ -214,15 +214,16 @@ void end_rows() { ImGui::PopStyleVar(); }
 bool begin_combo(const Context& c, const char* id, const char* shown) {
   ImGui::PushID(id);
   const ImGuiComboFlags tall = c.style.finger > 0 ? ImGuiComboFlags_HeightLarge : ImGuiComboFlags_None;
-  const bool open = ImGui::BeginCombo("##combo", shown, ImGuiComboFlags_NoArrowButton | tall);
+  const float r = c.style.px(4), arrow = c.style.px(14);  // its size, and its middle from the right edge
+  const std::string text = fitted(shown, ImGui::CalcItemWidth() - arrow - 2 * r - ImGui::GetStyle().FramePadding.x);
+  const bool open = ImGui::BeginCombo("##combo", text.c_str(), ImGuiComboFlags_NoArrowButton | tall);
   if (!open) {
     c.map.add_item(id);
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-    const float r = c.style.px(4), x = b.x - c.style.px(14), y = (a.y + b.y) / 2;
-    const ImU32 frame = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg);
+    const float x = b.x - arrow, y = (a.y + b.y) / 2;
     ImDrawList* dl = ImGui::GetWindowDrawList();
-    dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // covers the end of a long name
     dl->AddTriangleFilled({x - r, y - r / 2}, {x + r, y - r / 2}, {x, y + r * 0.7f}, c.style.color.muted);
+    if (text != shown) tooltip(c, shown);
     ImGui::PopID();
     return false;
   }

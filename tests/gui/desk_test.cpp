@@ -70,6 +70,19 @@ TEST_F(DeskTest, ANewDraftIsMadeByKeyboardAlone) {
   EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); })) << "Enter on a row is for the dialog";
 }
 
+TEST_F(DeskTest, ALongNameInAListIsToldByATip) {
+  design::Design d = design_of(bytes_of(draft_));
+  ASSERT_FALSE(d.yarns.empty());
+  d.yarns[0].name = "Heavy mercerised cotton of the old mill by the river";
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.list"); }));
+  display_.move(w.middle_of("yarn.list"));
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "the name is cut, and nothing tells the rest";
+}
+
 TEST_F(DeskTest, TabGoesFromOneNumberToTheNext) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

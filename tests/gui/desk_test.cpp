@@ -70,6 +70,16 @@ TEST_F(DeskTest, ANewDraftIsMadeByKeyboardAlone) {
   EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); })) << "Enter on a row is for the dialog";
 }
 
+TEST_F(DeskTest, ASettThatIsTooCloseForTheWeaveIsNamed) {
+  for (const int shafts : {8, 2}) {
+    put(draft_, straight_draft(24, shafts));
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Analysis"));
+    EXPECT_TRUE(comes_true([&] { return w.has(shafts == 2 ? "analysis.too_close" : "analysis.loom_sett"); })) << shafts;
+  }
+}
+
 TEST_F(DeskTest, ALongNameInAListIsToldByATip) {
   design::Design d = design_of(bytes_of(draft_));
   ASSERT_FALSE(d.yarns.empty());

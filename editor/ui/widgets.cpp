@@ -380,6 +380,7 @@ void tooltip(const Context& c, const char* tip) {
   c.tip = {c.tip.rest_s, shown, true, at.x, at.y};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
   push_font(c.style.font.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.text);  // not that of the control
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(c.style.px(280));
   ImGui::TextUnformatted(tip);
@@ -387,6 +388,7 @@ void tooltip(const Context& c, const char* tip) {
   const ImVec2 a = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   c.map.add("tip", a.x, a.y, size.x, size.y);
   ImGui::EndTooltip();
+  ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::PopStyleVar();
 }

@@ -123,6 +123,12 @@ ImU32 with_alpha(ImU32 color, float alpha) {
   return (color & ~IM_COL32_A_MASK) | (static_cast<ImU32>(std::lround(alpha * 255)) << IM_COL32_A_SHIFT);
 }
 
+ImU32 choices_background(const Colors& colors) { return blend(colors.panel, colors.text, 0.08f); }
+
+ImU32 chosen_background(const Style& style) {
+  return style.dark ? blend(style.color.raised, style.color.text, 0.16f) : style.color.raised;
+}
+
 ImU32 note_background(const Colors& colors) { return with_alpha(colors.panel, 0.94f); }
 
 ImU32 reading_color(ImU32 c) {

@@ -269,7 +269,7 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float r = ImGui::GetStyle().FrameRounding;
   dl->AddRectFilled(at, {std::accumulate(widths.begin(), widths.end(), at.x), at.y + h},
-                    blend(c.style.color.panel, c.style.color.text, 0.08f), r);
+                    choices_background(c.style.color), r);
   bool changed = false;
   float x = at.x;
   ImGui::PushID(id);
@@ -288,7 +288,7 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
     const bool on = chosen == i;
     c.map.controls.back().tab_stop &= on;
     if (on) {
-      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
+      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, chosen_background(c.style), r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
     }
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());

@@ -26,7 +26,7 @@ using session::ActionItem, session::Document, session::DocumentView, session::Ed
     session::type_after_wait, session::type_key, session::waits_until;
 using ui::begin_keyboard, ui::close_popups, ui::close_popups_above, ui::open_popups, ui::push_font;
 using views::GalleryPrompt, views::PanelContext, views::TabRequest, views::draw_context_menu, views::draw_menu_bar,
-    views::draw_tour;
+    views::draw_tour, views::leave_tour;
 
 namespace {
 
@@ -277,6 +277,7 @@ void Editor::apply_key(const std::string& key) {
   if (view.select.tool == Tool::kType &&
       editing_.commit(type_key(view, editing_.document().now(), settings_, key, Window::seconds())))
     return;
+  if (key == "Escape" && settings_.tour >= 0) return leave_tour(settings_);
   // Escape closes the messages once it has nothing of the draft to cancel.
   if (key == "Escape" && !actions_.is_enabled("select_none") && messages_.close_remarks()) return;
   // Redo by Ctrl+Y, too, unless it was given to another command.
@@ -308,7 +309,7 @@ void Editor::draw_window() {
   wanted.add_action(tools_.draw_commands(c, items));
   messages_.draw_remarks(c);
   tools_.draw_history_and_keys(c, document, items);
-  if (!dialogs_.any()) draw_tour(c, items);
+  if (!dialogs_.any() && !editing_.view().at_loom.open) draw_tour(c, items);
   dialogs_.draw(c);
   ImGui::PopFont();
   carry_out(wanted);

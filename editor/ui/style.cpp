@@ -46,7 +46,7 @@ void set_colors(ImVec4* at, const Colors& c) {
   at[ImGuiCol_ResizeGripHovered] = at[ImGuiCol_ResizeGripActive] = vec(c.line_strong, 0.6f);
   at[ImGuiCol_TextSelectedBg] = vec(c.accent, 0.28f);
   at[kFocusColor] = vec(c.accent, 0.8f);
-  at[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.28f);
+  at[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, kDim);
 }
 
 }  // namespace
@@ -108,6 +108,8 @@ void apply(const Style& style) {
   s.ScrollbarSize = style.px(16);
 }
 
+void dim_behind_dialogs(float dim) { ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = dim; }
+
 ImU32 blend(ImU32 from, ImU32 to, float t) {
   ImU32 out = 0;
   for (int shift = 0; shift < 32; shift += 8) {
@@ -119,6 +121,12 @@ ImU32 blend(ImU32 from, ImU32 to, float t) {
 
 ImU32 with_alpha(ImU32 color, float alpha) {
   return (color & ~IM_COL32_A_MASK) | (static_cast<ImU32>(std::lround(alpha * 255)) << IM_COL32_A_SHIFT);
+}
+
+ImU32 choices_background(const Colors& colors) { return blend(colors.panel, colors.text, 0.08f); }
+
+ImU32 chosen_background(const Style& style) {
+  return style.dark ? blend(style.color.raised, style.color.text, 0.16f) : style.color.raised;
 }
 
 ImU32 note_background(const Colors& colors) { return with_alpha(colors.panel, 0.94f); }

@@ -45,9 +45,17 @@ Colors dark_colors();
 /// Sets ImGui's own colours and spacings from the style.
 void apply(const Style& style);
 
+/// How much the window is darkened behind a dialog, 0..1: beside a draft that follows the dialog's choices hardly,
+/// since its colours are to be judged.
+inline constexpr float kDim = 0.28f, kDimBesideDraft = 0.06f;
+void dim_behind_dialogs(float dim);
+
 /// Linear interpolation by `t`, per channel.
 ImU32 blend(ImU32 from, ImU32 to, float t);
 ImU32 with_alpha(ImU32 color, float alpha);
+/// Of a row of choices: behind all of them, and behind the chosen one, which is lighter than those in either theme.
+ImU32 choices_background(const Colors& colors);
+ImU32 chosen_background(const Style& style);
 /// Behind a note over a picture: `muted` on it keeps a contrast of 4.5:1, whatever the picture shows.
 ImU32 note_background(const Colors& colors);
 /// Black or white, whichever has more contrast on `c`.

@@ -43,6 +43,7 @@ void UiMap::add_field(std::string name, unsigned item) {
   UiControl& control = controls.back();
   control.item = item;
   control.field = true;
+  control.tab_stop = (last_item_flags() & ImGuiItemFlags_Disabled) == 0;  // the group itself is none
   if (item == 0 || item != focus_next) return;
   focus_next = 0;
   give_keyboard(item);

@@ -104,12 +104,16 @@ bool figure(const Context& c, const SliderSpec& spec, bool mixed, FigureAlign al
   return changed;
 }
 
+/// As high as the controls beside it, though its letters are smaller: all have one middle.
+void push_figure_padding(const Context& c) {
+  const float pad = std::max(0.0f, (ImGui::GetFrameHeight() - font_size(c.style.font.mono_small)) / 2);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), pad});
+}
+
 /// In the column of figures, `room_after` pixels before the end.
 bool column_figure(const Context& c, const SliderSpec& spec, const SliderSpan& span, float& value) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 0));
-  // As high as the track beside it, though its letters are smaller: both have one middle.
-  const float pad = std::max(0.0f, (ImGui::GetFrameHeight() - font_size(c.style.font.mono_small)) / 2);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {c.style.px(3), pad});
+  push_figure_padding(c);
   ImGui::SetNextItemWidth(span.room_after > 0 ? -span.room_after : -FLT_MIN);
   const bool mixed = span.low != span.high;
   const ImU32 color = mixed || span.inherited ? c.style.color.muted : c.style.color.text;
@@ -154,8 +158,10 @@ bool slider(const Context& c, const SliderSpec& spec, float& value) {
 bool number_field(const Context& c, const SliderSpec& spec, bool mixed, float width, float& value) {
   ImGui::PushID(spec.id);
   ImGui::SetNextItemWidth(width);
+  push_figure_padding(c);
   const bool changed =
       figure(c, spec, mixed, FigureAlign::kMiddle, mixed ? c.style.color.muted : c.style.color.text, value);
+  ImGui::PopStyleVar();
   c.map.add_item(spec.id);
   tooltip(c, spec.tip);
   ImGui::PopID();
@@ -208,15 +214,16 @@ void end_rows() { ImGui::PopStyleVar(); }
 bool begin_combo(const Context& c, const char* id, const char* shown) {
   ImGui::PushID(id);
   const ImGuiComboFlags tall = c.style.finger > 0 ? ImGuiComboFlags_HeightLarge : ImGuiComboFlags_None;
-  const bool open = ImGui::BeginCombo("##combo", shown, ImGuiComboFlags_NoArrowButton | tall);
+  const float r = c.style.px(4), arrow = c.style.px(14);  // its size, and its middle from the right edge
+  const std::string text = fitted(shown, ImGui::CalcItemWidth() - arrow - 2 * r - ImGui::GetStyle().FramePadding.x);
+  const bool open = ImGui::BeginCombo("##combo", text.c_str(), ImGuiComboFlags_NoArrowButton | tall);
   if (!open) {
     c.map.add_item(id);
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-    const float r = c.style.px(4), x = b.x - c.style.px(14), y = (a.y + b.y) / 2;
-    const ImU32 frame = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg);
+    const float x = b.x - arrow, y = (a.y + b.y) / 2;
     ImDrawList* dl = ImGui::GetWindowDrawList();
-    dl->AddRectFilled({x - 2 * r, a.y}, b, frame, ImGui::GetStyle().FrameRounding);  // covers the end of a long name
     dl->AddTriangleFilled({x - r, y - r / 2}, {x + r, y - r / 2}, {x, y + r * 0.7f}, c.style.color.muted);
+    if (text != shown) tooltip(c, shown);
     ImGui::PopID();
     return false;
   }
@@ -232,7 +239,8 @@ void end_combo() {
 
 namespace {
 
-/// Equal widths where every label fits; else each by its label, and all no wider than there is room.
+/// Equal widths where every label fits; else each by its label, with the same room beside all of them, and all no wider
+/// than there is room.
 std::vector<float> segment_widths(const Context& c, std::span<const char* const> labels, float width) {
   std::vector<float> widths;
   float widest = 0, sum = 0;
@@ -243,9 +251,10 @@ std::vector<float> segment_widths(const Context& c, std::span<const char* const>
   }
   const auto count = static_cast<float>(labels.size());
   const float each = static_cast<float>(static_cast<int>(width / count));
-  if (widest - c.style.px(6) <= each) return std::vector<float>(labels.size(), each);
+  if (widest <= each) return std::vector<float>(labels.size(), each);
   const float room = std::max(width, std::min(sum, ImGui::GetContentRegionAvail().x));
-  for (float& own : widths) own = static_cast<float>(static_cast<int>(own * room / sum));
+  const float spare = std::max(0.0f, room - sum) / count, shrunk = std::min(1.0f, room / sum);
+  for (float& own : widths) own = static_cast<float>(static_cast<int>(own * shrunk + spare));
   return widths;
 }
 
@@ -260,7 +269,7 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float r = ImGui::GetStyle().FrameRounding;
   dl->AddRectFilled(at, {std::accumulate(widths.begin(), widths.end(), at.x), at.y + h},
-                    blend(c.style.color.panel, c.style.color.text, 0.08f), r);
+                    choices_background(c.style.color), r);
   bool changed = false;
   float x = at.x;
   ImGui::PushID(id);
@@ -279,7 +288,7 @@ bool segmented(const Context& c, const char* id, std::span<const char* const> la
     const bool on = chosen == i;
     c.map.controls.back().tab_stop &= on;
     if (on) {
-      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.raised, r - 1);
+      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, chosen_background(c.style), r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, c.style.color.line, r - 1);
     }
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
@@ -371,6 +380,7 @@ void tooltip(const Context& c, const char* tip) {
   c.tip = {c.tip.rest_s, shown, true, at.x, at.y};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(10), c.style.px(7)});
   push_font(c.style.font.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.text);  // not that of the control
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(c.style.px(280));
   ImGui::TextUnformatted(tip);
@@ -378,6 +388,7 @@ void tooltip(const Context& c, const char* tip) {
   const ImVec2 a = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   c.map.add("tip", a.x, a.y, size.x, size.y);
   ImGui::EndTooltip();
+  ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::PopStyleVar();
 }

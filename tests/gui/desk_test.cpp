@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -67,6 +68,115 @@ TEST_F(DeskTest, ANewDraftIsMadeByKeyboardAlone) {
   ASSERT_TRUE(comes_true([&] { return w.has("dialog:Create"); }));
   display_.key("Down Return");
   EXPECT_TRUE(comes_true([&] { return !w.has("dialog:Create"); })) << "Enter on a row is for the dialog";
+}
+
+TEST_F(DeskTest, ASettThatIsTooCloseForTheWeaveIsNamed) {
+  for (const int shafts : {8, 2}) {
+    put(draft_, straight_draft(24, shafts));
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Analysis"));
+    EXPECT_TRUE(comes_true([&] { return w.has(shafts == 2 ? "analysis.too_close" : "analysis.loom_sett"); })) << shafts;
+  }
+}
+
+TEST_F(DeskTest, ALongNameInAListIsToldByATip) {
+  design::Design d = design_of(bytes_of(draft_));
+  ASSERT_FALSE(d.yarns.empty());
+  d.yarns[0].name = "Heavy mercerised cotton of the old mill by the river";
+  put(draft_, wif::write_new_wif(d));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Yarns"));
+  ASSERT_TRUE(comes_true([&] { return w.has("yarn.list"); }));
+  display_.move(w.middle_of("yarn.list"));
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "the name is cut, and nothing tells the rest";
+}
+
+TEST_F(DeskTest, TabGoesFromOneNumberToTheNext) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.ends") && w.has("dialog:Create"); }));
+  const auto [at, size] = w.place_of("weave.ends");
+  display_.click({at.x + size.x / 4, at.y + size.y / 2});
+  display_.key("ctrl+a");
+  display_.type("40");
+  display_.key("Tab");
+  display_.type("20");
+  ASSERT_NO_FATAL_FAILURE(press(w, "Create"));
+  EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 40; }));
+  EXPECT_EQ(design_of(w.live()).draft.picks(), 20) << "Tab went past the picks";
+}
+
+TEST_F(DeskTest, TheChosenWeaveIsInSightWhereverAnotherDialogLeftTheList) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("w");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:twill") && w.has("dialog:Apply"); }));
+  display_.type("network");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:network") && !w.has("weave:twill"); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Apply"));
+  const auto is_in_sight = [&](const std::string& weave) {
+    const auto [field, height] = w.place_of("weave.find");
+    const double y = w.middle_of(weave).y;
+    return y > field.y + height.y && y < w.place_of("dialog:Cancel").first.y;
+  };
+  // The list opens in the middle, then at its beginning.
+  display_.key("w");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:plain") && w.has("dialog:Apply"); }));
+  EXPECT_TRUE(comes_true([&] { return is_in_sight("weave:network"); }));
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Apply"); }));
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:plain") && w.has("dialog:Create"); }));
+  EXPECT_TRUE(comes_true([&] { return is_in_sight("weave:plain"); })) << "the chosen weave is above the list";
+}
+
+TEST_F(DeskTest, ASearchThatFindsNoWeaveSaysSoInWholeWords) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave:twill"); }));
+  display_.type("something that nobody weaves");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.none"); }));
+  const auto [text, size] = w.place_of("weave.none");
+  const auto [field, width] = w.place_of("weave.find");
+  EXPECT_LE(text.x + size.x, field.x + width.x) << "the sentence is cut";
+}
+
+TEST_F(DeskTest, TheDraftKeepsItsColoursBesideADialogThatItFollows) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  // The menu bar is the same throughout.
+  const auto brightness = [&] {
+    const auto [at, size] = w.place_of("menu:File");
+    const std::string picture = display_.picture(at, size);
+    double sum = 0;
+    for (const char c : picture) sum += static_cast<unsigned char>(c);
+    return sum / static_cast<double>(std::max<size_t>(picture.size(), 1));
+  };
+  const double before = brightness();
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Create"); }));
+  EXPECT_TRUE(comes_true([&] { return brightness() < 0.8 * before; }))
+      << "another dialog stands before a darker window";
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Create") && brightness() > 0.99 * before; }));
+  display_.key("w");
+  ASSERT_TRUE(comes_true([&] { return w.has("dialog:Apply"); }));
+  double last = 0;
+  EXPECT_TRUE(comes_true([&] {
+    const double now = brightness();
+    const bool still = now == last;
+    last = now;
+    return still;
+  }));
+  EXPECT_GT(last, 0.9 * before) << "the colours cannot be judged";
 }
 
 TEST_F(DeskTest, TypingFindsAWeaveByItsUse) {
@@ -139,6 +249,7 @@ TEST_F(DeskTest, JoinsTheDraftWithAnother) {
   display_.key("Return");
   ASSERT_TRUE(comes_true([&] { return w.has("join.first"); }));
   EXPECT_TRUE(comes_true([&] { return design_of(w.live()).draft.ends() == 2 * ends; })) << "the draft does not follow";
+  EXPECT_GT(w.place_of("join.first").first.x, 640) << "the dialog hides the draft";
   ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Join"));
   ASSERT_TRUE(comes_true([&] { return !w.has("dialog:Join"); }));
   display_.key("ctrl+z");

@@ -47,6 +47,27 @@ TEST_F(LanguageTest, LongTextsStayInTheirDialogs) {
   EXPECT_LE(right_of(w, "export.for:raw"), right_of(w, "export.alpha"));
 }
 
+TEST_F(LanguageTest, LongWordsStayInTheButtonsOverTheClothAndInTheLoomView) {
+  double english = 0;
+  settings({{"cloth", true}, {"language", "en"}});
+  {
+    Window w(display_, folder_, draft_);
+    ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("views"); }));
+    english = w.place_of("views").second.x;
+  }
+  settings({{"cloth", true}, {"language", "de"}});
+  Window w(display_, folder_, draft_, {"LC_ALL=C.UTF-8", "LANGUAGE=de"});
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("views"); }));
+  EXPECT_GT(w.place_of("views").second.x, english) << "\"Ansichten\" is wider than \"Views\" and its button";
+  display_.resize(900, 600);
+  display_.key("F9");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.progress"); }));
+  EXPECT_TRUE(comes_true([&] {
+    const auto [at, size] = w.place_of("loom.progress");
+    return at.x + size.x <= 900 && at.y + size.y <= 600;
+  })) << "how much is woven is cut";
+}
+
 TEST_F(LanguageTest, ALongNameThatIsCutIsToldByATip) {
   Window w(display_, folder_, draft_, {"LC_ALL=C.UTF-8", "LANGUAGE=de"});
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

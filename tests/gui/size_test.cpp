@@ -1,5 +1,7 @@
 // How large things are: the interface, rulers, the cloth at its true distance; and a folder of drafts.
 
+#include <algorithm>
+
 #include "on_display.h"
 
 namespace weftlight::gui {
@@ -34,6 +36,44 @@ TEST_F(SizeTest, FiguresStandInTheMiddleOfTheirSliders) {
     ASSERT_TRUE(comes_true([&] { return w.has("floats.limit:figure"); }));
     EXPECT_NEAR(w.middle_of("floats.limit:figure").y, w.middle_of("floats.limit").y, 1) << percent;
   }
+}
+
+TEST_F(SizeTest, ControlsOfARowAreOfOneHeightAndEndWithTheirPanel) {
+  for (const int percent : {100, 150}) {
+    settings({{"interface_percent", percent}});
+    Window w(display_, folder_, draft_);
+    ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Threads"));
+    ASSERT_TRUE(comes_true([&] { return w.has("threads.sett") && w.has("palette.add"); }));
+    EXPECT_NEAR(w.place_of("threads.sett").second.y, w.place_of("threads.per:/cm").second.y, 1) << percent;
+    const auto right_of = [&](const std::string& control) {
+      const auto [at, size] = w.place_of(control);
+      return at.x + size.x;
+    };
+    EXPECT_LE(right_of("palette.add"), right_of("threads.which") + 1) << percent << ": the button is cut";
+    EXPECT_LE(right_of("threads.spacing:yarn"), right_of("threads.which") + 1) << percent << ": the button is cut";
+    EXPECT_GT(w.place_of("inspector:Threads").second.x, w.place_of("inspector:Plan").second.x)
+        << percent << ": the longest name has no room beside it";
+  }
+}
+
+TEST_F(SizeTest, ATipIsAsDarkBesideAGreyIconAsElsewhere) {
+  Window w(display_, folder_, draft_);
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Threads"));
+  const auto darkest = [&](const std::string& control) {
+    EXPECT_TRUE(comes_true([&] { return w.has(control); })) << control;
+    display_.move(w.middle_of("menu:File"));
+    EXPECT_TRUE(comes_true([&] { return !w.has("tip"); }));
+    display_.move(w.middle_of(control));
+    EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << control;
+    const auto [at, size] = w.place_of("tip");
+    const std::string picture = display_.picture({at.x + 2, at.y + 2}, {size.x - 4, size.y - 4});
+    const size_t header = 15;  // of a PPM file
+    int least = 255;
+    for (size_t i = header; i < picture.size(); ++i)
+      least = std::min<int>(least, static_cast<unsigned char>(picture[i]));
+    return least;
+  };
+  EXPECT_NEAR(darkest("threads.spacing:yarn"), darkest("palette.add"), 20);
 }
 
 TEST_F(SizeTest, ADraftIsFittedBelowTheMenuBar) {

@@ -250,6 +250,21 @@ TEST_F(TabsTest, TheHistoryGoesToAnyStep) {
   EXPECT_TRUE(comes_true([&] { return !w.has("history:0"); }));
 }
 
+TEST_F(TabsTest, EscapeLeavesTheTourWhichIsNotShownAtTheLoom) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu:Help"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "menu.tour"));
+  ASSERT_TRUE(comes_true([&] { return w.has("tour.next"); }));
+  display_.key("F9");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.next"); }));
+  EXPECT_TRUE(comes_true([&] { return !w.has("tour.next"); })) << "its card hides a part of the loom view";
+  display_.key("Escape");
+  ASSERT_TRUE(comes_true([&] { return w.has("tour.next"); })) << "Escape was for the loom view";
+  display_.key("Escape");
+  EXPECT_TRUE(comes_true([&] { return !w.has("tour.next"); })) << "Escape does not leave the tour";
+}
+
 TEST_F(TabsTest, TheTourDoesNotBlockTheWindow) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -12,8 +12,8 @@
 
 namespace weftlight::views {
 
-using analysis::Units, analysis::WeaveLayer, analysis::cloth_measures, analysis::kInch_mm, analysis::sett_text,
-    analysis::loom_use, analysis::firm_sett_per_cm, analysis::mean_thread, analysis::thread_list,
+using analysis::Units, analysis::WeaveLayer, analysis::cloth_measures, analysis::deviation_text, analysis::kInch_mm,
+    analysis::sett_text, analysis::loom_use, analysis::firm_sett_per_cm, analysis::mean_thread, analysis::thread_list,
     analysis::weave_layers, analysis::wraps_per_cm;
 using base::arg, base::fill, base::tr, base::tr_n;
 using draft::Draft, draft::System, draft::fewest_for;
@@ -84,6 +84,22 @@ void draw_loom(const PanelContext& c, const AnalysisState& s) {
   if (picks > 0) fact(c, tr("Empty sheds"), fill(tr_n("{count} pick", "{count} picks", picks), arg("count", picks)));
 }
 
+/// The sett on the loom beside the firm one, which is also meant for the loom.
+void draw_loom_sett(const PanelContext& c, const AnalysisState& s) {
+  constexpr double kTooClose = 0.1;  // of the firm sett: more is stiff, or cannot be beaten in
+  const double firm = s.wraps * s.firm_sett, own = s.measures.loom_ends_per_cm;
+  if (firm <= 0 || own <= 0) return;
+  const double off = own / firm - 1;
+  const bool too_close = off > kTooClose;
+  if (too_close) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
+  fact(c, tr("On the loom"),
+       fill(too_close ? tr("{sett}, {deviation}: too close for the weft to beat in well") : tr("{sett}, {deviation}"),
+            arg("sett", sett_text(own, System::kWarp, units_of(c.settings))), arg("deviation", deviation_text(off))),
+       tr("The sett on the loom, by the plan, and how far it is from the firm one"));
+  if (too_close) ImGui::PopStyleColor();
+  c.map.add_item(too_close ? "analysis.too_close" : "analysis.loom_sett");
+}
+
 void draw_setts(const PanelContext& c, const AnalysisState& s) {
   const Units units = units_of(c.settings);
   fact(c, tr("Sett"),
@@ -96,6 +112,7 @@ void draw_setts(const PanelContext& c, const AnalysisState& s) {
             arg("sett", sett_text(s.wraps * s.firm_sett, System::kWarp, units)),
             arg("wraps", units == Units::kImperial ? s.wraps * kInch_mm / 10 : s.wraps)),
        tr("On the loom, for a firm cloth of these ends in this weave (Ashenhurst); in all layers together"));
+  draw_loom_sett(c, s);
 }
 
 }  // namespace

@@ -243,12 +243,17 @@ void draw_views_menu(PanelContext& c) {
 // The buttons over the picture, pixels at 96 dpi.
 constexpr float kWaysWidth = 120, kViewsWidth = 64, kGrazingWidth = 72, kButtonGap = 8, kButtonMargin = 14;
 
-void draw_views_button(PanelContext& c, ImVec2 at) {
+/// Wider where a language has a longer word.
+float button_width(const PanelContext& c, const char* label, float usual) {
+  return std::max(c.style.px(usual), ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
+}
+
+void draw_views_button(PanelContext& c, ImVec2 at, float width) {
   const Colors& k = c.style.color;
   ImGui::SetCursorScreenPos(at);
   ImGui::PushStyleColor(ImGuiCol_Button, blend(k.panel, k.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(k.panel, k.text, 0.14f));
-  if (ImGui::Button(tr("Views"), {c.style.px(kViewsWidth), 0})) ImGui::OpenPopup("views");
+  if (ImGui::Button(tr("Views"), {width, 0})) ImGui::OpenPopup("views");
   c.map.add_item("views");
   tooltip(c, tr("Views of the cloth, and your own, which are saved with the draft"));
   ImGui::PopStyleColor(2);
@@ -260,13 +265,13 @@ void draw_views_button(PanelContext& c, ImVec2 at) {
 }
 
 /// While the swatch is flat.
-void draw_grazing_button(Panel& c, ImVec2 at) {
+void draw_grazing_button(Panel& c, ImVec2 at, float width) {
   const Colors& k = c.style.color;
   const bool on = c.view.grazing;
   ImGui::SetCursorScreenPos(at);
   ImGui::PushStyleColor(ImGuiCol_Button, on ? k.accent_soft : blend(k.panel, k.text, 0.08f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? k.accent_soft : blend(k.panel, k.text, 0.14f));
-  if (ImGui::Button(tr("Grazing"), {c.style.px(kGrazingWidth), 0})) c.wanted.add_action("grazing");
+  if (ImGui::Button(tr("Grazing"), {width, 0})) c.wanted.add_action("grazing");
   c.map.add_item(on ? "grazing.on" : "grazing");
   tooltip(c, tr("Light low from the side, which shows the relief of every thread"));
   ImGui::PopStyleColor(2);
@@ -292,8 +297,12 @@ float draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
   ImGui::SetCursorScreenPos(left);
   int way = c.view.flat ? 1 : 0;
   if (segmented(c, "hanging", kWays, way, s.px(kWaysWidth))) c.wanted.add_action("flat");
-  draw_views_button(c, place(s.px(kViewsWidth)));
-  if (c.view.flat) draw_grazing_button(c, place(s.px(kGrazingWidth)));
+  const float views = button_width(c, tr("Views"), kViewsWidth);
+  draw_views_button(c, place(views), views);
+  if (c.view.flat) {
+    const float grazing = button_width(c, tr("Grazing"), kGrazingWidth);
+    draw_grazing_button(c, place(grazing), grazing);
+  }
   dl->ChannelsSetCurrent(0);
   ImGui::SetCursorScreenPos(a);
   return left.y + ImGui::GetFrameHeight();

@@ -17,8 +17,9 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::SizeLoss, design::lost_by_size;
 using draft::Draft, draft::ShedControl, draft::kMaxShafts, draft::kMaxThreads;
-using ui::Colors, ui::begin_list, ui::begin_padded_child, ui::blend, ui::close_popups_above, ui::fitted,
-    ui::key_pressed, ui::muted_text, ui::open_popups, ui::push_font, ui::row_label, ui::segmented, ui::text_button;
+using ui::Colors, ui::begin_list, ui::begin_padded_child, ui::blend, ui::close_popups_above, ui::dim_behind_dialogs,
+    ui::fitted, ui::key_pressed, ui::muted_text, ui::open_popups, ui::push_font, ui::row_label, ui::segmented,
+    ui::text_button;
 
 namespace {
 
@@ -226,6 +227,13 @@ DialogResult draw_prompt(PanelContext& c, RecoveryPrompt& p) {
                                                                              : dialog_result(pressed, -2);
 }
 
+/// True if the draft follows the choices in the dialog, so that it is to be seen beside it, in its own colours.
+bool shows_in_draft(const Dialog& dialog) {
+  return std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
+         std::holds_alternative<JoinPrompt>(dialog) || std::holds_alternative<ClosestWeavePrompt>(dialog) ||
+         std::holds_alternative<GradientPrompt>(dialog);
+}
+
 /// The edit that undoes the preview of a cancelled dialog.
 MaybeEdit restored(const Dialog& dialog) {
   if (const auto* over = std::get_if<WeaveOverPrompt>(&dialog)) return restored(*over);
@@ -273,10 +281,8 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   constexpr const char* kName = "###dialog";
   if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImGuiViewport* view = ImGui::GetMainViewport();
-  // A dialog with a preview in the draft stands beside the draft.
-  const bool live = std::holds_alternative<WeaveOverPrompt>(dialog) || std::holds_alternative<SectionsPrompt>(dialog) ||
-                    std::holds_alternative<ClosestWeavePrompt>(dialog) ||
-                    std::holds_alternative<GradientPrompt>(dialog);
+  const bool live = shows_in_draft(dialog);
+  dim_behind_dialogs(live ? ui::kDimBesideDraft : ui::kDim);
   const bool tall = std::holds_alternative<GalleryPrompt>(dialog) || std::holds_alternative<PrintPrompt>(dialog) ||
                     std::holds_alternative<VersionsPrompt>(dialog) || std::holds_alternative<PicturePrompt>(dialog) ||
                     std::holds_alternative<YarnsPrompt>(dialog);
@@ -288,6 +294,7 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
   ImGui::SetNextWindowSizeConstraints({1, 1}, {std::max(1.0f, view->WorkSize.x), std::max(1.0f, view->WorkSize.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(20), c.style.px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, live ? 1.0f : 0.0f);
   // The background of a dialog is lighter than that of a panel, and so are its fields.
   const Colors& color = c.style.color;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, blend(color.raised, color.text, 0.08f));
@@ -310,7 +317,7 @@ DialogResult draw_dialog(PanelContext& c, Dialog& dialog) {
     ImGui::EndPopup();
   }
   ImGui::PopStyleColor(4);
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   return result;
 }
 

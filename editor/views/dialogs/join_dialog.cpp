@@ -64,9 +64,12 @@ DialogResult draw_prompt(PanelContext& c, JoinPrompt& p) {
   number(c, "join.second", tr("The other"), p.joining.second, 1, kMaxInTurn);
   MaybeEdit edit;
   if (!p.shown || !(before == p.joining)) edit = preview_edit(p);
+  ImGui::PushTextWrapPos(c.style.px(kWidth));
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
-  ImGui::TextUnformatted(fitted(p.why, c.style.px(kWidth)).c_str());
+  ImGui::TextUnformatted(p.why.c_str());
   ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  if (!p.why.empty()) c.map.add_item("join.why");
   return edited(std::move(edit), dialog_result(draw_buttons(c, {mark("Join"), mark("Cancel")}, true, p.why.empty())));
 }
 

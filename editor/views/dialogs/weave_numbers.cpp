@@ -1,6 +1,7 @@
 // The list of weaves by family and the parameters of one, shared by both weave dialogs.
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -134,9 +135,9 @@ void draw_found(PanelContext& c, const std::vector<int>& found, const std::strin
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(8), c.style.px(6)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {c.style.px(8), c.style.px(4)});
   begin_padded_child("weaves", size);
-  // What was chosen before the list appeared, or by typing, is seen.
-  const bool scroll =
-      ImGui::IsWindowAppearing() || ImGui::GetStateStorage()->GetInt(ImGui::GetID("chosen"), -1) != chosen;
+  // What was chosen before the list appeared, or by typing, is scrolled to until it is seen: a dialog's first frame is
+  // hidden, and the list may still stand where another dialog left it.
+  int seen = ImGui::IsWindowAppearing() ? -1 : ImGui::GetStateStorage()->GetInt(ImGui::GetID("seen"), -1);
   std::string family;
   for (const int i : found) {
     const WeaveKind& kind = weave_kinds()[static_cast<size_t>(i)];
@@ -146,10 +147,17 @@ void draw_found(PanelContext& c, const std::vector<int>& found, const std::strin
     const std::string name = std::string("  ") + tr(kind.name), shown = fitted(name, ImGui::GetContentRegionAvail().x);
     if (list_row(c, id.c_str(), shown.c_str(), was)) chosen = i;
     if (shown != name) tooltip(c, tr(kind.name));
-    if (was && scroll && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    if (!was || seen == chosen) continue;
+    if (ImGui::IsItemVisible() && !ImGui::GetCurrentWindow()->Hidden) seen = chosen;
+    else ImGui::SetScrollHereY();
   }
-  if (found.empty()) muted_text(c, fill(tr("No weave matches \"{typed}\"."), arg("typed", typed)));
-  ImGui::GetStateStorage()->SetInt(ImGui::GetID("chosen"), chosen);
+  if (found.empty()) {
+    ImGui::PushTextWrapPos(0);
+    muted_text(c, fill(tr("No weave matches \"{typed}\"."), arg("typed", typed)));
+    ImGui::PopTextWrapPos();
+    c.map.add_item("weave.none");
+  }
+  ImGui::GetStateStorage()->SetInt(ImGui::GetID("seen"), seen);
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();

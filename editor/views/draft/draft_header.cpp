@@ -14,8 +14,8 @@ namespace weftlight::views {
 
 using base::as_utf8, base::mark, base::tr;
 using session::DrawdownStyle, session::Settings;
-using ui::Style, ui::begin_combo, ui::blend, ui::end_combo, ui::fitted, ui::hit_area, ui::push_font, ui::segmented,
-    ui::tooltip;
+using ui::Style, ui::begin_combo, ui::choices_background, ui::chosen_background, ui::end_combo, ui::fitted,
+    ui::hit_area, ui::push_font, ui::segmented, ui::tooltip;
 
 namespace {
 
@@ -53,8 +53,7 @@ void draw_buttons(PanelContext& c, const char* id, std::span<const ToolButton> b
   ImDrawList* dl = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float w = s.pressed_px(kIconCell), h = ImGui::GetFrameHeight(), r = ImGui::GetStyle().FrameRounding;
-  dl->AddRectFilled(at, {at.x + w * static_cast<float>(buttons.size()), at.y + h},
-                    blend(s.color.panel, s.color.text, 0.08f), r);
+  dl->AddRectFilled(at, {at.x + w * static_cast<float>(buttons.size()), at.y + h}, choices_background(s.color), r);
   ImGui::PushID(id);
   for (size_t i = 0; i < buttons.size(); ++i) {
     const ActionItem* item = item_of(items, buttons[i].action);
@@ -64,7 +63,7 @@ void draw_buttons(PanelContext& c, const char* id, std::span<const ToolButton> b
     if (hit_area(buttons[i].name, {w, h})) c.wanted.add_action(item->id);
     c.map.add_item(std::string(id) + ":" + buttons[i].name);
     if (item->checked) {
-      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, s.color.raised, r - 1);
+      dl->AddRectFilled({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, chosen_background(s), r - 1);
       dl->AddRect({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, s.color.line, r - 1);
     }
     const ImU32 color = item->checked ? s.color.accent : ImGui::IsItemHovered() ? s.color.text : s.color.muted;

@@ -78,7 +78,7 @@ MaybeEdit draw_active_color(Panel& c) {
   float rgb[3] = {color.r, color.g, color.b};
   row_label(c, fill(tr("Colour {number}"), arg("number", index + 1)).c_str(),
             tr("The active colour: click the swatch to edit it, or type its hex value"));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - c.style.px(8));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - c.style.px(12));
   push_font(c.style.font.mono);
   const bool changed =
       ImGui::ColorEdit3("##rgb", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);

@@ -37,7 +37,7 @@ namespace {
 
 using Panel = ViewContext<ThreadChoice>;
 
-constexpr float kLinkRoom = 30;     // pixels at 96 dpi, for the link button
+constexpr float kLinkRoom = 33;     // pixels at 96 dpi, for the link button
 constexpr float kOrderWidth = 200;  // of the field of an order, about 25 letters
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
@@ -97,7 +97,7 @@ void choose(PanelContext& c, std::vector<int> threads) {
 /// The field that names the threads, with their number at its end.
 void draw_which(Panel& c, const Draft& d, std::string& words) {
   const ThreadChoice& choice = c.view;
-  const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(10);
+  const float clear = choice.threads.empty() ? 0 : ImGui::GetFrameHeight() + c.style.px(12);
   const std::string all = fill(choice.system == System::kWarp ? tr("all {count} ends") : tr("all {count} picks"),
                                arg("count", d.threads(choice.system).size()));
   const bool typing = ImGui::GetActiveID() == ImGui::GetID("##which");

@@ -28,9 +28,10 @@ using Panel = ViewContext<LoomView>;
 // Pixels at 96 dpi.
 constexpr float kMargin = 28, kFoot = 190, kMinForStrip = 900;
 
-std::string line_text(const LoomLine& line, loom::Protocol protocol) {
+std::string line_text(const LoomLine& line, loom::Protocol protocol, LoomWork work) {
   switch (line.state) {
     case LoomLink::State::kOff:
+      if (work != LoomWork::kWeave) return tr("Not connected. Space or a click: next step; Backspace: previous step");
       return tr("Not connected. Space or a click: next step; Backspace: previous step; T: tabby");
     case LoomLink::State::kConnecting:
       return line.why.empty() ? tr("Connecting to the loom\xE2\x80\xA6")
@@ -90,7 +91,7 @@ void draw_status(Panel& c) {
   const AtLoom& at = c.view.at_loom;
   const bool bad = !line.why.empty() || !at.remark.empty() || !c.view.page_error.empty();
   std::string text = at.remark.empty() ? c.view.page_error : at.remark;
-  if (text.empty()) text = line_text(line, at.protocol);
+  if (text.empty()) text = line_text(line, at.protocol, at.work);
   ImGui::PushStyleColor(ImGuiCol_Text, bad ? c.style.color.warn : c.style.color.muted);
   row_label(c, "", nullptr);
   ImGui::TextUnformatted(fitted(text, ImGui::GetContentRegionAvail().x).c_str());
@@ -197,7 +198,12 @@ void draw_section(Panel& c) {
         [between](DocumentView& v, const Design& d) { return put_tabby_between(v.at_loom, d, between).edit; });
   c.map.add_item("loom.tabby_between");
   ImGui::SameLine(0, c.style.px(20));
+  if (ImGui::CalcTextSize(c.view.step.progress.c_str()).x > ImGui::GetContentRegionAvail().x) {
+    ImGui::NewLine();
+    row_label(c, "", "");
+  }
   muted_text(c, c.view.step.progress);
+  c.map.add_item("loom.progress");
 }
 
 /// The end or dent to go on from, counted from 1.

@@ -69,6 +69,17 @@ std::optional<Rect> place_of(const UiMap& map, const std::string& control) {
   return {};
 }
 
+/// The part within the window: a grid may go on beyond it.
+Rect in_window(Rect r, float margin) {
+  const ImGuiViewport* view = ImGui::GetMainViewport();
+  const ImVec2 low{view->Pos.x + margin, view->Pos.y},
+      high{view->Pos.x + view->Size.x - margin, view->Pos.y + view->Size.y};
+  const auto inside = [&](ImVec2 p) {
+    return ImVec2{std::clamp(p.x, low.x, std::max(low.x, high.x)), std::clamp(p.y, low.y, std::max(low.y, high.y))};
+  };
+  return {inside(r.a), inside(r.b)};
+}
+
 /// Position beside the control, within the window: below it, to its left, or over its middle.
 ImVec2 card_at(const PanelContext& c, const Rect& r, ImVec2 size) {
   const ImGuiViewport* view = ImGui::GetMainViewport();
@@ -84,8 +95,8 @@ ImVec2 card_at(const PanelContext& c, const Rect& r, ImVec2 size) {
 
 void go_to(PanelContext& c, int step) {
   c.wanted.change_settings([step](Settings& s) {
-    s.tour = step < kTourSteps ? step : -1;
-    if (s.tour < 0) s.toured = true;
+    if (step < kTourSteps) s.tour = step;
+    else leave_tour(s);
   });
 }
 
@@ -138,14 +149,19 @@ std::string with_keys(std::string_view words, std::span<const ActionItem> items)
   return text;
 }
 
+void leave_tour(Settings& settings) {
+  settings.tour = -1;
+  settings.toured = true;
+}
+
 void draw_tour(PanelContext& c, std::span<const ActionItem> items) {
   const int step = c.settings.tour;
   if (step < 0 || step >= kTourSteps) return;
   const ImGuiViewport* view = ImGui::GetMainViewport();
   const ImVec2 middle{view->WorkPos.x + view->WorkSize.x / 2, view->WorkPos.y + view->WorkSize.y / 2};
   const std::optional<Rect> about = place_of(c.map, kSteps[step].control);
-  const Rect r = about.value_or(Rect{middle, middle});
   const float round = c.style.px(6), room = c.style.px(6);
+  const Rect r = in_window(about.value_or(Rect{middle, middle}), 2 * room);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, c.style.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {c.style.px(16), c.style.px(12)});

@@ -18,6 +18,9 @@ inline constexpr int kTourSteps = 5;
 /// shortcuts the steps name.
 void draw_tour(PanelContext& c, std::span<const ActionItem> items);
 
+/// No step is shown any more, nor the tour at the next start.
+void leave_tour(session::Settings& settings);
+
 /// The text with each {id} replaced by the shortcut of that action, or by its place in the menus.
 std::string with_keys(std::string_view words, std::span<const ActionItem> items);
 

@@ -34,5 +34,18 @@ TEST(Style, ANoteIsReadOverAnyPicture) {
     }
 }
 
+TEST(Style, TheChosenOneIsLighterThanTheOthers) {
+  for (const bool dark : {false, true}) {
+    Style style;
+    style.color = dark ? dark_colors() : light_colors();
+    style.dark = dark;
+    const ImU32 chosen = chosen_background(style), others = choices_background(style.color);
+    EXPECT_GT(luminance(chosen), luminance(others)) << dark;
+    EXPECT_GE(contrast(chosen, others), 1.2f) << dark;
+    EXPECT_GE(contrast(style.color.text, chosen), 7.0f) << dark;
+    EXPECT_GE(contrast(style.color.muted, others), 4.0f) << dark;
+  }
+}
+
 }  // namespace
 }  // namespace weftlight::ui

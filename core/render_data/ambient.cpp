@@ -17,7 +17,7 @@
 namespace weftlight::render_data {
 
 using base::for_each_job;
-using drape::Vec3, drape::body_mesh;
+using drape::Vec3, drape::body_mesh, drape::turn_diagonals;
 using reference::MeshHit, reference::MeshScene;
 using scene::bounds_of;
 
@@ -241,6 +241,7 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   out.mesh = mesh;
   out.bounds = bounds_of(mesh);
   if (mesh.position_mm.empty()) return out;
+  turn_diagonals(out.mesh);
   out.body = form_under(mesh.name, out.mesh);
   Bounds all = out.bounds;
   if (!out.body.position_mm.empty()) {

@@ -218,7 +218,7 @@ Mesh form_under(const std::string& drape, const Mesh& cloth) {
   constexpr int kFadingRings = 6;  // sheer cloth shows the form's outline, where a step would be a row of teeth
   Mesh form = body_mesh(drape);
   const float radius = bounds_of(cloth).radius(), thinner = kThinner * radius;
-  const Occluder over(cloth, 0);
+  const Occluder over(cloth, 0), whole(form, 0);
   std::vector<float> inwards(form.position_mm.size(), 0.0f), outwards = inwards;
   for (size_t i = 0; i < inwards.size(); ++i) {
     const glm::vec3 normal = form.normal[i], at = glm::vec3(form.position_mm[i]) - thinner * normal;
@@ -227,6 +227,8 @@ Mesh form_under(const std::string& drape, const Mesh& cloth) {
     };
     MeshHit hit, above;
     if (!covered(at, kOver, hit)) continue;
+    // The rings of a curtain are no thicker than that: they would turn inside out.
+    if (whole.hides(form.position_mm[i], -normal, 0.1f * thinner, 2 * thinner)) continue;
     inwards[i] = thinner;
     const bool at_edge = !covered(at + glm::vec3(0, kFilled * radius, 0), kAbove, above);
     if (at_edge) outwards[i] = std::max(hit.t - thinner, 0.0f);

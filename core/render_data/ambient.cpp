@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -111,21 +112,44 @@ class Occluders {
   float lift_mm_;  // ray offset over the flat triangles of a curved surface
 };
 
-/// Averages over neighbours, to hide the noise of the few directions.
+/// The places of a surface: both sides of a seam are one, vertices with the same position and normal.
+struct Places {
+  std::vector<size_t> of;  // each vertex
+  size_t count = 0;
+};
+
+Places places_of(const Mesh& mesh) {
+  using Place = std::pair<Vec3, Vec3>;
+  const auto before = [](const Place& a, const Place& b) {
+    const drape::PositionOrder less;
+    return less(a.first, b.first) || (!less(b.first, a.first) && less(a.second, b.second));
+  };
+  std::map<Place, size_t, decltype(before)> numbers(before);
+  Places places;
+  for (size_t i = 0; i < mesh.position_mm.size(); ++i)
+    places.of.push_back(numbers.emplace(Place(mesh.position_mm[i], mesh.normal[i]), numbers.size()).first->second);
+  places.count = numbers.size();
+  return places;
+}
+
+/// Averages over neighbours, to hide the noise of the few directions; across seams, which would be lines otherwise.
 void smooth(std::vector<SkyVisibility>& sky, const Mesh& mesh) {
+  const Places places = places_of(mesh);
   for (int pass = 0; pass < 2; ++pass) {
-    std::vector<SkyVisibility> sum(sky.size(), SkyVisibility{0, 0});
-    std::vector<float> count(sky.size(), 0);
+    std::vector<SkyVisibility> sum(places.count, SkyVisibility{0, 0});
+    std::vector<float> count(places.count, 0);
     for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
       for (size_t a = 0; a < 3; ++a) {
         for (size_t b = 0; b < 3; ++b) {
-          const uint32_t to = mesh.index[i + a], from = mesh.index[i + b];
-          sum[to].front += sky[from].front, sum[to].back += sky[from].back, count[to] += 1;
+          const size_t to = places.of[mesh.index[i + a]];
+          const SkyVisibility& from = sky[mesh.index[i + b]];
+          sum[to].front += from.front, sum[to].back += from.back, count[to] += 1;
         }
       }
     }
     for (size_t v = 0; v < sky.size(); ++v) {
-      if (count[v] > 0) sky[v] = {sum[v].front / count[v], sum[v].back / count[v]};
+      const size_t at = places.of[v];
+      if (count[at] > 0) sky[v] = {sum[at].front / count[at], sum[at].back / count[at]};
     }
   }
 }
@@ -172,17 +196,12 @@ std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
 }
 
 /// Values of a mesh's vertices, spread to as many rings of neighbours as there are `rings`, and then evened over as
-/// many: where they are largest they stay, and around them they fade. Vertices at one position have one value.
+/// many: where they are largest they stay, and around them they fade. Vertices at one place have one value.
 std::vector<float> faded(const Mesh& mesh, const std::vector<float>& values, int rings) {
-  std::map<Vec3, size_t, drape::PositionOrder> numbers;
-  std::vector<size_t> place(values.size());
-  std::vector<float> now;
-  for (size_t i = 0; i < values.size(); ++i) {
-    const auto [at, added] = numbers.emplace(mesh.position_mm[i], now.size());
-    place[i] = at->second;
-    if (added) now.push_back(values[i]);
-    else now[place[i]] = std::max(now[place[i]], values[i]);
-  }
+  const Places places = places_of(mesh);
+  const std::vector<size_t>& place = places.of;
+  std::vector<float> now(places.count, -std::numeric_limits<float>::max());
+  for (size_t i = 0; i < values.size(); ++i) now[place[i]] = std::max(now[place[i]], values[i]);
   const auto for_each_edge = [&](const auto& use) {
     for (size_t t = 0; t < mesh.index.size(); ++t)
       use(place[mesh.index[t]], place[mesh.index[t % 3 == 2 ? t - 2 : t + 1]]);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <string>
 
 #include "files/files.h"
@@ -16,6 +17,7 @@
 namespace weftlight::render_data {
 namespace {
 
+using drape::Vec3;
 using reference::MeshHit, reference::MeshScene;
 
 Mesh shipped(const std::string& name) {
@@ -77,6 +79,24 @@ TEST(Ambient, TheFormHasNoStepsWhereTheClothLeavesIt) {
     step = std::max(step, std::abs(moved(a) - moved(b)));
   }
   EXPECT_LT(step, 1) << "millimetres";  // 7 when each vertex was moved for itself
+}
+
+// Each side of a seam was averaged with its own neighbours only: a straight line of light along the edge of a cushion.
+TEST(Ambient, SeamsAreNoLinesOfLight) {
+  const PreparedMesh prepared = prepare_mesh(shipped("cushion"), SkyRays::kFew);
+  const Mesh& mesh = prepared.mesh;
+  std::map<Vec3, size_t, drape::PositionOrder> first;
+  int seam = 0;
+  float step = 0;
+  for (size_t v = 0; v < mesh.position_mm.size(); ++v) {
+    const auto [at, added] = first.emplace(mesh.position_mm[v], v);
+    if (added || mesh.normal[at->second] != mesh.normal[v]) continue;
+    ++seam;
+    step = std::max(step, std::abs(prepared.sky[at->second].front - prepared.sky[v].front));
+    step = std::max(step, std::abs(prepared.sky[at->second].back - prepared.sky[v].back));
+  }
+  ASSERT_GT(seam, 50);
+  EXPECT_EQ(step, 0);
 }
 
 // Made thinner by more than they are thick, they turned inside out and left bright chips over the heading.

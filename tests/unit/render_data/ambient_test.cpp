@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <map>
 #include <string>
 
@@ -97,6 +98,26 @@ TEST(Ambient, SeamsAreNoLinesOfLight) {
   }
   ASSERT_GT(seam, 50);
   EXPECT_EQ(step, 0);
+}
+
+// Of few triangles it had wavy highlights, as at the waist of the stand.
+TEST(Ambient, TheFormHasTheNormalsOfItsWholeMesh) {
+  const PreparedMesh prepared = prepare_mesh(skirt(), SkyRays::kFew);
+  Mesh drawn = prepared.body;
+  drawn.index = prepared.body_fine;
+  const auto scene = MeshScene::build(drawn);
+  ASSERT_TRUE(scene);
+  size_t found = 0;
+  double degrees = 0;
+  for (size_t v = 0; v < drawn.position_mm.size(); ++v) {
+    const glm::vec3 normal = drawn.normal[v];
+    MeshHit hit;
+    if (!(*scene)->intersect(drawn.position_mm[v] + 2.0f * normal, -normal, 0, hit) || hit.t > 4) continue;
+    ++found, degrees += static_cast<double>(glm::degrees(std::acos(std::min(glm::dot(hit.normal, normal), 1.0f))));
+  }
+  ASSERT_GT(found, drawn.position_mm.size() * 9 / 10);
+  EXPECT_LT(degrees / static_cast<double>(found),
+            1.8);  // 2.6 with an eighth of the triangles, 1.1 with three times as many
 }
 
 // Made thinner by more than they are thick, they turned inside out and left bright chips over the heading.

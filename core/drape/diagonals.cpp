@@ -86,6 +86,8 @@ std::vector<Cell> cells_to_turn(const Mesh& mesh) {
 }  // namespace
 
 void turn_diagonals(Mesh& mesh) {
+  const size_t count = mesh.position_mm.size();
+  if (mesh.uv_mm.size() < count || mesh.normal.size() < count) return;
   std::vector<bool> turned(mesh.index.size() / 3, false);
   const auto set = [&](size_t triangle, uint32_t x, uint32_t y, uint32_t z) {
     const size_t at = 3 * triangle;

@@ -124,6 +124,8 @@ TEST(Diagonals, OnlyTwoTrianglesOfOneCellAreTurned) {
   expect_kept("a quadrangle with a corner that turns inwards", odd);
   odd = two_triangles();
   odd.uv_mm.assign(4, {0, 0});
+  expect_kept("a pattern without area", odd);
+  odd.uv_mm.clear();
   expect_kept("no pattern", odd);
   odd = two_triangles();
   odd.index = {0, 1};

@@ -33,6 +33,10 @@ struct Mesh {
 /// (the two sides of a seam) share their normal; each keeps its own tangent, at right angles to it.
 void compute_frames(Mesh& mesh);
 
+/// Turns the diagonals of a mesh's cells the way along which normals differ less, which is along folds. Across a fold
+/// they give the light on it teeth, since light is interpolated along them.
+void turn_diagonals(Mesh& mesh);
+
 /// Names of the shipped drapes, in menu order: plane, sphere, tablecloth, curtain, skirt, tunic, shirt, scarf, cushion.
 const std::vector<std::string>& drape_names();
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,7 +18,7 @@
 namespace weftlight::render_data {
 
 using base::for_each_job;
-using drape::Vec3, drape::body_mesh;
+using drape::Vec3, drape::body_mesh, drape::turn_diagonals;
 using reference::MeshHit, reference::MeshScene;
 using scene::bounds_of;
 
@@ -111,21 +112,44 @@ class Occluders {
   float lift_mm_;  // ray offset over the flat triangles of a curved surface
 };
 
-/// Averages over neighbours, to hide the noise of the few directions.
+/// The places of a surface: both sides of a seam are one, vertices with the same position and normal.
+struct Places {
+  std::vector<size_t> of;  // each vertex
+  size_t count = 0;
+};
+
+Places places_of(const Mesh& mesh) {
+  using Place = std::pair<Vec3, Vec3>;
+  const auto before = [](const Place& a, const Place& b) {
+    const drape::PositionOrder less;
+    return less(a.first, b.first) || (!less(b.first, a.first) && less(a.second, b.second));
+  };
+  std::map<Place, size_t, decltype(before)> numbers(before);
+  Places places;
+  for (size_t i = 0; i < mesh.position_mm.size(); ++i)
+    places.of.push_back(numbers.emplace(Place(mesh.position_mm[i], mesh.normal[i]), numbers.size()).first->second);
+  places.count = numbers.size();
+  return places;
+}
+
+/// Averages over neighbours, to hide the noise of the few directions; across seams, which would be lines otherwise.
 void smooth(std::vector<SkyVisibility>& sky, const Mesh& mesh) {
+  const Places places = places_of(mesh);
   for (int pass = 0; pass < 2; ++pass) {
-    std::vector<SkyVisibility> sum(sky.size(), SkyVisibility{0, 0});
-    std::vector<float> count(sky.size(), 0);
+    std::vector<SkyVisibility> sum(places.count, SkyVisibility{0, 0});
+    std::vector<float> count(places.count, 0);
     for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
       for (size_t a = 0; a < 3; ++a) {
         for (size_t b = 0; b < 3; ++b) {
-          const uint32_t to = mesh.index[i + a], from = mesh.index[i + b];
-          sum[to].front += sky[from].front, sum[to].back += sky[from].back, count[to] += 1;
+          const size_t to = places.of[mesh.index[i + a]];
+          const SkyVisibility& from = sky[mesh.index[i + b]];
+          sum[to].front += from.front, sum[to].back += from.back, count[to] += 1;
         }
       }
     }
     for (size_t v = 0; v < sky.size(); ++v) {
-      if (count[v] > 0) sky[v] = {sum[v].front / count[v], sum[v].back / count[v]};
+      const size_t at = places.of[v];
+      if (count[at] > 0) sky[v] = {sum[at].front / count[at], sum[at].back / count[at]};
     }
   }
 }
@@ -172,17 +196,12 @@ std::vector<uint32_t> simplify(const Mesh& mesh, float error) {
 }
 
 /// Values of a mesh's vertices, spread to as many rings of neighbours as there are `rings`, and then evened over as
-/// many: where they are largest they stay, and around them they fade. Vertices at one position have one value.
+/// many: where they are largest they stay, and around them they fade. Vertices at one place have one value.
 std::vector<float> faded(const Mesh& mesh, const std::vector<float>& values, int rings) {
-  std::map<Vec3, size_t, drape::PositionOrder> numbers;
-  std::vector<size_t> place(values.size());
-  std::vector<float> now;
-  for (size_t i = 0; i < values.size(); ++i) {
-    const auto [at, added] = numbers.emplace(mesh.position_mm[i], now.size());
-    place[i] = at->second;
-    if (added) now.push_back(values[i]);
-    else now[place[i]] = std::max(now[place[i]], values[i]);
-  }
+  const Places places = places_of(mesh);
+  const std::vector<size_t>& place = places.of;
+  std::vector<float> now(places.count, -std::numeric_limits<float>::max());
+  for (size_t i = 0; i < values.size(); ++i) now[place[i]] = std::max(now[place[i]], values[i]);
   const auto for_each_edge = [&](const auto& use) {
     for (size_t t = 0; t < mesh.index.size(); ++t)
       use(place[mesh.index[t]], place[mesh.index[t % 3 == 2 ? t - 2 : t + 1]]);
@@ -218,7 +237,7 @@ Mesh form_under(const std::string& drape, const Mesh& cloth) {
   constexpr int kFadingRings = 6;  // sheer cloth shows the form's outline, where a step would be a row of teeth
   Mesh form = body_mesh(drape);
   const float radius = bounds_of(cloth).radius(), thinner = kThinner * radius;
-  const Occluder over(cloth, 0);
+  const Occluder over(cloth, 0), whole(form, 0);
   std::vector<float> inwards(form.position_mm.size(), 0.0f), outwards = inwards;
   for (size_t i = 0; i < inwards.size(); ++i) {
     const glm::vec3 normal = form.normal[i], at = glm::vec3(form.position_mm[i]) - thinner * normal;
@@ -227,6 +246,8 @@ Mesh form_under(const std::string& drape, const Mesh& cloth) {
     };
     MeshHit hit, above;
     if (!covered(at, kOver, hit)) continue;
+    // The rings of a curtain are no thicker than that: they would turn inside out.
+    if (whole.hides(form.position_mm[i], -normal, 0.1f * thinner, 2 * thinner)) continue;
     inwards[i] = thinner;
     const bool at_edge = !covered(at + glm::vec3(0, kFilled * radius, 0), kAbove, above);
     if (at_edge) outwards[i] = std::max(hit.t - thinner, 0.0f);
@@ -241,6 +262,7 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   out.mesh = mesh;
   out.bounds = bounds_of(mesh);
   if (mesh.position_mm.empty()) return out;
+  turn_diagonals(out.mesh);
   out.body = form_under(mesh.name, out.mesh);
   Bounds all = out.bounds;
   if (!out.body.position_mm.empty()) {
@@ -261,7 +283,7 @@ PreparedMesh prepare_mesh(const Mesh& mesh, SkyRays rays) {
   constexpr size_t kMaxTriangles = 400'000;
   out.fine = out.mesh.index.size() <= 3 * kMaxTriangles ? out.mesh.index : simplify(out.mesh, 0.0001f);
   out.coarse = simplify(out.mesh, 0.0012f);
-  out.body_fine = simplify(out.body, 0.001f);
+  out.body_fine = simplify(out.body, 0.0003f);  // with three times as much its highlights are wavy
   return out;
 }
 

@@ -16,6 +16,7 @@ namespace weftlight::render_data {
 using base::Result, base::failed;
 using cloth::Cloth, cloth::Period, cloth::lay_out, cloth::linear_from_srgb, cloth::srgb_from_linear;
 using draft::BitMatrix, draft::drawdown;
+using drape::turn_diagonals;
 using files::drape_key, files::load_design_drape;
 using reference::Colours, reference::FibreOptions, reference::LightSample, reference::RandomStream,
     reference::SeenPatch, reference::seen_patch, reference::trace_drape;
@@ -76,6 +77,7 @@ Result<void> ReferenceScene::update_drape(const Design& design) {
   Result<Mesh> read = load_design_drape(design);
   if (!read) return failed(read);
   mesh_ = std::move(*read);
+  turn_diagonals(mesh_);  // as in the preview
   bounds_ = bounds_of(mesh_);
   const Mesh form = form_under(design.scene.mesh, mesh_);
   body_ = nullptr;

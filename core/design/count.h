@@ -32,7 +32,7 @@ std::optional<double> tex_from_text(std::string_view text);
 std::string count_text(double tex, int plies, CountUnit usual);
 
 /// Diameter of a round thread, mm: d = 2 sqrt(tex / (1000 pi rho phi)); rho: density of the fibre in g/cm3; phi
-/// (`packing`): fraction of the thread's volume that is fibre, 0.5 (woollen) to 0.65 (hard twisted), filament 0.6
+/// (`packing`): fraction of the thread's volume that is fibre, 0.4 (woollen) to 0.65 (hard twisted), filament 0.6
 /// (Morton and Hearle, ch. 5).
 double diameter_from_tex_mm(double tex, double density_g_cm3, double packing);
 double tex_from_diameter(double diameter_mm, double density_g_cm3, double packing);

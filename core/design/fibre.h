@@ -1,6 +1,6 @@
 #pragma once
 // A yarn in a weaver's terms: fibre, cross-section of the fibre, lustre, hairiness. The yarn names its fibre and its
-// section; lustre and hairiness are computed from the parameters of yarn_fields.h, relative to the ready yarn of that
+// section; lustre and hairiness are computed from the parameters of yarn_fields.h, relative to the usual yarn of that
 // fibre, and set them.
 
 #include <array>
@@ -13,13 +13,20 @@
 
 namespace weftlight::design {
 
-/// By the English name of the ready yarn, or of the section, in any case.
+/// As a list shows them. A file names a fibre by its usual yarn (yarn_presets.h).
+inline constexpr std::array<const char*, kFibres> kFibreNames{
+    base::mark("Cotton"), base::mark("Mercerised cotton"), base::mark("Linen"),     base::mark("Silk"),
+    base::mark("Wool"),   base::mark("Viscose"),           base::mark("Polyester"), base::mark("Metallic")};
+
+inline const char* fibre_name(Fibre fibre) { return kFibreNames[static_cast<size_t>(fibre)]; }
+
+/// By the English name of the usual yarn, or of the section, in any case.
 std::optional<Fibre> fibre_from_name(std::string_view name);
 std::optional<CrossSection> section_from_name(std::string_view name);
-/// The yarn made of another fibre: takes the lobes, grooves and hairiness of the ready yarn; name, thickness, twist and
+/// The yarn made of another fibre: takes the lobes, grooves and hairiness of its usual yarn; name, thickness, twist and
 /// evenness stay.
 Yarn with_fibre(Yarn yarn, Fibre fibre);
-/// The yarn with the fibre and the section of the ready yarn that is most similar to it, regardless of lustre and
+/// The yarn with the fibre and the section of the usual yarn that is most similar to it, regardless of lustre and
 /// hairiness: for files that do not name them.
 Yarn with_recognised_fibre(Yarn yarn);
 /// The same where the fibre is named and its section is not.
@@ -31,7 +38,7 @@ inline constexpr std::array<const char*, kCrossSections> kCrossSectionNames{
 /// The same yarn made of fibres of another cross-section.
 Yarn with_cross_section(Yarn yarn, CrossSection section);
 
-/// 0 (dull) to 1 (bright); 1/2 for the ready yarn of its fibre and cross-section. Computed from the spread along the
+/// 0 (dull) to 1 (bright); 1/2 for the usual yarn of its fibre and cross-section. Computed from the spread along the
 /// fibre.
 float lustre(const Yarn& yarn);
 /// A brighter fibre has a narrower highlight (along) from more clear layers; both are clamped to their ranges.

@@ -51,6 +51,9 @@ constexpr std::array<float, 4> kAcross{0.14f, 0.25f, 0.30f, 0.35f};
 // What a yarn this smooth has is bound to it; the rest stands off, in mm a mm for a hairiness of 1.
 constexpr float kBoundHairiness = 0.06f, kHairOfAll = 17;
 
+// Of filament that is cut and spun throughout, beyond that.
+constexpr float kCutHairiness = 0.2f;
+
 }  // namespace
 
 FibreFacts fibre_facts(const Yarn& yarn) {
@@ -61,6 +64,13 @@ FibreFacts fibre_facts(const Yarn& yarn) {
   facts.along_rad = std::clamp(facts.along_rad * own / usual, 0.02f, 0.35f);
   if (yarn.section != same.section) facts.across_rad = kAcross[static_cast<size_t>(yarn.section)];
   facts.metallic = yarn.lobes.metallic;
+  // Filament lies side by side and has no hair; cut and spun, it wanders as cotton does.
+  if (same.hairiness <= kBoundHairiness) {
+    const FibreFacts& spun = kFacts[static_cast<size_t>(Fibre::kCotton)];
+    const float cut = std::clamp((yarn.hairiness - kBoundHairiness) / kCutHairiness, 0.0f, 1.0f);
+    facts.disorder = std::lerp(facts.disorder, spun.disorder, cut);
+    facts.migration = std::lerp(facts.migration, spun.migration, cut);
+  }
   return facts;
 }
 

@@ -128,12 +128,14 @@ class YarnReader {
   }
 
   void begin_with_fibre() {
-    const auto presets = yarn_presets();
+    const auto presets = ready_yarns();
     out_.yarn = presets[0];
     for (const YarnLine& line : lines_) {
       if (!same_word(line.key, "Fibre")) continue;
       const auto found = std::ranges::find_if(presets, [&](const Yarn& p) {
-        return same_word(p.name, line.value) || same_word(tr(p.name.c_str()), line.value);
+        return std::ranges::any_of(std::array{p.name.c_str(), fibre_name(p.fibre)}, [&](const char* name) {
+          return same_word(name, line.value) || same_word(tr(name), line.value);
+        });
       });
       if (found != presets.end()) out_.yarn = *found;
       else
@@ -395,7 +397,7 @@ UsedYarn with_yarn_from(Design design, const LibraryYarn& from, size_t color) {
 
 bool matches(const LibraryYarn& yarn, std::string_view typed) {
   std::string all = lowered(yarn.yarn.name + "\n" + yarn.count + "\n" + yarn.note);
-  all.append("\n").append(lowered(tr(ready_yarn(yarn.yarn.fibre).name.c_str())));
+  all.append("\n").append(lowered(tr(fibre_name(yarn.yarn.fibre))));
   for (const YarnColor& color : yarn.colors) all.append("\n").append(lowered(color.name));
   const std::string words = lowered(typed);
   for (size_t at = words.find_first_not_of(kBlanks); at != std::string::npos;) {

@@ -3,20 +3,22 @@
 // Diameter: of a round thread of the count named below, d = 2 sqrt(tex / (1000 pi rho phi)) mm, with the
 //   density rho of the fibre and the packing phi, the fraction of the thread that is fibre. rho, g/cm3: cotton 1.52,
 //   flax 1.50, silk 1.34, wool 1.31, viscose 1.52, polyester 1.39 (W. E. Morton and J. W. S. Hearle, Physical
-//   Properties of Textile Fibres, ch. 5). phi: spun yarn 0.5 (woollen) to 0.65 (hard twisted), filament 0.6.
+//   Properties of Textile Fibres, ch. 5). phi: spun yarn 0.5 (worsted) to 0.65 (hard twisted), filament 0.6; woollen
+//   0.4, by rank, between worsted and the 0.2 of a tweed's yarn in the finished cloth.
 // Turns: of the last twist, from the angle alpha that the fibres lie at on the surface,
-//   T = 1000 tan(alpha) / (pi d). Spun cotton 20-25 degrees, worsted about 18, linen about 16, silk about 14,
-//   filament with a producer's twist under 5 (J. W. S. Hearle, P. Grosberg, S. Backer, Structural Mechanics
-//   of Fibers, Yarns, and Fabrics, 1969, on twist factors).
+//   T = 1000 tan(alpha) / (pi d). Spun cotton and polyester 20-25 degrees (combed 20: longer fibres hold with less),
+//   worsted about 18, woollen 16, linen about 16, spun silk about 14, filament with a producer's twist under 5
+//   (J. W. S. Hearle, P. Grosberg, S. Backer, Structural Mechanics of Fibers, Yarns, and Fabrics, 1969, on twist
+//   factors). Tram, the reeled silk for weft, is thrown with 80 to 180 turns a metre.
 // Plies: two for what weavers buy as a plied warp, one for the rest.
 // Grooves: width of the fibre bundles between them, some fibres wide. Fibres: cotton 12-20, flax
 //   ultimates 15-20 in technical fibres of 50-100, silk 10-13, wool 20-25, filaments 12-18 um (Morton and Hearle,
 //   ch. 3). Deep where bundles stay separate (linen), shallow in smooth filament.
-// Hairiness: rank of the Uster hairiness of such yarns, wool over cotton over gassed cotton; filament has
-//   almost no free fibre ends.
+// Hairiness: rank of the Uster hairiness of such yarns, woollen over worsted over carded cotton over spun polyester
+//   over combed cotton over gassed cotton; filament has almost no free fibre ends. Spun silk is gassed.
 // Flattening: after weaving and pressing: Peirce 1937 found 0.6-0.8 in cotton; low twist spreads more.
 // Unevenness: medians of such yarns in the Uster Statistics, that of the singles over the square root of the plies;
-//   filament 1.
+//   filament 1, reeled silk 4 (the cocoon's thread tapers, and is joined).
 // Index of refraction: mean of the two of the fibre: cotton 1.578/1.532, flax 1.596/1.528, silk 1.591/1.538, wool
 //   1.556/1.547, viscose 1.539/1.519, polyester 1.725/1.537 (Morton and Hearle, ch. 24).
 // Lobes of cotton, linen, silk and polyester filament: widths, layers, inner part and fuzz were fitted to measured
@@ -24,15 +26,27 @@
 //   polyester to satin charmeuse. They lie near the tangents of the widths that I. Sadeghi, O. Bisker, J. De Deken,
 //   H. W. Jensen, A Practical Microcylinder Appearance Model for Cloth Rendering, 2013, give for threads: linen 12
 //   (surface) and 24 (volume), silk 5 and 10, polyester satin 2.5 and 5 degrees.
-// Lobes of the others: by rank. Mercerising swells cotton round and smooth; viscose is filament like silk; wool has
-//   scales.
+// Lobes of mercerised cotton, wool and viscose: by rank. Mercerising swells cotton round and smooth; viscose is
+//   filament like silk; wool has scales.
+// Lobes of combed cotton, reeled silk and spun polyester: from their fibres, and from no cloth. `weftlight lobes
+//   --fit-lustre` was run on each and on the usual yarns, and the lobes of the usual yarn were changed in the ratio of
+//   the two fits: along, across and layers of reeled silk 0.076, 0.434, 6.3, of spun 0.087, 0.535, 6.6. Spun polyester,
+//   traced as untidy as cotton, 0.104, 0.440, 8.1, was put between filament, 0.081, 0.478, 16, and cotton, 0.163,
+//   0.380, 5.5, by the logarithm of each number. Combed cotton, 0.166, 0.373, 5.5, has the lobes of carded: it differs
+//   by its hair.
+// Lobes of woollen: by rank, between worsted and the yarn of tweed. Its fibres lie across each other, which traced
+//   fibres do not: theirs are as parallel as in worsted.
+// Fuzz of these four: that of the usual yarn, in the ratio of their hairiness.
 // Transmission: by eye, in the order of the fibres' lustre; delustred fibre scatters most inside.
 // Metallic: aluminium under a clear lacquer on a slit film of about 1/69 inch (the common count), wound or
 //   laid flat: a ribbon, specular along its length, no body. The index is that of the lacquer.
 
 #include "design/yarn_presets.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <vector>
 
 #include "base/mark.h"
 
@@ -42,7 +56,9 @@ using base::mark;
 
 namespace {
 
-/// Fields that are absent have the default of yarn.h.
+// Fields that are absent have the default of yarn.h.
+
+/// The usual ones. Files, their recognition and the measured cloths go by their numbers.
 std::array<Yarn, kFibres> make_presets() {
   return {{
       // Ne 8/2 ring-spun, 148 tex, phi 0.6; 22 degrees.
@@ -279,6 +295,136 @@ std::array<Yarn, kFibres> make_presets() {
   }};
 }
 
+/// Others of the same fibres.
+std::array<Yarn, 4> make_other_yarns() {
+  return {{
+      // Ne 20/2 combed, ring-spun, 59 tex, phi 0.6; 20 degrees.
+      {
+          .name = mark("Combed cotton"),
+          .diameter_mm = 0.29f,
+          .twist = Twist::kS,
+          .turns_per_m = 400,
+          .plies = 2,
+          .fibre_um = 36,
+          .groove_depth = 0.40f,
+          .hairiness = 0.25f,
+          .flattening = 0.70f,
+          .unevenness = 8.5f,
+          .lobes =
+              {
+                  .specular = 1.0f,
+                  .ior = 1.55f,
+                  .along_width = 0.30f,
+                  .across_width = 0.20f,
+                  .layers = 3,
+                  .inner = 0.10f,
+                  .body = 0.9f,
+                  .fuzz = 0.085f,
+                  .fuzz_width = 0.55f,
+                  .transmission = 0.12f,
+              },
+          .tex = 59.05f,
+      },
+      // Tram of twelve threads of raw silk of 20/22 den, without its gum (24 %) Nm 47, 21 tex, phi 0.6; 3 degrees.
+      {
+          .name = mark("Reeled silk"),
+          .fibre = Fibre::kSilk,
+          .section = CrossSection::kTrilobal,
+          .diameter_mm = 0.18f,
+          .twist = Twist::kS,
+          .turns_per_m = 100,
+          .plies = 1,
+          .fibre_um = 22,
+          .groove_depth = 0.15f,
+          .hairiness = 0.02f,
+          .flattening = 0.60f,
+          .unevenness = 4,
+          .lobes =
+              {
+                  .specular = 0.95f,
+                  .ior = 1.56f,
+                  .along_width = 0.076f,
+                  .across_width = 0.72f,
+                  .layers = 4.3f,
+                  .inner = 0.09f,
+                  .body = 0.9f,
+                  .fuzz = 0.004f,
+                  .fuzz_width = 0.40f,
+                  .transmission = 0.14f,
+              },
+          .tex = 21.28f,
+      },
+      // Nm 8/2 woollen, 250 tex, phi 0.4; 16 degrees.
+      {
+          .name = mark("Woollen yarn"),
+          .fibre = Fibre::kWool,
+          .section = CrossSection::kRound,
+          .diameter_mm = 0.78f,
+          .twist = Twist::kS,
+          .turns_per_m = 117,
+          .plies = 2,
+          .fibre_um = 60,
+          .groove_depth = 0.25f,
+          .hairiness = 0.90f,
+          .flattening = 0.70f,
+          .unevenness = 14,
+          .lobes =
+              {
+                  .specular = 0.7f,
+                  .ior = 1.55f,
+                  .along_width = 0.55f,
+                  .across_width = 0.70f,
+                  .layers = 1.9f,
+                  .inner = 0.10f,
+                  .body = 1.0f,
+                  .fuzz = 0.48f,
+                  .fuzz_width = 0.75f,
+                  .transmission = 0.10f,
+              },
+          .tex = 250,
+      },
+      // Ne 30/2 ring-spun of cut fibre, 39 tex, phi 0.6; 20 degrees.
+      {
+          .name = mark("Spun polyester"),
+          .fibre = Fibre::kPolyester,
+          .section = CrossSection::kRound,
+          .diameter_mm = 0.25f,
+          .twist = Twist::kS,
+          .turns_per_m = 463,
+          .plies = 2,
+          .fibre_um = 32,
+          .groove_depth = 0.40f,
+          .hairiness = 0.28f,
+          .flattening = 0.70f,
+          .unevenness = 9,
+          .lobes =
+              {
+                  .specular = 0.95f,
+                  .ior = 1.63f,
+                  .along_width = 0.11f,
+                  .across_width = 0.44f,
+                  .layers = 4.3f,
+                  .inner = 0.03f,
+                  .body = 0.9f,
+                  .fuzz = 0.056f,
+                  .fuzz_width = 0.50f,
+                  .transmission = 0.12f,
+              },
+          .tex = 39.37f,
+      },
+  }};
+}
+
+std::vector<Yarn> grouped_by_fibre() {
+  std::vector<Yarn> all;
+  const std::array<Yarn, 4> others = make_other_yarns();
+  for (const Yarn& usual : yarn_presets()) {
+    all.push_back(usual);
+    std::ranges::copy_if(others, std::back_inserter(all), [&](const Yarn& y) { return y.fibre == usual.fibre; });
+  }
+  return all;
+}
+
 }  // namespace
 
 std::span<const Yarn> yarn_presets() {
@@ -287,5 +433,10 @@ std::span<const Yarn> yarn_presets() {
 }
 
 const Yarn& ready_yarn(Fibre fibre) { return yarn_presets()[static_cast<size_t>(fibre)]; }
+
+std::span<const Yarn> ready_yarns() {
+  static const std::vector<Yarn> all = grouped_by_fibre();
+  return all;
+}
 
 }  // namespace weftlight::design

@@ -10,14 +10,12 @@
 #include "design/fibre.h"
 #include "design/written_count.h"
 #include "design/yarn_library.h"
-#include "design/yarn_presets.h"
 
 namespace weftlight::commands {
 
 using base::arg, base::fill, base::read_file, base::tr, base::tr_n, base::write_file_atomically;
-using design::LibraryYarn, design::YarnLibrary, design::kMaxLibraryBytes, design::library_yarn_of,
-    design::read_yarn_library, design::with_library_yarn, design::written_count, design::yarn_library_text,
-    design::ready_yarn;
+using design::LibraryYarn, design::YarnLibrary, design::fibre_name, design::kMaxLibraryBytes, design::library_yarn_of,
+    design::read_yarn_library, design::with_library_yarn, design::written_count, design::yarn_library_text;
 
 namespace {
 
@@ -34,7 +32,7 @@ base::Result<std::vector<LibraryYarn>> of_list(const std::string& path) {
 
 std::string yarn_row(const LibraryYarn& y) {
   const std::string count = y.count.empty() ? written_count(y.yarn) : y.count;
-  std::string row = count + ", " + tr(ready_yarn(y.yarn.fibre).name.c_str());
+  std::string row = count + ", " + tr(fibre_name(y.yarn.fibre));
   if (!y.colors.empty()) {
     const auto colors = static_cast<long long>(y.colors.size());
     row += ", " + fill(tr_n("{count} colour", "{count} colours", colors), arg("count", colors));

@@ -70,6 +70,34 @@ TEST_F(LibraryTest, UndoOfAYarnForThreadsActivatesTheOneBefore) {
   });
 }
 
+TEST_F(LibraryTest, UndoOfAReadyYarnActivatesTheOneBefore) {
+  undo_of([this](const Window& w) {
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add"));
+    ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add:Reeled silk"));
+  });
+}
+
+TEST_F(LibraryTest, ReadyYarnsAreForTheDraftAndForThreads) {
+  put_three_yarns();
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Yarns"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "yarn.add:Woollen yarn"));
+  const auto yarn = [&](size_t i) {
+    const design::Design d = design_of(w.live());
+    return d.yarns.size() > i ? d.yarns[i] : design::Yarn{};
+  };
+  ASSERT_TRUE(comes_true([&] { return yarn(3).name == "Woollen yarn"; }));
+  EXPECT_EQ(yarn(3).fibre, design::Fibre::kWool);
+  EXPECT_EQ(yarn(3).plies, 2);
+  ASSERT_NO_FATAL_FAILURE(press(w, "inspector:Threads"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "threads.yarn:Combed cotton"));
+  ASSERT_TRUE(comes_true([&] { return yarn(4).name == "Combed cotton"; }));
+  EXPECT_EQ(design_of(w.live()).draft.warp.yarn[0], 4) << "all ends have it";
+}
+
 TEST_F(LibraryTest, RecentDraftsHaveThumbnails) {
   const fs::path other = folder_ / "other.wif", gone = folder_ / "gone.wif";
   put(other, straight_draft(20, 4));

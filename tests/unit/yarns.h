@@ -14,7 +14,7 @@ using design::clamped;
 
 /// The first where there is none of that name.
 inline const design::Yarn& yarn_preset(std::string_view name) {
-  const auto all = design::yarn_presets();
+  const auto all = design::ready_yarns();
   const auto at = std::ranges::find(all, name, &design::Yarn::name);
   return at != all.end() ? *at : all.front();
 }

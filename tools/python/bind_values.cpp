@@ -130,10 +130,10 @@ void bind_yarns(py::module_& module) {
   module.def(
       "yarn_presets",
       [] {
-        const auto presets = design::yarn_presets();
-        return std::vector<Yarn>(presets.begin(), presets.end());
+        const auto all = design::ready_yarns();
+        return std::vector<Yarn>(all.begin(), all.end());
       },
-      "The yarns that come with the program, cotton first.");
+      "The yarns that come with the program, by fibre, cotton first.");
   module.def(
       "tex_of", [](const Yarn& yarn) { return design::tex_of(yarn); }, py::arg("yarn"), "The count of a yarn, g/km.");
 }

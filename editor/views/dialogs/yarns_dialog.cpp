@@ -22,8 +22,9 @@ namespace weftlight::views {
 
 using analysis::kOunce_g, analysis::kPound_g, analysis::kYard_m;
 using base::arg, base::fill, base::mark, base::tr;
-using design::UsedYarn, design::Yarn, design::YarnColor, design::as_written, design::library_yarn_of, design::matches,
-    design::with_count, design::with_fibre, design::with_yarn_from, design::written_count, design::yarn_presets;
+using design::UsedYarn, design::Yarn, design::YarnColor, design::as_written, design::fibre_name,
+    design::library_yarn_of, design::matches, design::with_count, design::with_fibre, design::with_yarn_from,
+    design::written_count, design::yarn_presets;
 using session::DocumentView, session::Edit, session::MaybeEdit, session::keep_yarn, session::remove_yarn,
     session::replace_yarn;
 using ui::begin_combo, ui::begin_list, ui::draw_swatch, ui::end_combo, ui::fitted, ui::hit_area, ui::icon_button,
@@ -38,8 +39,6 @@ constexpr float kName = 104, kCountWidth = 84, kFibreWidth = 92, kPriceWidth = 1
 constexpr float kAround = 92;      // the dialog beside its two columns
 constexpr float kWithFibre = 600;  // a list of that width has room for the fibre
 constexpr size_t kMaxDots = 5;
-
-const char* fibre_name(const Yarn& yarn) { return tr(ready_yarn(yarn.fibre).name.c_str()); }
 
 std::string count_text(const LibraryYarn& y) { return y.count.empty() ? written_count(y.yarn) : y.count; }
 
@@ -133,7 +132,8 @@ bool draw_row(PanelContext& c, YarnsPrompt& p, int row, int yarn) {
     ImGui::PopFont();
   }
   text(count, middle - line / 2, c.style.color.text, count_text(y), fibre - count - gap);
-  if (fibre_fits) text(fibre, middle - line / 2, c.style.color.muted, fibre_name(y.yarn), price - fibre - gap);
+  if (fibre_fits)
+    text(fibre, middle - line / 2, c.style.color.muted, tr(fibre_name(y.yarn.fibre)), price - fibre - gap);
   text(price, middle - line / 2, c.style.color.muted, price_text(y, c.settings.imperial), dots - price - gap);
   draw_dots(c, y, {at.x + dots, middle - c.style.px(kDot) / 2});
   return twice;
@@ -223,9 +223,9 @@ void draw_fibre_field(PanelContext& c, LibraryYarn& y) {
   Yarn& yarn = y.yarn;
   row_label(c, tr("Fibre"), nullptr);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (!begin_combo(c, "yarns.fibre", fibre_name(yarn))) return;
+  if (!begin_combo(c, "yarns.fibre", tr(fibre_name(yarn.fibre)))) return;
   for (const Yarn& ready : yarn_presets()) {
-    if (ImGui::Selectable(tr(ready.name.c_str()), ready.fibre == yarn.fibre)) {
+    if (ImGui::Selectable(tr(fibre_name(ready.fibre)), ready.fibre == yarn.fibre)) {
       yarn = with_fibre(yarn, ready.fibre);
       if (const auto spun = with_count(yarn, y.count); spun && !y.count.empty()) yarn = *spun;
     }

@@ -20,9 +20,9 @@
 namespace weftlight::views {
 
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
-using design::Design, design::Twist, design::Yarn, design::with_new_palette_color, design::with_new_yarn,
-    design::with_thread_color, design::with_thread_spacing, design::with_thread_thickness, design::with_thread_yarn,
-    design::yarn_presets;
+using design::Design, design::Twist, design::Yarn, design::ready_yarns, design::with_new_palette_color,
+    design::with_new_yarn, design::with_thread_color, design::with_thread_spacing, design::with_thread_thickness,
+    design::with_thread_yarn;
 using draft::Draft, draft::Rgb, draft::System, draft::kFromYarn;
 using session::DocumentView, session::Edit, session::Settings, session::SharedIndex, session::SharedLength,
     session::SharedThreads, session::ThreadProperty, session::concerned, session::shared_by, session::thread_label,
@@ -212,9 +212,10 @@ void draw_yarn(PanelContext& c, const Subject& s) {
   if (ImGui::Selectable(tr("New: copy of this yarn"))) give_new_yarn(c, s, source);
   c.map.add_item("threads.yarn:own");
   tooltip(c, tr("A copy for these threads only, so that their twist can be changed"));
-  for (const Yarn& preset : yarn_presets()) {
-    if (ImGui::Selectable(fill(tr("New: {yarn}"), arg("yarn", preset.name)).c_str())) give_new_yarn(c, s, preset);
-    c.map.add_item("threads.yarn:" + preset.name);
+  for (const Yarn& ready : ready_yarns()) {
+    if (ImGui::Selectable(fill(tr("New: {yarn}"), arg("yarn", tr(ready.name.c_str()))).c_str()))
+      give_new_yarn(c, s, ready);
+    c.map.add_item("threads.yarn:" + ready.name);
   }
   end_combo();
 }

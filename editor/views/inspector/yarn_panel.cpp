@@ -23,9 +23,9 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr;
 using design::CrossSection, design::Design, design::FieldFacts, design::Finish, design::Lobes, design::Twist,
     design::Yarn, design::YarnField, design::kCrossSectionNames, design::kFinishFields, design::kLobeFields,
-    design::kLustreFacts, design::kPliesFacts, design::kYarnFields, design::lustre, design::ready_yarn,
-    design::with_cross_section, design::with_fibre, design::with_hairiness, design::with_lustre, design::with_new_yarn,
-    design::with_yarn, design::yarn_presets;
+    design::kLustreFacts, design::kPliesFacts, design::kYarnFields, design::fibre_name, design::lustre,
+    design::ready_yarns, design::with_cross_section, design::with_fibre, design::with_hairiness, design::with_lustre,
+    design::with_new_yarn, design::with_yarn, design::yarn_presets;
 using draft::Rgb;
 using session::DocumentView, session::Edit;
 using ui::begin_combo, ui::end_combo, ui::icon_button, ui::row_label, ui::section, ui::segmented, ui::slider,
@@ -71,7 +71,7 @@ void add_yarn(PanelContext& c, const Yarn& yarn) {
 }
 
 /// The menu of the plus button.
-void draw_yarn_presets(Panel& c) {
+void draw_ready_yarns(Panel& c) {
   if (!ImGui::BeginPopup("yarn presets")) return;
   if (ImGui::MenuItem(tr("Copy of this one"))) add_yarn(c, c.design.yarns[static_cast<size_t>(c.view.yarn)]);
   c.map.add_item("yarn.add:like");
@@ -83,8 +83,8 @@ void draw_yarn_presets(Panel& c) {
     c.wanted.add_action("yarns.delete");
   c.map.add_item("yarn.delete");
   ImGui::Separator();
-  for (const Yarn& yarn : yarn_presets()) {
-    if (ImGui::MenuItem(yarn.name.c_str())) add_yarn(c, yarn);
+  for (const Yarn& yarn : ready_yarns()) {
+    if (ImGui::MenuItem(tr(yarn.name.c_str()))) add_yarn(c, yarn);
     c.map.add_item("yarn.add:" + yarn.name);
   }
   ImGui::EndPopup();
@@ -114,7 +114,7 @@ void draw_choice(Panel& c) {
                   tr("Add a copy of this yarn, a preset or a yarn from the library; add this one to the library, or "
                      "delete it")))
     ImGui::OpenPopup("yarn presets");
-  draw_yarn_presets(c);
+  draw_ready_yarns(c);
 }
 
 bool draw_name(PanelContext& c, Yarn& yarn) {
@@ -142,14 +142,14 @@ bool draw_plies(PanelContext& c, Yarn& yarn) {
   return true;
 }
 
-/// The fibre: takes the optics of the yarn preset of that fibre.
+/// The fibre: takes the optics of the usual yarn of that fibre.
 bool draw_fibre(PanelContext& c, Yarn& yarn) {
   row_label(c, tr("Fibre"), tr("What the yarn is spun from. Sets lustre and hairiness; thickness and twist are kept"));
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (!begin_combo(c, "yarn.fibre", tr(ready_yarn(yarn.fibre).name.c_str()))) return false;
+  if (!begin_combo(c, "yarn.fibre", tr(fibre_name(yarn.fibre)))) return false;
   bool chosen = false;
   for (const Yarn& ready : yarn_presets()) {
-    if (ImGui::Selectable(tr(ready.name.c_str()), ready.fibre == yarn.fibre))
+    if (ImGui::Selectable(tr(fibre_name(ready.fibre)), ready.fibre == yarn.fibre))
       yarn = with_fibre(yarn, ready.fibre), chosen = true;
     c.map.add_item("yarn.fibre:" + ready.name);
   }

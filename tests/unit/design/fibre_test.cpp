@@ -191,7 +191,11 @@ TEST(Fibre, CountsOfThePresets) {
                                                         {"Silk", "Nm 30/2"},
                                                         {"Wool", "Nm 28/2"},
                                                         {"Viscose", "300 den"},
-                                                        {"Polyester filament", "150 den"}};
+                                                        {"Polyester filament", "150 den"},
+                                                        {"Combed cotton", "Ne 20/2"},
+                                                        {"Reeled silk", "Nm 47"},
+                                                        {"Woollen yarn", "Nm 8/2"},
+                                                        {"Spun polyester", "Ne 30/2"}};
   for (const auto& [name, count] : counts) {
     const Yarn& ready = yarn_preset(name);
     const std::optional<Yarn> spun = with_count(ready, count);
@@ -200,7 +204,7 @@ TEST(Fibre, CountsOfThePresets) {
     const double tex = tex_from_text(count).value_or(0);
     EXPECT_NEAR(static_cast<double>(tex_of(*spun)) / tex, 1, 1e-3) << name;
     EXPECT_NEAR(static_cast<double>(ready.tex) / tex, 1, 3e-3) << name;
-    EXPECT_NEAR(packing_fraction(ready), 0.61, 0.12) << name;
+    EXPECT_NEAR(packing_fraction(ready), name == std::string("Woollen yarn") ? 0.4 : 0.61, 0.12) << name;
   }
   EXPECT_FALSE(with_count(yarn_preset("Cotton"), "thick"));
   EXPECT_EQ(with_count(yarn_preset("Cotton"), "Ne 8/2")->lobes, yarn_preset("Cotton").lobes);

@@ -34,7 +34,7 @@ YarnLibrary read(std::string_view text) {
 TEST(YarnLibrary, IsWrittenAndReadAgain) {
   YarnLibrary library;
   library.head = {"# My yarns"};
-  for (const Yarn& preset : yarn_presets()) library.yarns.push_back({preset});
+  for (const Yarn& ready : ready_yarns()) library.yarns.push_back({ready});
   library.yarns.push_back(tuna());
   library.yarns.back().yarn.tex = 0, library.yarns.back().count.clear();
   library.yarns.push_back(tuna());
@@ -68,6 +68,21 @@ TEST(YarnLibrary, AFewLinesByHandAreEnough) {
   EXPECT_EQ(y.colors, (std::vector<YarnColor>{{{0, 0, 1}, "Navy"}}));
   EXPECT_EQ(library.yarns[1].yarn.fibre, Fibre::kCotton) << "cotton where nothing is said";
   EXPECT_TRUE(library.remarks.empty());
+}
+
+TEST(YarnLibrary, AReadyYarnIsBegunWithByItsName) {
+  const YarnLibrary library = read(
+      "[Yarn]\nName=A\nFibre=woollen yarn\n[Yarn]\nName=B\nFibre=Polyester\n"
+      "[Yarn]\nName=C\nFibre=Polyester filament\n[Yarn]\nName=D\nFibre=Wool\n");
+  ASSERT_EQ(library.yarns.size(), 4u);
+  EXPECT_TRUE(library.remarks.empty());
+  const Yarn &woollen = library.yarns[0].yarn, &wool = library.yarns[3].yarn;
+  EXPECT_EQ(woollen.fibre, Fibre::kWool);
+  EXPECT_GT(woollen.hairiness, wool.hairiness);
+  EXPECT_EQ(wool.lobes, ready_yarn(Fibre::kWool).lobes);
+  EXPECT_EQ(library.yarns[1].yarn.fibre, Fibre::kPolyester) << "as a list shows the fibre";
+  EXPECT_EQ(library.yarns[1].yarn.lobes, library.yarns[2].yarn.lobes);
+  EXPECT_NE(yarn_library_text(library).find("Fibre=Polyester filament\n"), std::string::npos) << "as files name it";
 }
 
 TEST(YarnLibrary, ACountIsChangedByHand) {

@@ -13,8 +13,8 @@
 
 namespace weftlight::wif {
 
-using design::Yarn, design::with_new_palette_color, design::with_thickness, design::with_thread_color,
-    design::with_thread_yarn, design::yarn_presets;
+using design::Yarn, design::ready_yarns, design::with_new_palette_color, design::with_thickness,
+    design::with_thread_color, design::with_thread_yarn;
 using draft::Face, draft::System;
 using weaves::Lean, weaves::Recipe, weaves::glen_check, weaves::herringbone, weaves::houndstooth, weaves::log_cabin,
     weaves::WeaveKind, weaves::complete_values, weaves::find_weave, weaves::make_design, weaves::plain, weaves::satin,
@@ -326,7 +326,7 @@ std::vector<PresetRecipe> preset_recipes() {
   // Even yarns in the drafts of the chart and of golden images.
   for (PresetRecipe& recipe : all)
     for (Yarn& yarn : recipe.design.yarns) yarn.unevenness = 0;
-  for (const Yarn& preset : yarn_presets()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
+  for (const Yarn& preset : ready_yarns()) all.push_back({"yarns/" + file_name(preset.name), swatch(preset)});
   for (PresetRecipe& cloth : cloth_recipes()) all.push_back(std::move(cloth));
   return all;
 }

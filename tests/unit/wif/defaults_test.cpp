@@ -6,6 +6,7 @@
 #include "design/edits.h"
 #include "design/fibre.h"
 #include "design/yarn_fields.h"
+#include "design/yarn_presets.h"
 #include "lines.h"
 #include "wif/wif.h"
 
@@ -97,6 +98,16 @@ TEST(Defaults, AYarnKeepsItsFibreWhateverItsOpticsAre) {
   design.yarns = {linen};
   EXPECT_EQ(opened(write_new_wif(design)).design.yarns, design.yarns);
   EXPECT_EQ(opened(write_preset_wif(design)).design.yarns, design.yarns);
+}
+
+TEST(Defaults, EveryReadyYarnComesBackFromAFile) {
+  Design design = opened(fixture("twill.wif")).design;
+  const auto all = design::ready_yarns();
+  design.yarns.assign(all.begin(), all.end());
+  EXPECT_EQ(opened(write_new_wif(design)).design.yarns, design.yarns);
+  EXPECT_EQ(opened(write_preset_wif(design)).design.yarns, design.yarns);
+  const std::string unnamed = without(without(write_new_wif(design), "Made Of"), "Cross-section");
+  EXPECT_EQ(opened(unnamed).design.yarns, design.yarns) << "recognised by their optics";
 }
 
 TEST(Defaults, AFileThatNamesNoFibreIsRecognisedByItsOptics) {

@@ -86,18 +86,15 @@ void draw_loom(const PanelContext& c, const AnalysisState& s) {
 
 /// The sett on the loom beside the firm one, which is also meant for the loom.
 void draw_loom_sett(const PanelContext& c, const AnalysisState& s) {
-  constexpr double kTooClose = 0.1;  // of the firm sett: more is stiff, or cannot be beaten in
   const double firm = s.wraps * s.firm_sett, own = s.measures.loom_ends_per_cm;
   if (firm <= 0 || own <= 0) return;
-  const double off = own / firm - 1;
-  const bool too_close = off > kTooClose;
-  if (too_close) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.warn);
-  fact(c, tr("On the loom"),
-       fill(too_close ? tr("{sett}, {deviation}: too close for the weft to beat in well") : tr("{sett}, {deviation}"),
-            arg("sett", sett_text(own, System::kWarp, units_of(c.settings))), arg("deviation", deviation_text(off))),
-       tr("The sett on the loom, by the plan, and how far it is from the firm one"));
-  if (too_close) ImGui::PopStyleColor();
-  c.map.add_item(too_close ? "analysis.too_close" : "analysis.loom_sett");
+  fact(
+      c, tr("On the loom"),
+      fill(tr("{sett}, {deviation}"), arg("sett", sett_text(own, System::kWarp, units_of(c.settings))),
+           arg("deviation", deviation_text(own / firm - 1))),
+      tr("The sett on the loom, by the plan, and how far it is from the firm one. The further above, the more the warp "
+         "hides the weft, and the harder the weft is to beat in"));
+  c.map.add_item("analysis.loom_sett");
 }
 
 void draw_setts(const PanelContext& c, const AnalysisState& s) {

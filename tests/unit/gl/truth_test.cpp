@@ -134,7 +134,8 @@ TEST_F(Truth, LightFromBehindIsThatOfTheTracedThreads) {
 TEST_F(Truth, YarnDrawsTheTracedThreads) {
   const Pair pairs[] = {{towards(0.6f, 0.87f), towards(0, 1.57f)},
                         {towards(2.1f, 0.6f), towards(0.2f, 0.6f)},
-                        {towards(-1.9f, 0.5f), towards(1.7f, 0.2f)}};
+                        {towards(-1.9f, 0.5f), towards(1.7f, 0.2f)},
+                        {towards(0.6f, 0.87f), towards(2.2f, 0.17f)}};
   for (const Pair& pair : pairs) {
     for (const float yarns : {0.125f, 0.5f}) {
       const int pixels = static_cast<int>(4 / yarns);

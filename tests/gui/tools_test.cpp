@@ -30,6 +30,8 @@ TEST_F(ToolsTest, PrintsThePreviewedSheets) {
   display_.drag({{slider.x + 10, slider.y + size.y / 2}, {slider.x + size.x - 4, slider.y + size.y / 2}});
   ASSERT_TRUE(comes_true([&] { return w.has("print.ready") && !w.has("print.sheets:2"); }))
       << "large cells, more sheets";
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Automatic"));
+  EXPECT_TRUE(comes_true([&] { return w.has("print.ready") && w.has("print.sheets:2"); })) << "small cells again";
   ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Save\xE2\x80\xA6"));
   ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
   display_.key("ctrl+a");

@@ -40,8 +40,7 @@ constexpr float kStripHeight = 84;  // pixels at 96 dpi
 /// The slider of a field. True while it changes `value`.
 bool field_slider(const PanelContext& c, const FieldFacts& f, float& value) {
   const std::string id = std::string("yarn.").append(f.id);
-  const std::string unit = *f.unit ? std::string(" ").append(f.unit) : std::string();
-  const std::string format = "%." + std::to_string(f.decimals) + "f" + unit;
+  const std::string format = figure_format(f);
   return slider(c, {id.c_str(), tr(f.label), f.from, f.to, format.c_str(), tr(f.tip), f.logarithmic, f.low, f.high},
                 value);
 }
@@ -268,6 +267,13 @@ MaybeEdit draw_finish(PanelContext& c) {
 }
 
 }  // namespace
+
+std::string figure_format(const FieldFacts& field) {
+  std::string format = "%." + std::to_string(field.decimals) + "f";
+  if (*field.unit) format.append(" ").append(field.unit);
+  if (format.ends_with('%')) format += '%';
+  return format;
+}
 
 MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, YarnStrip& strip) {
   Panel c{panel, drawing};

@@ -139,6 +139,22 @@ TEST_F(ToolsTest, ThePlanOfTheClothIsKeptInTheFileAndUndone) {
   EXPECT_TRUE(kept["imperial"].get<bool>());
 }
 
+TEST_F(ToolsTest, AStepOfUndoHasTheNameOfItsControl) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Plan"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "plan.width:figure"));
+  display_.key("ctrl+a 5 0 Return");
+  ASSERT_TRUE(comes_true([&] { return design_of(w.live()).plan.width_mm == 500; }));
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("undo: width");
+  EXPECT_TRUE(comes_true([&] { return w.has("command:undo") && !w.has("command:redo"); }));
+  display_.key("ctrl+a");
+  display_.type("undo: change");
+  EXPECT_TRUE(comes_true([&] { return !w.has("command:undo"); })) << "\"Change plan (Width)\"";
+}
+
 TEST_F(ToolsTest, WeavesPickByPickAndSavesThePlaceWithTheDraft) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -20,7 +20,7 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::mark, base::tr;
+using base::mark, base::tr;
 using design::CrossSection, design::Design, design::FieldFacts, design::Finish, design::Lobes, design::Twist,
     design::Yarn, design::YarnField, design::kCrossSectionNames, design::kFinishFields, design::kLobeFields,
     design::kLustreFacts, design::kPliesFacts, design::kYarnFields, design::fibre_name, design::lustre,
@@ -53,10 +53,9 @@ const char* lobe_sliders(const PanelContext& c, Lobes& lobes) {
   return label;
 }
 
-/// `property`: a marked text.
+/// `property`: a marked text, which names the edit.
 MaybeEdit changed(int index, const Yarn& yarn, const char* property) {
-  return Edit{fill(tr("Change yarn ({property})"), arg("property", tr(property))),
-              [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
+  return Edit{tr(property), [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
 }
 
 void activate(PanelContext& c, int yarn) {
@@ -258,7 +257,7 @@ MaybeEdit draw_finish(PanelContext& c) {
   Finish finish = c.design.finish;
   for (const YarnField<Finish>& field : kFinishFields) {
     if (!field_slider(c, field.facts, finish.*field.member)) continue;
-    return Edit{fill(tr("Change finish ({property})"), arg("property", tr(field.facts.label))), [finish](Design d) {
+    return Edit{tr(field.facts.label), [finish](Design d) {
                   d.finish = finish;
                   return d;
                 }};
@@ -287,7 +286,7 @@ MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, Yar
   MaybeEdit edit;
   if (section(c, "section.yarns", tr("Yarns"))) {
     draw_choice(c);
-    if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, mark("Name"));
+    if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, mark("Name of the yarn"));
     if (const char* what = draw_properties(c, yarn)) edit = changed(c.view.yarn, yarn, what);
   }
   if (draw_dye(c, yarn, colour, palette[(active + 1) % palette.size()])) edit = changed(c.view.yarn, yarn, mark("Dye"));

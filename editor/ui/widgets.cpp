@@ -68,7 +68,8 @@ enum class FigureAlign { kRight, kMiddle };
 
 void draw_figure(const char* text, FigureAlign align, ImU32 color) {
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text);
-  const float x = align == FigureAlign::kRight ? b.x - size.x : (a.x + b.x - size.x) / 2;
+  const float x =
+      align == FigureAlign::kRight ? b.x - ImGui::GetStyle().FramePadding.x - size.x : (a.x + b.x - size.x) / 2;
   ImGui::GetWindowDrawList()->AddText(
       {static_cast<float>(static_cast<int>(x)), static_cast<float>(static_cast<int>((a.y + b.y - size.y) / 2))}, color,
       text);

@@ -68,6 +68,30 @@ TEST_F(LanguageTest, LongWordsStayInTheButtonsOverTheClothAndInTheLoomView) {
   })) << "how much is woven is cut";
 }
 
+TEST_F(LanguageTest, ASmallLoomViewHasRoomForALongRowWhereAProgramSpeaks) {
+  const std::filesystem::path programs = folder_ / "bin";
+  std::filesystem::create_directories(programs);
+  put(programs / "spd-say", "#!/bin/sh\n");
+  std::filesystem::permissions(programs / "spd-say", std::filesystem::perms::owner_all);
+  for (const char* language : {"de", "sv", "es"}) {
+    settings({{"language", language}});
+    Window w(display_, folder_, draft_,
+             {"LC_ALL=C.UTF-8", std::string("LANGUAGE=") + language, "PATH=" + programs.string()});
+    ASSERT_TRUE(comes_true([&] { return w.is_ready(); })) << language;
+    display_.resize(900, 600);
+    display_.key("F9");
+    for (const char* control : {"loom.say", "loom.first_pick", "loom.done", "loom.say_steps", "loom.line"})
+      EXPECT_TRUE(comes_true([&] {
+        if (!w.has(control)) return false;
+        const auto [at, size] = w.place_of(control);
+        return at.x + size.x <= 900 && at.y + size.y <= 600;
+      })) << control
+          << " is cut in " << language;
+    ASSERT_NO_FATAL_FAILURE(click(w, "loom.done"));
+    EXPECT_TRUE(comes_true([&] { return !w.has("loom.done"); })) << language;
+  }
+}
+
 TEST_F(LanguageTest, ALongNameThatIsCutIsToldByATip) {
   Window w(display_, folder_, draft_, {"LC_ALL=C.UTF-8", "LANGUAGE=de"});
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

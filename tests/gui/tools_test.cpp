@@ -30,6 +30,8 @@ TEST_F(ToolsTest, PrintsThePreviewedSheets) {
   display_.drag({{slider.x + 10, slider.y + size.y / 2}, {slider.x + size.x - 4, slider.y + size.y / 2}});
   ASSERT_TRUE(comes_true([&] { return w.has("print.ready") && !w.has("print.sheets:2"); }))
       << "large cells, more sheets";
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Automatic"));
+  EXPECT_TRUE(comes_true([&] { return w.has("print.ready") && w.has("print.sheets:2"); })) << "small cells again";
   ASSERT_NO_FATAL_FAILURE(click(w, "dialog:Save\xE2\x80\xA6"));
   ASSERT_TRUE(comes_true([&] { return w.has("dialog.path"); }));
   display_.key("ctrl+a");
@@ -135,6 +137,22 @@ TEST_F(ToolsTest, ThePlanOfTheClothIsKeptInTheFileAndUndone) {
   const auto kept = nlohmann::json::parse(bytes_of(folder_ / "config/weftlight/settings.json"));
   EXPECT_NEAR(kept["loom_waste_cm"].get<double>(), 76.2, 1e-4) << "for the next new draft";
   EXPECT_TRUE(kept["imperial"].get<bool>());
+}
+
+TEST_F(ToolsTest, AStepOfUndoHasTheNameOfItsControl) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Plan"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "plan.width:figure"));
+  display_.key("ctrl+a 5 0 Return");
+  ASSERT_TRUE(comes_true([&] { return design_of(w.live()).plan.width_mm == 500; }));
+  display_.key("ctrl+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("commands.typed"); }));
+  display_.type("undo: width");
+  EXPECT_TRUE(comes_true([&] { return w.has("command:undo") && !w.has("command:redo"); }));
+  display_.key("ctrl+a");
+  display_.type("undo: change");
+  EXPECT_TRUE(comes_true([&] { return !w.has("command:undo"); })) << "\"Change plan (Width)\"";
 }
 
 TEST_F(ToolsTest, WeavesPickByPickAndSavesThePlaceWithTheDraft) {

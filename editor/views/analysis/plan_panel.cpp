@@ -75,7 +75,7 @@ void draw_sett(PlanPanel& c, const char* id, System system, float ClothPlan::*pe
                          : tr("Picks woven under tension; 0 gives the finished cloth the sett of the draft");
   draw_number(c,
               {id, warp ? tr("Ends") : tr("Picks"), tip, unit, inches ? kInch_mm / 10 : 1.0, inches ? 100.0f : 40.0f,
-               design::kMaxSettPerCm * (inches ? 2.54f : 1.0f)},
+               design::kMaxSettPerCm * (inches ? 2.54f : 1.0f), tr("Sett")},
               per_cm);
 }
 
@@ -125,7 +125,7 @@ void draw_on_loom(PlanPanel& c) {
 Units units_of(const Settings& settings) { return settings.imperial ? Units::kImperial : Units::kMetric; }
 
 void change_plan(PlanPanel& c, const char* property, const std::function<void(ClothPlan&)>& change) {
-  c.edit = Edit{fill(tr("Change plan ({property})"), arg("property", property)), [change](Design d) {
+  c.edit = Edit{property, [change](Design d) {
                   ClothPlan plan = d.plan;
                   change(plan);
                   return with_plan(std::move(d), std::move(plan));
@@ -140,7 +140,7 @@ void draw_number(PlanPanel& c, const PlanRow& row, float ClothPlan::*number) {
   auto shown = static_cast<float>(static_cast<double>(c.design.plan.*number) * row.scale);
   if (!slider(c, {id.c_str(), row.label, 0, row.to, row.format, row.tip, false, 0, row.limit}, shown)) return;
   const auto kept = static_cast<float>(static_cast<double>(shown) / row.scale);
-  change_plan(c, row.label, [number, kept](ClothPlan& p) { p.*number = kept; });
+  change_plan(c, row.edit ? row.edit : row.label, [number, kept](ClothPlan& p) { p.*number = kept; });
 }
 
 void draw_length(PlanPanel& c, const char* id, const char* label, const char* tip, float to_mm,

@@ -23,12 +23,13 @@ void change_plan(PlanPanel& c, const char* property, const std::function<void(Cl
 
 /// A slider for a number of the plan that is shown in another unit: shown = kept * scale.
 struct PlanRow {
-  const char* id;     // after "plan."
-  const char* label;  // also names the edit
+  const char* id;  // after "plan."
+  const char* label;
   const char* tip;
   const char* format;
   double scale = 1;
   float to = 100, limit = 100;  // of the track, and of the figure; as shown
+  const char* edit = nullptr;   // names the edit; null: the label does
 };
 void draw_number(PlanPanel& c, const PlanRow& row, float ClothPlan::*number);
 /// Lengths across the loom and along it (cm or in), with the limits of the track in mm. `zero`: shown for 0, if given.

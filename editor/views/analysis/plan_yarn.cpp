@@ -39,7 +39,7 @@ void draw_to_buy(PlanPanel& c, const YarnToBuy& one, int number) {
 }
 
 void change_purchase(PlanPanel& c, const YarnPurchase& purchase) {
-  change_plan(c, tr("Yarn"), [purchase](ClothPlan& p) { p = with_purchase(std::move(p), purchase); });
+  change_plan(c, tr("Yarn to buy"), [purchase](ClothPlan& p) { p = with_purchase(std::move(p), purchase); });
 }
 
 void draw_sold_by(PlanPanel& c, YarnPurchase p, const std::string& id) {

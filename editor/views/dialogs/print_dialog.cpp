@@ -134,8 +134,8 @@ void draw_paper(PanelContext& c, PrintPrompt& p, float width) {
 }
 
 void draw_scale(PanelContext& c, PrintPrompt& p, float width) {
-  constexpr const char* kScales[] = {mark("Fit page"), mark("Custom")};
-  row_label(c, tr("Scale"), tr("Fit page: one sheet, unless its cells would be too small to read"));
+  constexpr const char* kScales[] = {mark("Automatic"), mark("Custom")};
+  row_label(c, tr("Scale"), tr("Automatic: the draft on one sheet, unless its cells would be too small to read"));
   int scale = p.own_scale ? 1 : 0;
   segmented(c, "print.scale", kScales, scale, width);
   p.own_scale = scale == 1;

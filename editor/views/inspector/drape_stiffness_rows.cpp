@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "analysis/handle.h"
+#include "analysis/yarn_need.h"
 #include "base/text.h"
 #include "drape/stiffness.h"
 #include "files/design_drape.h"
@@ -56,7 +57,7 @@ std::string stiffness_in_words(const Design& design) {
                                     mark("Medium: bending length {length:.0f} mm, {weight:.0f} g/m\xC2\xB2"),
                                     mark("Stiff: bending length {length:.0f} mm, {weight:.0f} g/m\xC2\xB2")};
   const char* text = tr(kTexts[static_cast<size_t>(drape_stiffness_of(handle.bending_length_mm))]);
-  return fill(text, arg("length", handle.bending_length_mm), arg("weight", 1000 * handle.kg_per_m2));
+  return fill(text, arg("length", handle.bending_length_mm), arg("weight", analysis::yarn_report(design).g_per_m2));
 }
 
 MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape) {
@@ -71,7 +72,7 @@ MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape) {
   if (const std::string stiffness = stiffness_in_words(c.design); !stiffness.empty())
     draw_words(c, stiffness, c.style.color.muted,
                tr("Peirce's bending length: how far a strip overhangs before it bends under its own weight. 12 mm is "
-                  "charmeuse, 19 shirting, 30 denim. Computed from yarns and sett, as is the weight"));
+                  "charmeuse, 19 shirting, 30 denim. Computed from yarns and sett; the weight is that of the plan"));
   draw_stage(c, drape);
   ImGui::Dummy({0, c.style.px(2)});
   return edit;

@@ -14,7 +14,7 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::mark, base::tr;
+using base::mark, base::tr;
 using design::Design, design::LightingPreset, design::MethodFacts, design::Scene, design::is_environment,
     design::kLightingPresets, design::kMethods, design::lit_by, design::method_facts;
 using draft::Rgb;
@@ -183,8 +183,7 @@ MaybeEdit draw_scene(PanelContext& c, const DrapeState& drape) {
   for (const SceneSpec& spec : kLight)
     if (!(is_environment(scene.lights) && spec.field == &Scene::light_elevation) &&
         slider(c, translated(spec.slider), scene.*spec.field))
-      edit = scene_edit(fill(tr("Change light ({property})"), arg("property", tr(spec.slider.label))),
-                        [scene](Design& d) { d.scene = scene; });
+      edit = scene_edit(tr(spec.slider.label), [scene](Design& d) { d.scene = scene; });
   return edit;
 }
 

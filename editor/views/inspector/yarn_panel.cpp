@@ -20,7 +20,7 @@
 
 namespace weftlight::views {
 
-using base::arg, base::fill, base::mark, base::tr;
+using base::mark, base::tr;
 using design::CrossSection, design::Design, design::FieldFacts, design::Finish, design::Lobes, design::Twist,
     design::Yarn, design::YarnField, design::kCrossSectionNames, design::kFinishFields, design::kLobeFields,
     design::kLustreFacts, design::kPliesFacts, design::kYarnFields, design::fibre_name, design::lustre,
@@ -40,8 +40,7 @@ constexpr float kStripHeight = 84;  // pixels at 96 dpi
 /// The slider of a field. True while it changes `value`.
 bool field_slider(const PanelContext& c, const FieldFacts& f, float& value) {
   const std::string id = std::string("yarn.").append(f.id);
-  const std::string unit = *f.unit ? std::string(" ").append(f.unit) : std::string();
-  const std::string format = "%." + std::to_string(f.decimals) + "f" + unit;
+  const std::string format = figure_format(f);
   return slider(c, {id.c_str(), tr(f.label), f.from, f.to, format.c_str(), tr(f.tip), f.logarithmic, f.low, f.high},
                 value);
 }
@@ -54,10 +53,9 @@ const char* lobe_sliders(const PanelContext& c, Lobes& lobes) {
   return label;
 }
 
-/// `property`: a marked text.
+/// `property`: a marked text, which names the edit.
 MaybeEdit changed(int index, const Yarn& yarn, const char* property) {
-  return Edit{fill(tr("Change yarn ({property})"), arg("property", tr(property))),
-              [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
+  return Edit{tr(property), [=](Design d) { return with_yarn(std::move(d), index, yarn); }};
 }
 
 void activate(PanelContext& c, int yarn) {
@@ -259,7 +257,7 @@ MaybeEdit draw_finish(PanelContext& c) {
   Finish finish = c.design.finish;
   for (const YarnField<Finish>& field : kFinishFields) {
     if (!field_slider(c, field.facts, finish.*field.member)) continue;
-    return Edit{fill(tr("Change finish ({property})"), arg("property", tr(field.facts.label))), [finish](Design d) {
+    return Edit{tr(field.facts.label), [finish](Design d) {
                   d.finish = finish;
                   return d;
                 }};
@@ -268,6 +266,13 @@ MaybeEdit draw_finish(PanelContext& c) {
 }
 
 }  // namespace
+
+std::string figure_format(const FieldFacts& field) {
+  std::string format = "%." + std::to_string(field.decimals) + "f";
+  if (*field.unit) format.append(" ").append(field.unit);
+  if (format.ends_with('%')) format += '%';
+  return format;
+}
 
 MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, YarnStrip& strip) {
   Panel c{panel, drawing};
@@ -281,7 +286,7 @@ MaybeEdit draw_yarns(const PanelContext& panel, const DrawingState& drawing, Yar
   MaybeEdit edit;
   if (section(c, "section.yarns", tr("Yarns"))) {
     draw_choice(c);
-    if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, mark("Name"));
+    if (draw_name(c, yarn)) edit = changed(c.view.yarn, yarn, mark("Name of the yarn"));
     if (const char* what = draw_properties(c, yarn)) edit = changed(c.view.yarn, yarn, what);
   }
   if (draw_dye(c, yarn, colour, palette[(active + 1) % palette.size()])) edit = changed(c.view.yarn, yarn, mark("Dye"));

@@ -165,12 +165,12 @@ void draw_page(Panel& c, std::string& page_address) {
     c.wanted.add_action("loom_page");
 }
 
-/// First and last pick of the section, counted from 1.
-void draw_section(Panel& c) {
+/// First and last pick of the range that is woven over and over, counted from 1.
+void draw_range(Panel& c) {
   const int picks = c.design.draft.picks();
   const loom::PickRange now = c.view.at_loom.section;
   int first = now.first < now.end ? now.first + 1 : 1, last = now.first < now.end ? now.end : picks;
-  row_label(c, tr("Section"), tr("Picks to weave repeatedly"));
+  row_label(c, tr("Picks"), tr("Picks to weave repeatedly"));
   push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(110));
   bool changed = ImGui::InputInt("##first", &first);
@@ -237,6 +237,17 @@ const char* first_label(LoomWork work) {
   return work == LoomWork::kSley ? tr("First dent") : tr("First pick");
 }
 
+/// Beside the last item, or below it where `width` has no room.
+void next_in_row(float width, float gap = -1) {
+  ImGui::SameLine(0, gap);
+  if (width > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
+}
+
+bool step_button(const Panel& c, const char* id, const char* label, const char* tip, float gap = -1) {
+  next_in_row(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x, gap);
+  return text_button(c, id, label, tip);
+}
+
 void draw_steps(Panel& c) {
   const char* const kWorks[] = {mark("Thread"), mark("Sley"), tr_in("at the loom", "Weave")};
   const LoomWork work = c.view.at_loom.work;
@@ -248,37 +259,29 @@ void draw_steps(Panel& c) {
       v.at_loom.work = static_cast<LoomWork>(chosen);
       v.at_loom.remark.clear();
     });
-  ImGui::SameLine(0, c.style.px(16));
-  if (text_button(c, "loom.back", tr_in("a step", "Back"), tr("Previous step   Backspace")))
+  if (step_button(c, "loom.back", tr_in("a step", "Back"), tr("Previous step   Backspace"), c.style.px(16)))
     c.wanted.add_action("loom_back");
-  ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, c.style.color.accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, blend(c.style.color.accent, c.style.color.text, 0.15f));
   ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.paper);
-  if (text_button(c, "loom.next", next_label(work), tr("Next step   Space"))) c.wanted.add_action("loom_next");
+  if (step_button(c, "loom.next", next_label(work), tr("Next step   Space"))) c.wanted.add_action("loom_next");
   ImGui::PopStyleColor(3);
-  ImGui::SameLine();
-  if (work == LoomWork::kWeave) {
-    if (text_button(c, "loom.tabby", tr("Tabby"),
-                    tr("A tabby pick before this one, alternating the two tabby sheds   T")))
-      c.wanted.add_action("loom_tabby");
-    ImGui::SameLine();
-  }
-  if (c.view.can_speak) {
-    if (text_button(c, "loom.say", tr("Read aloud"), tr("Read this step aloud   S"))) c.wanted.add_action("loom_say");
-    ImGui::SameLine();
-  }
-  if (text_button(c, "loom.first_pick", first_label(work), tr("Start again from the first")))
+  if (work == LoomWork::kWeave && step_button(c, "loom.tabby", tr("Tabby"),
+                                              tr("A tabby pick before this one, alternating the two tabby sheds   T")))
+    c.wanted.add_action("loom_tabby");
+  if (c.view.can_speak && step_button(c, "loom.say", tr("Read aloud"), tr("Read this step aloud   S")))
+    c.wanted.add_action("loom_say");
+  if (step_button(c, "loom.first_pick", first_label(work), tr("Start again from the first")))
     c.wanted.gesture([](DocumentView& v, const Design& d) { return go_to(v.at_loom, d, 0).edit; });
-  ImGui::SameLine();
-  if (text_button(c, "loom.done", tr("Leave loom view"), tr("Back to the draft, which keeps your place   F9")))
+  if (step_button(c, "loom.done", tr("Leave loom view"), tr("Back to the draft, which keeps your place   F9")))
     c.wanted.add_action("loom");
   ImGui::PopStyleVar();
   if (!c.view.can_speak) return;
-  ImGui::SameLine(0, c.style.px(16));
+  const char* label = tr("Read each step aloud");
+  next_in_row(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x,
+              c.style.px(16));
   bool each = c.settings.say_steps;
-  if (ImGui::Checkbox(tr("Read each step aloud"), &each))
-    c.wanted.change_settings([each](Settings& s) { s.say_steps = each; });
+  if (ImGui::Checkbox(label, &each)) c.wanted.change_settings([each](Settings& s) { s.say_steps = each; });
   c.map.add_item("loom.say_steps");
 }
 
@@ -287,7 +290,9 @@ void draw_steps(Panel& c) {
 void draw_loom(const PanelContext& panel, const LoomView& view, std::string& address, std::string& page_address) {
   Panel c{panel, view};
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
-  const float margin = c.style.px(kMargin), foot = c.style.px(kFoot);
+  // In a narrow window the rows of the foot wrap: it is as high as it was in the last frame.
+  float& used = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("foot"));
+  const float margin = c.style.px(kMargin), foot = std::max(c.style.px(kFoot), used);
   PixelRect room{{at.x + margin, at.y + margin}, {at.x + size.x - margin, at.y + size.y - foot - margin}};
   if (view.step.of > 0 && room.height() > 40) {
     const float right = room.max.x;
@@ -301,12 +306,13 @@ void draw_loom(const PanelContext& panel, const LoomView& view, std::string& add
   ImGui::BeginGroup();
   draw_steps(c);
   ImGui::Dummy({0, c.style.px(2)});
-  if (view.step.work == LoomWork::kWeave) draw_section(c);
+  if (view.step.work == LoomWork::kWeave) draw_range(c);
   else draw_place(c);
   draw_line(c, address);
   draw_page(c, page_address);
   draw_status(c);
   ImGui::EndGroup();
+  used = ImGui::GetItemRectSize().y;
 }
 
 }  // namespace weftlight::views

@@ -452,6 +452,9 @@ int export_command(const ExportOptions& options, const MaterialOptions& material
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
   if (!mesh)
     return fail({base::ErrorKind::kInput, fill(tr("--mesh: {problem}"), arg("problem", message(mesh.error())))});
+  std::error_code ec;
+  if (fs::exists(options.out, ec) && !fs::is_directory(options.out, ec))
+    return fail({base::ErrorKind::kOutput, tr("is a file"), options.out});
   const std::vector<Job> jobs = jobs_of(options, material, targets);
   if (jobs.empty()) {
     return fail({base::ErrorKind::kInput,

@@ -90,6 +90,13 @@ TEST_F(DeskTest, ALongNameInAListIsToldByATip) {
   EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "the name is cut, and nothing tells the rest";
 }
 
+TEST_F(DeskTest, TheDotWhereTheDraftBeginsIsToldByATip) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("origin"); }));
+  display_.move(w.middle_of("origin"));
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "nothing says what the dot means";
+}
+
 TEST_F(DeskTest, TabGoesFromOneNumberToTheNext) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

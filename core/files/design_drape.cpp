@@ -18,7 +18,7 @@ namespace weftlight::files {
 using base::ErrorKind, base::Result, base::arg, base::cache_folder, base::cause_of, base::failure, base::fill,
     base::keep_newest, base::presets_dir, base::tr;
 using drape::DrapeParameters, drape::Vec2, drape::drape_file, drape::drape_names, drape::drape_parameters,
-    drape::drape_stiffness_of, drape::simulate_drape;
+    drape::drape_stiffness_of, drape::simulate_drape, drape::turn_diagonals;
 
 namespace {
 
@@ -128,6 +128,12 @@ Result<Mesh> load_design_drape(const Design& design) {
   if (is_bad(read) && is_shipped_drape(design)) read = simulate_drape(design.scene.mesh);
   // The name selects the body, which does not depend on the stiffness.
   if (read && can_drape(design)) read->name = design.scene.mesh;
+  return read;
+}
+
+Result<Mesh> load_worn_drape(const Design& design) {
+  Result<Mesh> read = load_design_drape(design);
+  if (read && can_drape(design)) turn_diagonals(*read);
   return read;
 }
 

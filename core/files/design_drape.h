@@ -17,6 +17,9 @@ using drape::Mesh;
 /// the cache. A shipped drape whose file is missing or broken is simulated; of a lack of memory the error (kMemory) is
 /// returned.
 base::Result<Mesh> load_design_drape(const Design& design);
+/// The same for an engine: the diagonals of a shipped drape run along its folds, as in our pictures. A mesh file keeps
+/// its triangles.
+base::Result<Mesh> load_worn_drape(const Design& design);
 /// A key that is equal for designs with the same mesh; it changes when the simulated drape enters the cache.
 std::string drape_key(const Design& design);
 

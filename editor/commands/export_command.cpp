@@ -41,7 +41,7 @@ namespace weftlight::commands {
 using base::arg, base::caught, base::fill, base::for_each_job, base::message, base::problem_of, base::tr, base::tr_n;
 using design::Design, design::at_version, design::version_named;
 using drape::Mesh;
-using files::ZipEntry, files::ZipKind, files::drape_key, files::load_design_drape, files::load_drape,
+using files::ZipEntry, files::ZipKind, files::can_drape, files::load_drape, files::load_worn_drape,
     files::plain_zip_size, files::write_zip;
 using texture_set::Alpha, texture_set::ExportTarget, texture_set::TextureSetOptions, texture_set::UvUnit,
     texture_set::alpha_named, texture_set::digest, texture_set::file_name_of, texture_set::fill_template,
@@ -299,11 +299,11 @@ void print_warnings(ExportRun& run, const Job& job, const Design& design) {
   }
 }
 
-/// The limp or stiff version of a shipped drape, if the fabric asks for it; empty if the common one is right.
-std::optional<Mesh> drape_for_fabric(const ExportRun& run, Design design) {
+/// The version of a shipped drape for the fabric; empty if the set wears none, or a mesh that is the same for all.
+std::optional<Mesh> drape_for_fabric(const ExportRun& run, const Job& job, Design design) {
   design.scene.mesh = run.options.mesh;
-  if (run.mesh.index.empty() || drape_key(design) == run.options.mesh) return {};
-  base::Result<Mesh> read = load_design_drape(design);
+  if (!job.options.target->wears_mesh || !can_drape(design)) return {};
+  base::Result<Mesh> read = load_worn_drape(design);
   if (!read) return {};
   return std::move(*read);
 }
@@ -337,7 +337,7 @@ void run_job(Job job, int index, ExportRun& run, SharedWork& work) {
     const std::lock_guard lock(run.console);
     run.progress.set(index, std::min(static_cast<double>(fraction), 0.999), job.folder);
   };
-  const std::optional<Mesh> drape = drape_for_fabric(run, design);
+  const std::optional<Mesh> drape = drape_for_fabric(run, job, design);
   base::Result<void> done = check_archive(job, run.options);
   if (done)
     done = write_texture_set(job.folder, design, drape ? *drape : run.mesh, job.options,
@@ -452,6 +452,9 @@ int export_command(const ExportOptions& options, const MaterialOptions& material
   const base::Result<Mesh> mesh = mesh_wanted ? load_drape(options.mesh) : Mesh{};
   if (!mesh)
     return fail({base::ErrorKind::kInput, fill(tr("--mesh: {problem}"), arg("problem", message(mesh.error())))});
+  std::error_code ec;
+  if (fs::exists(options.out, ec) && !fs::is_directory(options.out, ec))
+    return fail({base::ErrorKind::kOutput, tr("is a file"), options.out});
   const std::vector<Job> jobs = jobs_of(options, material, targets);
   if (jobs.empty()) {
     return fail({base::ErrorKind::kInput,

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
@@ -167,6 +168,12 @@ std::string conversion_text(const CLI::App& parser, const std::string& said) {
 }
 
 }  // namespace
+
+std::string HelpFormat::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
+  std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+  while (help.ends_with("\n\n\n")) help.pop_back();  // CLI11 leaves an empty line for hidden options
+  return help;
+}
 
 std::string HelpFormat::make_option(const CLI::Option* option, bool is_positional) const {
   std::string head = "  " + (is_positional ? short_name(*option) : typed_form(*option));

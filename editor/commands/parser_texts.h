@@ -10,6 +10,7 @@ namespace weftlight::commands {
 /// One option a line, as it is typed: its names, its value ("-o, --output FILE") and its description, wrapped.
 class HelpFormat : public CLI::Formatter {
  public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
   std::string make_option_usage(const CLI::Option* option) const override;
 };

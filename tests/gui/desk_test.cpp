@@ -90,6 +90,13 @@ TEST_F(DeskTest, ALongNameInAListIsToldByATip) {
   EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "the name is cut, and nothing tells the rest";
 }
 
+TEST_F(DeskTest, TheDotWhereTheDraftBeginsIsToldByATip) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready() && w.has("origin"); }));
+  display_.move(w.middle_of("origin"));
+  EXPECT_TRUE(comes_true([&] { return w.has("tip"); })) << "nothing says what the dot means";
+}
+
 TEST_F(DeskTest, TabGoesFromOneNumberToTheNext) {
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
@@ -143,6 +150,40 @@ TEST_F(DeskTest, ASearchThatFindsNoWeaveSaysSoInWholeWords) {
   const auto [text, size] = w.place_of("weave.none");
   const auto [field, width] = w.place_of("weave.find");
   EXPECT_LE(text.x + size.x, field.x + width.x) << "the sentence is cut";
+}
+
+TEST_F(DeskTest, WhatIsTypedInTheListOfWeavesCanBeTypedOver) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  for (const char* key : {"ctrl+n", "w"}) {
+    display_.key(key);
+    ASSERT_TRUE(comes_true([&] { return w.has("weave:twill") && w.has("weave:network"); })) << key;
+    display_.type("net");
+    display_.type("work");
+    ASSERT_TRUE(comes_true([&] { return w.has("weave:network") && !w.has("weave:twill"); })) << key;
+    display_.key("ctrl+a");
+    display_.type("overshot");
+    EXPECT_TRUE(comes_true([&] { return w.has("weave:overshot") && !w.has("weave:network"); }))
+        << key << ": it was added to the words before";
+    display_.key("Escape");
+    ASSERT_TRUE(comes_true([&] { return !w.has("weave.find"); })) << key;
+  }
+}
+
+TEST_F(DeskTest, TheRepeatOfANewDraftIsInSightBelowManyParameters) {
+  constexpr double kHeight = 428;  // of the list, and of what stands beside it
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  display_.key("ctrl+n");
+  for (const char* weave : {"weave:plain", "weave:advancing_twill", "weave:undulating_twill"}) {
+    ASSERT_NO_FATAL_FAILURE(click(w, weave));
+    EXPECT_TRUE(comes_true([&] {
+      const auto [text, size] = w.place_of("weave.repeat");
+      return size.y > 0 && text.y + size.y <= w.place_of("weave.drawdown").first.y + kHeight + 1;
+    })) << weave;
+  }
 }
 
 TEST_F(DeskTest, TheDraftKeepsItsColoursBesideADialogThatItFollows) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <utility>
 
 #include "on_display.h"
@@ -335,6 +336,15 @@ TEST_F(DrawingTest, AnOrderOfColoursIsTyped) {
   ASSERT_TRUE(comes_true([&] { return w.has("threads.color:note"); })) << "it does not say that there is no colour 9";
   EXPECT_EQ(w.live(), before);
   display_.key("ctrl+a");
+  // On the way to 24x1, this is colour 2.
+  const auto begun = std::chrono::steady_clock::now();
+  display_.type("2");
+  for (;; usleep(20'000)) {
+    const std::string now = w.live();
+    if (std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(350)) break;
+    ASSERT_EQ(now, before) << "the ends follow a number that is half typed";
+  }
+  display_.key("ctrl+a");
   display_.type("4x3 2x1");
   EXPECT_TRUE(comes_true([&] {
     const std::vector<int> warp = draft_of(w).warp.color;
@@ -346,6 +356,27 @@ TEST_F(DrawingTest, AnOrderOfColoursIsTyped) {
   display_.key("Return");
   EXPECT_TRUE(comes_true([&] { return !w.has("threads.color:order"); })) << "Enter leaves the list open";
   undone(w, "the order");
+}
+
+TEST_F(DrawingTest, AnOrderOfColoursIsKeptByEnterAndByAClickElsewhere) {
+  blank_.draft.palette = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+  put(draft_, wif::write_new_wif(blank_));
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  for (const bool by_enter : {true, false}) {
+    ASSERT_NO_FATAL_FAILURE(click(w, "threads.color"));
+    ASSERT_NO_FATAL_FAILURE(click(w, "threads.color:order"));
+    display_.key("ctrl+a");
+    display_.type("3 2");
+    if (by_enter) display_.key("Return");
+    else display_.click(w.middle_of("inspector:Threads"));
+    ASSERT_TRUE(comes_true([&] { return !w.has("threads.color:order"); }));
+    EXPECT_TRUE(comes_true([&] {
+      const std::vector<int> warp = draft_of(w).warp.color;
+      return warp.size() > 1 && warp[0] == 2 && warp[1] == 1;
+    })) << by_enter;
+    undone(w, "the order");
+  }
 }
 
 TEST_F(DrawingTest, ADragBeyondTheEdgeScrolls) {

@@ -52,7 +52,7 @@ void check_size(int size) {
 Mesh mesh_for(const ExportTarget& target, Design design, const std::string& mesh) {
   if (!target.wears_mesh) return {};
   design.scene.mesh = mesh;
-  return value_of(files::load_design_drape(design));
+  return value_of(files::load_worn_drape(design));
 }
 
 std::vector<std::string> export_set(const Design& design, const fs::path& folder, const std::string& target, int size,

@@ -11,7 +11,7 @@
 namespace weftlight::session {
 
 using base::arg, base::fill, base::message, base::tr, base::tr_n;
-using files::drape_key, files::load_design_drape;
+using files::drape_key, files::load_worn_drape;
 using texture_set::ExportProgress, texture_set::SharedWork, texture_set::write_texture_set;
 
 namespace {
@@ -82,7 +82,7 @@ bool Exporter::use_mesh(const std::vector<ExportJob>& jobs, const Design& design
   const bool wanted =
       std::any_of(jobs.begin(), jobs.end(), [](const ExportJob& j) { return j.options.target->wears_mesh; });
   if (!wanted || mesh_name_ == drape_key(design)) return true;
-  base::Result<Mesh> read = load_design_drape(design);
+  base::Result<Mesh> read = load_worn_drape(design);
   if (!read) {
     const std::lock_guard lock(mutex_);
     state_.problems.push_back(message(read.error()));

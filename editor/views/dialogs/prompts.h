@@ -45,6 +45,7 @@ struct WeavePrompt {
   ClothSize repeat{0, 0};
   bool own_size = false;  // the size was typed; otherwise it is whole repeats
   std::shared_ptr<WeavePreview> preview{};
+  float below = 0;      // pixels that all below the picture took when it was last drawn
   std::string typed{};  // to find a weave
 };
 /// The weave with its default parameters, near that size.

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -20,7 +21,7 @@ using weaves::ClothSize, weaves::WeaveKind, weaves::allowed_values, weaves::repe
 
 namespace {
 
-constexpr float kListWidth = 176, kHeight = 428, kColumn = 320, kPicture = 192;  // pixels at 96 dpi
+constexpr float kListWidth = 176, kHeight = 428, kColumn = 320, kPicture = 192, kLeastPicture = 96;  // pixels at 96 dpi
 
 const WeaveKind& kind_of(const WeavePrompt& p) { return weave_kinds()[static_cast<size_t>(p.kind)]; }
 
@@ -42,6 +43,7 @@ void draw_needs(PanelContext& c, const WeavePrompt& p) {
   const char* text =
       cut ? tr("Repeat: {ends} \xC3\x97 {picks}; the last one is cut off") : tr("Repeat: {ends} \xC3\x97 {picks}");
   muted_text(c, fill(text, arg("ends", p.repeat.ends), arg("picks", p.repeat.picks)));
+  c.map.add_item("weave.repeat");
 }
 
 /// What the weave is; or what is wrong with its values.
@@ -78,8 +80,12 @@ DialogResult draw_prompt(PanelContext& c, WeavePrompt& p) {
   begin_list("weave", {c.style.px(kColumn) + ImGui::GetStyle().ScrollbarSize, c.style.px(kHeight)});
   const WeaveKind& kind = kind_of(p);
   if (!p.preview) p.preview = std::make_shared<WeavePreview>();
-  p.preview->draw(c, kind, p.values, p.repeat, c.style.px(kColumn), c.style.px(kPicture));
+  // Lower beside a weave with many parameters, so that nothing below is cut.
+  const float room = c.style.px(kHeight) - p.below;
+  p.preview->draw(c, kind, p.values, p.repeat, c.style.px(kColumn),
+                  std::clamp(room, c.style.px(kLeastPicture), c.style.px(kPicture)));
   c.map.add_item("weave.drawdown");
+  const float top = ImGui::GetCursorPosY();
   const std::string refused = problem_of(check_values(kind, p.values));
   ImGui::Dummy({0, c.style.px(2)});
   draw_description(c, kind, refused, p.preview->note());
@@ -89,6 +95,7 @@ DialogResult draw_prompt(PanelContext& c, WeavePrompt& p) {
   number(c, "weave.picks", tr("Picks"), p.picks, 1, kMaxThreads);
   p.own_size = p.own_size || ends != p.ends || picks != p.picks;
   draw_needs(c, p);
+  if (refused.empty()) p.below = ImGui::GetCursorPosY() - top;  // else the kept picture would be stretched
   ImGui::EndChild();
   return dialog_result(
       draw_buttons(c, {mark("Create"), mark("Cancel")}, true, refused.empty() && !found_weaves(p.typed).empty()));

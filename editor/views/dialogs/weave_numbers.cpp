@@ -84,20 +84,45 @@ bool any_letter_down() {
   return false;
 }
 
-/// What is typed while no field has the keyboard, so that a letter in the list finds as in a list of files.
-void take_typing(std::string& typed) {
-  const ImGuiIO& io = ImGui::GetIO();
+/// What is typed while no field has the keyboard, so that a letter in the list finds as in a list of files. True if
+/// anything was.
+bool take_typing(std::string& typed) {
+  ImGuiIO& io = ImGui::GetIO();
   // The letter of the key that opened the dialog is none of it.
   bool& listens = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("listens"));
   if (ImGui::IsWindowAppearing()) listens = false;
   if (!listens) {
     listens = io.InputQueueCharacters.empty() && !any_letter_down();
-    return;
+    return false;
   }
-  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) return;
+  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) return false;
+  const std::string before = typed;
   for (const ImWchar ch : io.InputQueueCharacters)
     if (ch < 0x80 && (ch > ' ' || (ch == ' ' && !typed.empty()))) typed += static_cast<char>(ch);
   if (key_pressed(ImGuiKey_Backspace) && !typed.empty()) typed.resize(base::cut_utf8(typed, typed.size() - 1).size());
+  io.InputQueueCharacters.resize(0);  // or the field, which now gets the keyboard, could take them again
+  return typed != before;
+}
+
+/// ImGui selects all of a field that is given the keyboard: what was typed in the list would be typed over.
+int go_on_at_end(ImGuiInputTextCallbackData* data) {
+  if (!std::exchange(*static_cast<bool*>(data->UserData), false)) return 0;
+  data->CursorPos = data->BufTextLen;
+  data->ClearSelection();
+  return 0;
+}
+
+/// `given`: it gets the keyboard, for more to be typed.
+void draw_find_field(PanelContext& c, std::string& typed, bool given) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID goes_on = ImGui::GetID("goes on");
+  bool at_end = given || storage.GetBool(goes_on);
+  if (given) ImGui::SetKeyboardFocusHere();
+  ImGui::InputTextWithHint("##find", tr("Type to find"), &typed, ImGuiInputTextFlags_CallbackAlways, go_on_at_end,
+                           &at_end);
+  storage.SetBool(goes_on, at_end);
+  c.map.add_item("weave.find");
+  c.map.controls.back().row = true;  // Enter presses the dialog's button here, as in the list
 }
 
 std::string lowered(std::string text) {
@@ -193,7 +218,7 @@ bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float wid
   const std::string typed_before = typed;
   const float field = ImGui::GetFrameHeight() + c.style.px(6);
   const ImVec2 at = ImGui::GetCursorPos();
-  take_typing(typed);
+  const bool goes_on = take_typing(typed);
   const std::vector<int> found = found_weaves(typed);
   ImGui::BeginGroup();
   // The field stands above the list and comes after it for the keyboard, which begins in the list.
@@ -201,8 +226,7 @@ bool draw_weave_list(PanelContext& c, int& chosen, std::string& typed, float wid
   draw_found(c, found, typed, chosen, {c.style.px(width), c.style.px(height) - field});
   ImGui::SetCursorPos(at);
   ImGui::SetNextItemWidth(c.style.px(width));
-  ImGui::InputTextWithHint("##find", tr("Type to find"), &typed);
-  c.map.add_item("weave.find");
+  draw_find_field(c, typed, goes_on);
   if (ImGui::IsItemActive()) step_choice(found, chosen);
   ImGui::EndGroup();
   // What is typed chooses the best match.

@@ -221,11 +221,16 @@ bool scrollbars(DraftContext& c, const DraftLayout& l) {
 }
 
 /// A dot at end 1 and pick 1, where reading starts.
-void draw_origin(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {
+void draw_origin(ImDrawList* dl, DraftContext& c, const DraftLayout& l) {
   if (l.drawdown.x.first_visible() > 0 || l.drawdown.y.first_visible() > 0) return;
   const float x = l.drawdown.x.reversed ? l.drawdown.max().x + c.style.px(5) : l.drawdown.min().x - c.style.px(5);
   const float y = l.drawdown.y.reversed ? l.drawdown.max().y + c.style.px(4) : l.drawdown.min().y - c.style.px(4);
   dl->AddCircleFilled({x, y}, c.style.px(3), c.style.color.accent);
+  const float around = c.style.px(5);
+  ImGui::SetCursorScreenPos({x - around, y - around});
+  ImGui::Dummy({2 * around, 2 * around});
+  c.map.add_item("origin");
+  tooltip(c, tr("The draft is read from here: end 1 and pick 1"));
 }
 
 void draw_rulers(ImDrawList* dl, const DraftContext& c, const DraftLayout& l) {

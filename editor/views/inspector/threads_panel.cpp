@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "base/decimals.h"
 #include "base/text.h"
@@ -37,8 +38,9 @@ namespace {
 
 using Panel = ViewContext<ThreadChoice>;
 
-constexpr float kLinkRoom = 33;     // pixels at 96 dpi, for the link button
-constexpr float kOrderWidth = 200;  // of the field of an order, about 25 letters
+constexpr float kLinkRoom = 33;      // pixels at 96 dpi, for the link button
+constexpr float kOrderWidth = 200;   // of the field of an order, about 25 letters
+constexpr double kTypedRestS = 0.4;  // less than the delay of a tooltip, for which a frame is drawn
 constexpr float kMmPerCm = 10.0f, kMmPerInch = 25.4f;
 
 /// The threads that the panel shows and edits.
@@ -237,13 +239,16 @@ void draw_shared_colors(const PanelContext& c, const SharedIndex& color, ImVec2 
                                       name.c_str());
 }
 
-/// The colours in order, repeated over the threads.
-void give_color_order(PanelContext& c, const Subject& s, const std::vector<int>& order) {
-  c.wanted.add(edit_of(s, ThreadProperty::kColor, [order](Design d, System system, const std::vector<int>& threads) {
-    for (size_t i = 0; i < threads.size(); ++i)
-      d = with_thread_color(std::move(d), system, threads[i], order[i % order.size()]);
-    return d;
-  }));
+/// The colours in order, repeated over the threads; none if the text cannot be read.
+MaybeEdit color_order_edit(const PanelContext& c, const Subject& s, const std::string& typed) {
+  const auto read = read_sequence(typed, static_cast<int>(c.design.draft.palette.size()));
+  if (!read.note.empty() || read.value.empty()) return {};
+  return edit_of(s, ThreadProperty::kColor,
+                 [order = read.value](Design d, System system, const std::vector<int>& threads) {
+                   for (size_t i = 0; i < threads.size(); ++i)
+                     d = with_thread_color(std::move(d), system, threads[i], order[i % order.size()]);
+                   return d;
+                 });
 }
 
 std::string color_order(const Design& d, const Subject& s) {
@@ -253,16 +258,15 @@ std::string color_order(const Design& d, const Subject& s) {
   return sequence_text(order);
 }
 
-/// The order of the colours by their numbers. The threads follow as it is typed; Enter closes the list.
-void draw_color_order(PanelContext& c, const Subject& s, std::string& typed) {
+/// The order of the colours by their numbers. The threads follow when the typing rests; Enter closes the list.
+void draw_color_order(PanelContext& c, const Subject& s, TypedThreads& typed) {
   const float width = c.style.px(kOrderWidth);
-  if (ImGui::IsWindowAppearing()) typed = color_order(c.design, s);
-  const auto read = [&] { return read_sequence(typed, static_cast<int>(c.design.draft.palette.size())); };
-  const std::string note = read().note;
+  if (ImGui::IsWindowAppearing()) typed.order = color_order(c.design, s), typed.order_waits = {};
+  const std::string note = read_sequence(typed.order, static_cast<int>(c.design.draft.palette.size())).note;
   muted_text(c, tr("In order, repeated"));
   ImGui::SetNextItemWidth(width);
   if (!note.empty()) ImGui::PushStyleColor(ImGuiCol_Text, c.style.color.error);
-  const bool changed = ImGui::InputTextWithHint("##order", "4x1 2x2", &typed);
+  const bool changed = ImGui::InputTextWithHint("##order", "4x1 2x2", &typed.order);
   if (!note.empty()) ImGui::PopStyleColor();
   c.map.add_item("threads.color:order");
   const bool entered = ImGui::IsItemDeactivated() && key_pressed(ImGuiKey_Enter, false);
@@ -276,12 +280,13 @@ void draw_color_order(PanelContext& c, const Subject& s, std::string& typed) {
     ImGui::PopTextWrapPos();
     c.map.add_item("threads.color:note");
   }
-  if (changed)
-    if (const auto now = read(); now.note.empty() && !now.value.empty()) give_color_order(c, s, now.value);
+  // On the way to "24x1" there are the numbers 2 and 24.
+  if (changed) typed.order_waits = color_order_edit(c, s, typed.order);
+  if (entered || (!changed && c.tip.rest_s >= kTypedRestS)) c.wanted.add(std::exchange(typed.order_waits, {}));
   if (entered && note.empty()) ImGui::CloseCurrentPopup();
 }
 
-void draw_color_choices(PanelContext& c, const Subject& s, std::string& typed_order) {
+void draw_color_choices(PanelContext& c, const Subject& s, TypedThreads& typed) {
   const auto& palette = c.design.draft.palette;
   const float side = c.style.pressed_px(24), gap = c.style.px(6);
   for (int i = 0; i < static_cast<int>(palette.size()); ++i) {
@@ -290,6 +295,7 @@ void draw_color_choices(PanelContext& c, const Subject& s, std::string& typed_or
     ImGui::PushID(i);
     if (hit_area("color", {side, side})) {
       give_color(c, s, i);
+      typed.order_waits = {};
       ImGui::CloseCurrentPopup();
     }
     ImGui::PopID();
@@ -300,22 +306,24 @@ void draw_color_choices(PanelContext& c, const Subject& s, std::string& typed_or
     tooltip(c, fill(tr("Colour {number}"), arg("number", i + 1)).c_str());
   }
   ImGui::Dummy({0, c.style.px(2)});
-  if (ImGui::Selectable(tr("New colour"))) give_new_color(c, s);
+  if (ImGui::Selectable(tr("New colour"))) give_new_color(c, s), typed.order_waits = {};
   c.map.add_item("threads.color:new");
   tooltip(c, tr("Added to the palette for these threads, and made active so that it can be edited above"));
   ImGui::Separator();
-  draw_color_order(c, s, typed_order);
+  draw_color_order(c, s, typed);
 }
 
-void draw_color(PanelContext& c, const Subject& s, std::string& typed_order) {
+void draw_color(PanelContext& c, const Subject& s, TypedThreads& typed) {
   row_label(c, tr("Colour"), tr("The colour of the threads, from the palette, or an order of colours"));
   ImGui::SetNextItemWidth(-FLT_MIN);
   const ImVec2 a = ImGui::GetCursorScreenPos(),
                b{a.x + ImGui::GetContentRegionAvail().x, a.y + ImGui::GetFrameHeight()};
   const bool open = begin_combo(c, "threads.color", "");
   if (open) {
-    draw_color_choices(c, s, typed_order);
+    draw_color_choices(c, s, typed);
     end_combo();
+  } else if (MaybeEdit left = std::exchange(typed.order_waits, {}); !c.frame.popup_closed) {  // not by Escape
+    c.wanted.add(std::move(left));
   }
   draw_shared_colors(c, s.shared.color, a, b);
 }
@@ -413,7 +421,7 @@ MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, co
   if (s.threads.empty()) return {};
   s.shared = shared_by(c.design, s.system, s.threads);
   draw_yarn(c, s);
-  draw_color(c, s, typed.order);
+  draw_color(c, s, typed);
   MaybeEdit edit;
   const auto take = [&edit](MaybeEdit made) {
     if (made) edit = std::move(made);

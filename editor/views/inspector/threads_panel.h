@@ -12,8 +12,9 @@ using session::FileUnits, session::MaybeEdit, session::ThreadChoice;
 
 /// Texts while they are typed.
 struct TypedThreads {
-  std::string which;  // the threads
-  std::string order;  // of their colours
+  std::string which;      // the threads
+  std::string order;      // of their colours
+  MaybeEdit order_waits;  // until the typing rests
 };
 
 MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const FileUnits& units, TypedThreads& typed);

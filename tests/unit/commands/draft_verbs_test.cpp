@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <utility>
+
 #include "base/json.h"
 #include "commands/open_design.h"
 #include "files/design_drape.h"
@@ -189,6 +192,29 @@ TEST_F(DraftVerbs, an_exported_drape_has_the_stiffness_of_its_fabric) {
   design.scene.mesh = "tablecloth";
   EXPECT_NEAR(lowest(*exported), lowest(*load_design_drape(design)), 0.01f);
   EXPECT_GT(std::abs(lowest(*exported) - lowest(*load_drape("tablecloth"))), 1.0f);
+}
+
+TEST_F(DraftVerbs, diagonals_of_an_exported_drape_run_along_its_folds_and_a_mesh_file_keeps_its_own) {
+  const std::string presets = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets", file = presets + "/meshes/tablecloth.glb";
+  for (const auto& [draft, name] : {std::pair{presets + "/cloths/denim.wif", std::string("tablecloth")},
+                                    {fixture_path("twill.wif"), "tablecloth"},
+                                    {fixture_path("twill.wif"), file}}) {
+    const std::string out = path("sets"), set = std::filesystem::path(draft).stem().string();
+    // The front of a blended cloth comes last.
+    ASSERT_EQ(run({"export", draft, "-o", out, "--alpha", "opaque", "--size", "16", "--mesh", name}).code, kDone);
+    const base::Result<Mesh> exported = read_mesh(out + "/" + set + "/" + set + ".glb");
+    ASSERT_TRUE(exported) << problem_of(exported);
+    Design design = open_design(draft).design;
+    design.scene.mesh = name, design.scene.simulated_drape = false;
+    Mesh worn = *load_design_drape(design);
+    const std::vector<uint32_t> own = worn.index;
+    drape::turn_diagonals(worn);
+    ASSERT_NE(own, worn.index);
+    ASSERT_EQ(exported->index.size(), 2 * own.size()) << "a front and a back";
+    const std::vector<uint32_t> front(exported->index.begin(),
+                                      exported->index.begin() + static_cast<std::ptrdiff_t>(own.size()));
+    EXPECT_TRUE(front == (name == file ? own : worn.index)) << draft << " " << name;
+  }
 }
 
 }  // namespace

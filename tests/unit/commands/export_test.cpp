@@ -248,6 +248,15 @@ TEST_F(Export, a_wif_that_comes_beside_a_draft_of_its_name_takes_no_set) {
   EXPECT_EQ(list("a")["source"], "a.dtx");
 }
 
+TEST_F(Export, a_file_in_the_place_of_the_output_folder_is_named_once) {
+  write_file_atomically(path("sets"), "a file");
+  const Ran ran = exported({"--target", "raw", "--size", "16"});
+  EXPECT_EQ(ran.code, kNotWritten);
+  EXPECT_NE(ran.said.find("sets: is a file; choose another"), std::string::npos) << ran.said;
+  EXPECT_EQ(std::ranges::count(ran.said, '\n'), 1) << ran.said;
+  EXPECT_EQ(read_file(path("sets")).value_or(""), "a file");
+}
+
 TEST_F(Export, a_folder_without_drafts_says_what_would_be_one) {
   fs::remove_all(path("drafts"));
   fs::create_directories(path("drafts"));

@@ -121,7 +121,9 @@ TEST(ParserTexts, help_shows_options_as_they_are_typed) {
   const std::string join = run({"join", "--help"}).out;
   EXPECT_NE(join.find("\n  --picks A:B "), std::string::npos) << join;
   for (const char* verb : names_of_verbs()) {
-    std::istringstream lines(run({verb, "--help"}).out);
+    const std::string all = run({verb, "--help"}).out;
+    EXPECT_FALSE(all.ends_with("\n\n\n")) << verb << ": an empty line for an option that is hidden";
+    std::istringstream lines(all);
     for (std::string line; std::getline(lines, line);) {
       EXPECT_LE(line.size(), 110u) << line;
       for (const char* word : {"TEXT", "FLOAT", "INT", "not with:"})

@@ -48,14 +48,29 @@ float uv_area(const Mesh& mesh, uint32_t a, uint32_t b, uint32_t c) {
   return e.x * f.y - e.y * f.x;
 }
 
-/// Whether the quadrangle has two diagonals that are about as long and divide it about as evenly. Two triangles beside
-/// an edge of a cell have not.
+/// Area of a triangle's shadow on a plane: negative if it faces away from it.
+float area_along(const Mesh& mesh, Vec3 normal, uint32_t a, uint32_t b, uint32_t c) {
+  const Vec3 at = mesh.position_mm[a];
+  return glm::dot(normal, glm::cross(mesh.position_mm[b] - at, mesh.position_mm[c] - at));
+}
+
+/// Whether the other diagonal divides the quadrangle about as evenly, by the areas of its triangles.
+template <class Area>
+bool divides_evenly(const Cell& q, const Area& area) {
+  constexpr float kSmallest = 0.25f;
+  const float whole = area(q.a, q.b, q.c) + area(q.b, q.a, q.d), sign = whole < 0 ? -1.0f : 1.0f;
+  return std::min(sign * area(q.a, q.d, q.c), sign * area(q.d, q.b, q.c)) > kSmallest * sign * whole;
+}
+
+/// Whether the quadrangle has two diagonals that are about as long and divide it about as evenly, in the cloth and in
+/// space, where a cell may be folded. Two triangles beside an edge of a cell have not.
 bool has_two_diagonals(const Mesh& mesh, const Cell& q) {
-  constexpr float kLonger = 1.5f, kSmallest = 0.25f;
+  constexpr float kLonger = 1.5f;
   const float now = square(mesh.uv_mm[q.a] - mesh.uv_mm[q.b]), other = square(mesh.uv_mm[q.c] - mesh.uv_mm[q.d]);
   if (now > kLonger * kLonger * other || other > kLonger * kLonger * now) return false;
-  const float whole = uv_area(mesh, q.a, q.b, q.c) + uv_area(mesh, q.b, q.a, q.d), sign = whole < 0 ? -1.0f : 1.0f;
-  return std::min(sign * uv_area(mesh, q.a, q.d, q.c), sign * uv_area(mesh, q.d, q.b, q.c)) > kSmallest * sign * whole;
+  const Vec3 normal = mesh.normal[q.a] + mesh.normal[q.b] + mesh.normal[q.c] + mesh.normal[q.d];
+  return divides_evenly(q, [&](uint32_t a, uint32_t b, uint32_t c) { return uv_area(mesh, a, b, c); }) &&
+         divides_evenly(q, [&](uint32_t a, uint32_t b, uint32_t c) { return area_along(mesh, normal, a, b, c); });
 }
 
 /// Cells whose other diagonal is better, the most urgent first.

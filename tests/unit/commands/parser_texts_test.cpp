@@ -34,7 +34,6 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"convert", draft(), "a.wif", "--liftplan", "--treadling"},
        "weftlight convert: --liftplan and --treadling cannot be given together; leave one out\n"},
       {{"diff", draft()}, "weftlight diff: B is required (Second draft)\n"},
-      {{"a.wif", "b.wif"}, "weftlight: unexpected argument 'b.wif'\n"},
       {{"--ui-mpa", "a.json"}, "weftlight: there is no option '--ui-mpa'; did you mean --ui-map?\n"},
       {{"analyse", draft(), "--shrinkage", "3"}, "weftlight analyse: --shrinkage: '3' is not a number from 0 to 0.9\n"},
       {{"analyse", draft(), "--floats", "7.5"},

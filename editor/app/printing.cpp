@@ -52,7 +52,7 @@ base::Result<void> print_to(const std::string& path, const Design& design, const
   for (size_t i = 0; i < sheets; ++i) {
     progress.report(static_cast<float>(i) / static_cast<float>(sheets));
     const std::string file = print::sheet_file(path, i, sheets);
-    if (const auto done = write_file_atomically(file, printed->files[i]); !done) return done;
+    if (auto done = write_file_atomically(file, printed->files[i]); !done) return done;
   }
   return {};
 }

@@ -13,7 +13,7 @@
 namespace weftlight::commands {
 
 using analysis::LongestFloats, analysis::longest_floats;
-using base::arg, base::fill, base::mark, base::tr, base::tr_n;
+using base::arg, base::fill, base::mark, base::tr;
 using design::Design, design::Repeat, design::design_repeat, design::structure_repeat;
 using draft::BitMatrix, draft::Draft, draft::ShedControl, draft::drawdown;
 using weaves::iso_code;

@@ -240,8 +240,8 @@ void end_combo() {
 
 namespace {
 
-/// Equal widths where every label fits; else each by its label, with the same room beside all of them, and all no wider
-/// than there is room.
+/// Equal widths where every label has room beside it; else each by its label, with the same room beside all of them,
+/// and all no wider than there is room.
 std::vector<float> segment_widths(const Context& c, std::span<const char* const> labels, float width) {
   std::vector<float> widths;
   float widest = 0, sum = 0;
@@ -252,7 +252,7 @@ std::vector<float> segment_widths(const Context& c, std::span<const char* const>
   }
   const auto count = static_cast<float>(labels.size());
   const float each = static_cast<float>(static_cast<int>(width / count));
-  if (widest <= each) return std::vector<float>(labels.size(), each);
+  if (widest + c.style.px(8) <= each) return std::vector<float>(labels.size(), each);
   const float room = std::max(width, std::min(sum, ImGui::GetContentRegionAvail().x));
   const float spare = std::max(0.0f, room - sum) / count, shrunk = std::min(1.0f, room / sum);
   for (float& own : widths) own = static_cast<float>(static_cast<int>(own * shrunk + spare));

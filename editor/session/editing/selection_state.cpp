@@ -98,7 +98,7 @@ std::string row_range(BitGrid grid, int first, int end) {
 /// "Pasted 4 ends x 2 shafts; 1 shaft did not fit".
 std::string pasted_text(const Selection& place, const Selection& within) {
   const int fit_columns = std::max(0, within.columns()), fit_rows = std::max(0, within.rows());
-  const std::string done = fill(tr("Pasted {size}"), arg("size", size_text(place.grid, fit_columns, fit_rows)));
+  std::string done = fill(tr("Pasted {size}"), arg("size", size_text(place.grid, fit_columns, fit_rows)));
   const int columns = place.columns() - fit_columns, rows = place.rows() - fit_rows;
   if (columns == 0 && rows == 0) return done;
   const std::string a = columns_text(place.grid, columns), b = rows_text(place.grid, rows);
@@ -301,7 +301,7 @@ std::string selection_text(const SelectState& s) {
   if (s.held) return held_text(*s.held);
   if (s.selected.empty()) return {};
   const Selection& at = s.selected;
-  const std::string size =
+  std::string size =
       fill(tr("{size}: {columns}, {rows}"), arg("size", size_text(at.grid, at.columns(), at.rows())),
            arg("columns", column_range(at.grid, at.a0, at.a1)), arg("rows", row_range(at.grid, at.b0, at.b1)));
   if (s.drag == SelectDrag::kBand) return size;

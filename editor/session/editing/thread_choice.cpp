@@ -11,7 +11,7 @@
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::tr, base::tr_n;
+using base::arg, base::fill, base::tr_n;
 using cloth::ThreadSize, cloth::thread_size;
 using draft::Threads;
 

@@ -135,15 +135,6 @@ TEST_F(Export, what_is_wrong_with_one_draft_is_one_line) {
   EXPECT_EQ(ran.said, path("none") + ": there is no such file; give the path of a draft\n");
 }
 
-TEST_F(Export, failures_are_listed_again_only_where_something_came_between) {
-  write_file_atomically(path("sets"), "no folder");
-  const Ran ran = exported({"--target", "raw,gltf", "--size", "16"});
-  EXPECT_EQ(ran.code, kNotWritten);
-  size_t told = 0;
-  for (size_t at = 0; (at = ran.said.find(": not exported: ", at)) != std::string::npos; ++at) ++told;
-  EXPECT_EQ(told, 4u) << ran.said;
-}
-
 TEST_F(Export, a_draft_that_is_named_twice_is_exported_once) {
   const Ran ran = run({"export", path("drafts"), path("drafts/a.wif"), path("drafts/deep/../a.wif"), "-o", path("sets"),
                        "--target", "raw", "--size", "16"});

@@ -114,9 +114,9 @@ float furthest_out(const Mesh& mesh, int width, int height) {
   Scene scene;
   scene.pan_x = scene.pan_y = 0, scene.view_distance = 1;
   float furthest = 0;
-  for (float azimuth = 40; azimuth < 400; azimuth += 60)
+  for (int azimuth = 40; azimuth < 400; azimuth += 60)
     for (const float elevation : {-30.0f, 0.0f, 22.0f, 60.0f}) {
-      scene.view_azimuth = azimuth, scene.view_elevation = elevation;
+      scene.view_azimuth = static_cast<float>(azimuth), scene.view_elevation = elevation;
       const Camera camera = place_camera(scene, mesh, bounds, width, height, 0, 0);
       for (const auto& place : mesh.position_mm) {
         const glm::vec2 at = in_picture(camera, place);
@@ -145,11 +145,11 @@ TEST(Camera, AFormKeepsItsSizeWhileItIsTurned) {
   const Bounds bounds = bounds_of(*cushion);
   Scene scene;
   scene.pan_x = scene.pan_y = 0, scene.view_distance = 1;
-  const auto pixel_mm = [&](float azimuth) {
-    scene.view_azimuth = azimuth;
+  const auto pixel_mm = [&](int azimuth) {
+    scene.view_azimuth = static_cast<float>(azimuth);
     return place_camera(scene, *cushion, bounds, 1280, 800, 0, 0).pixel_mm;
   };
-  for (float azimuth = 15; azimuth < 360; azimuth += 15) EXPECT_NEAR(pixel_mm(azimuth), pixel_mm(0), 1e-5f) << azimuth;
+  for (int azimuth = 15; azimuth < 360; azimuth += 15) EXPECT_NEAR(pixel_mm(azimuth), pixel_mm(0), 1e-5f) << azimuth;
 }
 
 // Their first views are composed by hand, and nothing of these reaches as far as a corner of a cushion.

@@ -420,7 +420,8 @@ std::vector<Yarn> grouped_by_fibre() {
   const std::array<Yarn, 4> others = make_other_yarns();
   for (const Yarn& usual : yarn_presets()) {
     all.push_back(usual);
-    std::ranges::copy_if(others, std::back_inserter(all), [&](const Yarn& y) { return y.fibre == usual.fibre; });
+    std::copy_if(others.begin(), others.end(), std::back_inserter(all),
+                 [&](const Yarn& y) { return y.fibre == usual.fibre; });
   }
   return all;
 }

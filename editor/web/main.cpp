@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
   try {
     weftlight::app::EditorOptions options;
-    if (argc > 1) options.files = {argv[1]};
+    if (argc > 1 && *argv[1] != 0) options.files = {argv[1]};  // empty where only a map is asked for
     if (argc > 2) options.ui_map = argv[2];
     return weftlight::app::run_editor(options);
   } catch (...) {

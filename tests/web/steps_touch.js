@@ -55,7 +55,7 @@ const kFinger = 44;  // points
 /// The names of what is pressed and is lower than a finger needs; cells and threads are enlarged by a pinch.
 async function too_small(page) {
   const {controls} = await page.map();
-  const seen = /^(tip|question|view|tab\.(shown|unsaved)|task|strip|lobes|scroll|floats\.count|plan\.(finished|weave|sett|in_reed|warp|bouts|groups|weft)|buy|sold)/;  // not pressed
+  const seen = /^(tip|question|view|draft\.heading|origin|analysis\.loom_sett|tab\.(shown|unsaved)|task|strip|lobes|scroll|floats\.count|plan\.(finished|weave|sett|in_reed|warp|bouts|groups|weft)|buy|sold)/;  // not pressed
   const pressed = controls.filter(one => one.h > 0 && !seen.test(one.name));  // an open menu has no place
   return pressed.filter(one => one.h < kFinger).map(one => one.name + ' ' + one.h);
 }

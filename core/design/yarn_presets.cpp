@@ -297,6 +297,8 @@ std::array<Yarn, kFibres> make_presets() {
 
 /// Others of the same fibres.
 std::array<Yarn, 4> make_other_yarns() {
+  Lobes combed = ready_yarn(Fibre::kCotton).lobes;  // its fibres are those of carded
+  combed.fuzz = 0.085f;
   return {{
       // Ne 20/2 combed, ring-spun, 59 tex, phi 0.6; 20 degrees.
       {
@@ -310,19 +312,7 @@ std::array<Yarn, 4> make_other_yarns() {
           .hairiness = 0.25f,
           .flattening = 0.70f,
           .unevenness = 8.5f,
-          .lobes =
-              {
-                  .specular = 1.0f,
-                  .ior = 1.55f,
-                  .along_width = 0.30f,
-                  .across_width = 0.20f,
-                  .layers = 3,
-                  .inner = 0.10f,
-                  .body = 0.9f,
-                  .fuzz = 0.085f,
-                  .fuzz_width = 0.55f,
-                  .transmission = 0.12f,
-              },
+          .lobes = combed,
           .tex = 59.05f,
       },
       // Tram of twelve threads of raw silk of 20/22 den, without its gum (24 %) Nm 47, 21 tex, phi 0.6; 3 degrees.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <numbers>
+#include <numeric>
 
 #include "base/loops.h"
 #include "light/yarn_lobes.h"
@@ -173,6 +174,7 @@ class SkyMeasurer {
     }
   }
   void measure(size_t view, const glm::vec3& v, const std::array<float, 2>& scale, float seen);
+  float sent(size_t view) const;
 
  private:
   glm::vec3 scattered(size_t system, size_t view, SkyRadiance& radiance) const;
@@ -239,6 +241,29 @@ void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<floa
   near_sky.z = glm::dot(glm::vec2(more), along), near_sky.w = more.z;
 }
 
+/// What threads reflect of hidden directions, towards a view.
+float SkyMeasurer::sent(size_t view) const {
+  float sum = 0;
+  for (size_t s = 0; s < 2; ++s)
+    sum += response_.hidden[view][static_cast<int>(s)] * channel_mean(formulas::unhidden_reflectance(yarns_[s]));
+  return sum;
+}
+
+/// Makes all that the cloth sends to a view so much more.
+void scale_view(ClothResponse& response, size_t view, float by) {
+  constexpr size_t kChannels = 4, kMirror = 1;
+  for (SystemResponse& system : response.systems) {
+    const auto scale = [&](std::vector<float>& of, size_t lights) {
+      for (size_t k = kChannels * view * lights; k < kChannels * (view + 1) * lights; ++k) of[k] *= by;
+    };
+    scale(system.transmitted, kTransmissionLights), scale(system.sky, 1);
+    for (size_t k = kChannels * view * kResponseLights; k < kChannels * (view + 1) * kResponseLights; ++k) {
+      float& f = system.reflected[k];
+      f = k % kChannels == kMirror ? formulas::stored_mirror(formulas::mirror_of(f) * by) : f * by;
+    }
+  }
+}
+
 }  // namespace
 
 void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<ThreadSample>& samples,
@@ -249,6 +274,14 @@ void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<
     const size_t view = static_cast<size_t>(i);
     measurer.measure(view, views[view], scale, seen[view]);
   });
+  // The lobes have the colours of the cloth seen from straight above, light between threads included. At a slant one
+  // sees less of the grooves, where most of that light is (shaders/methods.glsl).
+  constexpr size_t kTop = kResponseViews - kViewAzimuths;
+  std::array<float, kResponseViews> sent;
+  for (size_t v = 0; v < kResponseViews; ++v) sent[v] = measurer.sent(v);
+  const auto alone = [](float hidden) { return formulas::reflected_alone(glm::vec3(hidden)).x; };
+  const float above = alone(std::accumulate(sent.begin() + kTop, sent.end(), 0.0f) / kViewAzimuths);
+  for (size_t v = 0; v < kTop; ++v) scale_view(response, v, above / alone(sent[v]));
 }
 
 }  // namespace weftlight::light

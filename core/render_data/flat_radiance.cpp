@@ -10,7 +10,7 @@
 namespace weftlight::render_data {
 
 using base::ErrorKind, base::Result, base::TaskProgress, base::failed, base::failure, base::tr;
-using reference::FibreOptions, reference::FibreScene, reference::FlatPicture, reference::TubeScene,
+using reference::Colours, reference::FibreOptions, reference::FibreScene, reference::FlatPicture, reference::TubeScene,
     reference::trace_flat;
 
 namespace {
@@ -21,12 +21,13 @@ constexpr float kFibrePatch_mm = 2;  // least size of the fibres' patch, so that
 /// The mean of a patch of this size, for each pair of directions.
 template <typename Threads>
 Result<std::vector<glm::vec3>> traced(const Threads& threads, glm::vec2 size_mm,
-                                      std::span<const FlatDirections> directions, int spp,
+                                      std::span<const FlatDirections> directions, FlatTrace trace,
                                       const TaskProgress& progress) {
   std::vector<glm::vec3> out;
   FlatPicture picture;
   picture.width = picture.height = kTracedPixels;
-  picture.spp = spp;
+  picture.spp = trace.spp, picture.bounces = trace.bounces;
+  if (trace.bounces > 0) picture.colours = Colours::kOfTheCloth;
   picture.step_x_mm = {size_mm.x / kTracedPixels, 0}, picture.step_y_mm = {0, size_mm.y / kTracedPixels};
   picture.around.light_irradiance = glm::vec3(1);
   for (const FlatDirections& d : directions) {
@@ -57,11 +58,11 @@ std::vector<glm::vec3> evaluated_radiance(const Cloth& cloth, std::span<const Fl
   return out;
 }
 
-Result<std::vector<glm::vec3>> traced_radiance(const Cloth& cloth, std::span<const FlatDirections> directions, int spp,
-                                               const TaskProgress& progress) {
+Result<std::vector<glm::vec3>> traced_radiance(const Cloth& cloth, std::span<const FlatDirections> directions,
+                                               FlatTrace trace, const TaskProgress& progress) {
   const auto tubes = TubeScene::build(cloth, {});
   if (!tubes) return failed(tubes);
-  return traced(**tubes, {cloth.width_mm, cloth.depth_mm}, directions, spp, progress);
+  return traced(**tubes, {cloth.width_mm, cloth.depth_mm}, directions, trace, progress);
 }
 
 Result<std::vector<glm::vec3>> fibre_radiance(const Cloth& cloth, std::span<const FlatDirections> directions, int spp,
@@ -73,7 +74,7 @@ Result<std::vector<glm::vec3>> fibre_radiance(const Cloth& cloth, std::span<cons
   options.high_mm = {whole(cloth.width_mm), whole(cloth.depth_mm)};
   const auto fibres = FibreScene::build(cloth, options);
   if (!fibres) return failed(fibres);
-  return traced(**fibres, options.high_mm, directions, spp, progress);
+  return traced(**fibres, options.high_mm, directions, {spp, 0}, progress);
 }
 
 }  // namespace weftlight::render_data

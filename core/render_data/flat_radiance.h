@@ -27,10 +27,15 @@ glm::vec3 unit_direction(bool warp, double degrees);
 /// surface has cos(light) / pi. Takes about a tenth of a second.
 std::vector<glm::vec3> evaluated_radiance(const Cloth& cloth, std::span<const FlatDirections> directions);
 
+/// How threads are traced. bounces: of light from thread to thread; with 0, one reflection stands for all of them.
+struct FlatTrace {
+  int spp = 16, bounces = 0;
+};
+
 /// The same ray traced through the threads as tubes, `spp` rays in each of 1,024 samples of the period. An error if it
 /// has too many crossings; of kCancelled if it was stopped.
 base::Result<std::vector<glm::vec3>> traced_radiance(const Cloth& cloth, std::span<const FlatDirections> directions,
-                                                     int spp, const base::TaskProgress& progress = {});
+                                                     FlatTrace trace, const base::TaskProgress& progress = {});
 
 /// The same of its fibres, over whole periods of at least 2 mm, or 2 mm of longer ones. An error if they need too much
 /// memory; of kCancelled if it was stopped.

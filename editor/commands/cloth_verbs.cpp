@@ -335,6 +335,10 @@ RunVerb add_response(CLI::App& verb) {
   verb.add_option("--spp", o.spp,
                   tr("Rays per sample of reference and fibres, with 1,024 samples per repeat; default: 16"))
       ->check(whole_number(1, 1 << 16));
+  verb.add_option("--bounces", o.bounces,
+                  tr("Number of times that light goes from thread to thread, reference only; default: 0, where one "
+                     "reflection stands for all of them"))
+      ->check(whole_number(0, 16));
   return [options] {
     if (options->lights_deg.empty()) options->lights_deg = *parse_angles("-80:80:5");
     return response_command(*options);

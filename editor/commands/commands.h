@@ -102,7 +102,8 @@ struct ResponseOptions {
   std::string file, out, method = "cloth", plane = "both";  // plane: warp, weft or both
   std::vector<double> views_deg{0, 30, 60}, lights_deg;     // from the normal, within 90
   Face face = Face::kFront;
-  int spp = 16;  // reference and fibres only: rays in each of 1,024 samples of the repeat
+  int spp = 16;     // reference and fibres only: rays in each of 1,024 samples of the repeat
+  int bounces = 0;  // reference only
 };
 struct LobesOptions {
   std::string file, out;

@@ -32,8 +32,11 @@ using render_data::FlatDirections, render_data::FlatPatch, render_data::PackedCl
 
 namespace {
 
-constexpr int kDrawnPixels = 8;   // along each side of a patch
-constexpr float kDrawnYarns = 8;  // least number of yarns across a pixel
+// A patch as a method draws it: of far cloth, whole repeats of at least so many yarns across a pixel. Single threads
+// are drawn nearer, since samples that are larger than threads blur what they reflect; one repeat, with fewer pixels
+// where it is long.
+constexpr int kFarPixels = 8, kMostNearPixels = 96;  // along each side
+constexpr float kFarYarns = 8, kNearYarns = 0.5f;    // across a pixel
 
 std::vector<FlatDirections> directions_of(const ResponseOptions& o) {
   std::vector<FlatDirections> out;
@@ -56,20 +59,27 @@ Cloth one_face(const Design& design, Face face) {
 Result<Radiances> traced(const Design& design, const ResponseOptions& o,
                          const std::vector<FlatDirections>& directions) {
   const Cloth cloth = one_face(design, o.face);
-  Result<Radiances> radiances =
-      o.method == "fibres" ? fibre_radiance(cloth, directions, o.spp) : traced_radiance(cloth, directions, o.spp);
+  Result<Radiances> radiances = o.method == "fibres" ? fibre_radiance(cloth, directions, o.spp)
+                                                     : traced_radiance(cloth, directions, {o.spp, o.bounces});
   if (!radiances) return failure(radiances.error().kind, message(radiances.error()), o.file);
   return radiances;
 }
 
-FlatPatch far_patch(const PackedCloth& packed, Face face) {
+FlatPatch drawn_patch(const PackedCloth& packed, Face face, Method method) {
   FlatPatch patch;
-  patch.width = patch.height = kDrawnPixels;
-  const float pixel_mm = kDrawnYarns * packed.mean_spacing_mm;
-  // Whole repeats, so that every part has the same weight.
-  const auto side = [&](float period) { return period * std::max(1.0f, std::ceil(pixel_mm * kDrawnPixels / period)); };
-  patch.step_x_mm = {side(packed.width_mm) / kDrawnPixels, 0};
-  patch.step_y_mm = {0, side(packed.depth_mm) / kDrawnPixels};
+  glm::vec2 size_mm(packed.width_mm, packed.depth_mm);  // whole repeats, so that every part has the same weight
+  patch.width = patch.height = kFarPixels;
+  if (method == Method::kYarn) {
+    const auto pixels = [&](float period) {
+      return std::clamp(static_cast<int>(std::ceil(period / (kNearYarns * packed.mean_spacing_mm))), 1,
+                        kMostNearPixels);
+    };
+    patch.width = pixels(size_mm.x), patch.height = pixels(size_mm.y);
+  } else {
+    size_mm *= glm::max(glm::ceil(kFarPixels * kFarYarns * packed.mean_spacing_mm / size_mm), 1.0f);
+  }
+  patch.step_x_mm = {size_mm.x / static_cast<float>(patch.width), 0};
+  patch.step_y_mm = {0, size_mm.y / static_cast<float>(patch.height)};
   patch.face = face;
   patch.samples = formulas::kMaxYarnSamples;
   patch.light_irradiance = glm::vec3(1);
@@ -93,7 +103,7 @@ Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const st
   Stages stages;
   stages.update(std::make_shared<const Design>(shown));
   renderer->upload(stages.packed());
-  FlatPatch patch = far_patch(stages.packed(), o.face);
+  FlatPatch patch = drawn_patch(stages.packed(), o.face, shown.look.method);
   for (const FlatDirections& d : directions) {
     patch.view = unit_direction(d.warp, d.view_deg), patch.light_towards = unit_direction(d.warp, d.light_deg);
     renderer->draw_patch(patch, shown.look);
@@ -101,7 +111,7 @@ Result<Radiances> drawn(const Design& design, const ResponseOptions& o, const st
     glm::vec3 sum(0);
     for (size_t i = 0; i + 3 < image.texels.size(); i += 4)
       sum += glm::vec3(image.texels[i], image.texels[i + 1], image.texels[i + 2]);
-    out.push_back(sum / static_cast<float>(kDrawnPixels * kDrawnPixels));
+    out.push_back(sum / static_cast<float>(patch.width * patch.height));
   }
   return out;
 }

@@ -5,14 +5,15 @@
 #include <sstream>
 
 #include "../yarns.h"
+#include "design/yarn_presets.h"
 #include "scratch_folder.h"
 #include "weaves/weaves.h"
 
 namespace weftlight::commands {
 
-using design::Design, design::Yarn;
+using design::Design, design::Fibre, design::Yarn, design::ready_yarn;
 using draft::Face;
-using weaves::Recipe, weaves::make_design, weaves::satin, weaves::with_colors, weaves::with_sett;
+using weaves::Recipe, weaves::make_design, weaves::plain, weaves::satin, weaves::with_colors, weaves::with_sett;
 using wif::write_new_wif;
 
 namespace {
@@ -74,6 +75,21 @@ Design two_coloured_satin() {
   return with_sett(with_yarns(std::move(d), yarn, yarn));
 }
 
+/// Plain weave of the usual linen, nearly white: much of its light goes from thread to thread.
+Design white_linen() {
+  const Yarn linen = ready_yarn(Fibre::kLinen);
+  return with_sett(with_yarns(with_colors(plain({4, 4}), {{0.9f, 0.9f, 0.85f}}, {{0, 1}}, {{0, 1}}), linen, linen));
+}
+
+double rms_between(const std::vector<Row>& a, const std::vector<Row>& b) {
+  double off = 0, all = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const double d = a[i].r - b[i].r;
+    off += d * d, all += b[i].r * b[i].r;
+  }
+  return std::sqrt(off / all);
+}
+
 // For a round white cylinder with light and viewer in the plane of its axis, the mean of n.l over the visible side is
 // pi / 4 times the cosine of the light; divided by pi for a Lambertian surface.
 TEST_F(Response, white_matt_cylinders_reflect_a_quarter_of_the_cosine) {
@@ -123,13 +139,21 @@ TEST_F(Response, methods_agree_in_the_far_field) {
   }
   for (size_t t = 1; t < tables.size(); ++t) {
     ASSERT_EQ(tables[t].size(), tables[0].size());
-    double off = 0, all = 0;
-    for (size_t i = 0; i < tables[0].size(); ++i) {
-      const double d = tables[t][i].r - tables[0][i].r;
-      off += d * d, all += tables[0][i].r * tables[0][i].r;
-    }
-    EXPECT_LT(std::sqrt(off / all), 0.15) << t;
+    EXPECT_LT(rms_between(tables[t], tables[0]), 0.15) << t;
   }
+}
+
+// Drawn from afar, samples blurred threads until they hardly reflected light that comes from the other side.
+TEST_F(Response, threads_one_by_one_reflect_as_traced_with_light_between_them) {
+  const std::vector<std::string> options{"--views", "0,60,80", "--lights", "-60:60:20", "--method"};
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> line = options;
+    line.insert(line.end(), more.begin(), more.end());
+    return respond(white_linen(), line);
+  };
+  const std::vector<Row> traced = with({"reference", "--bounces", "2"});
+  EXPECT_LT(rms_between(with({"yarn"}), traced), 0.12);
+  EXPECT_LT(rms_between(with({"cloth"}), traced), 0.12);
 }
 
 TEST_F(Response, errors_leave_no_files) {

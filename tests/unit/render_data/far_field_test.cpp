@@ -171,16 +171,20 @@ TEST_F(FarFields, TheSkyIsSeenAsFarAsOtherThreadsLeaveIt) {
   }
 }
 
-// Highlights are narrow, so few samples contain them.
-TEST_F(FarFields, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
+// Highlights are narrow, so few samples contain them. Threads light each other: the truth without it is brighter at a
+// slant, where one sees less of the grooves.
+TEST_F(FarFields, AtASlantClothIsAsBrightAsTraced) {
   for (const Shipped& cloth : cloths) {
     for (const float tilt : {0.0f, 60.0f, 80.0f}) {
-      const glm::vec3 view = tilted(kViewAzimuth, tilt), light = tilted(35, 40);
-      const glm::vec3 ours = far_field_radiance(cloth.field, light, view), truth = traced_colour(cloth, view, light);
+      const glm::vec3 view = tilted(kViewAzimuth, tilt);
+      Surroundings around;
+      around.light_towards = tilted(35, 40), around.light_irradiance = glm::vec3(1);
+      const glm::vec3 ours = far_field_radiance(cloth.field, around.light_towards, view),
+                      truth = traced_colour(cloth, view, around, 16, 2);
       // Beside satin's highlight light falls by more, from node to node, than a line between them tells: a tenth too
       // bright here, in every channel. While green alone was measured, red and blue were too dark, and the mean held
       // 0.06.
-      const double holds = cloth.name == "satin_8" && tilt <= 0 ? 0.11 : tilt < 70 ? 0.06 : 0.13;
+      const double holds = cloth.name == "satin_8" && tilt <= 0 ? 0.11 : tilt < 70 ? 0.06 : 0.11;
       EXPECT_NEAR(grey(ours) / grey(truth), 1, holds) << cloth.name << " at " << tilt << " degrees";
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(ours[c] / truth[c], 1, static_cast<float>(holds) + 0.04f)
@@ -192,7 +196,7 @@ TEST_F(FarFields, AtASlantHighlightsAreAsBrightAsTheTracedOnes) {
 // From every side: root mean square of the relative error (docs/decisions/highlights-between-nodes.md). Satin's weft is
 // seen in slits only, and turns with every degree of the light.
 TEST_F(FarFields, HoldsInManyDirections) {
-  const std::map<std::string, double> limits{{"satin_8", 0.17}, {"twill_damask", 0.053}, {"denim", 0.072}};
+  const std::map<std::string, double> limits{{"satin_8", 0.155}, {"denim", 0.068}};
   constexpr int kRays = 9;
   for (const Shipped& cloth : cloths) {
     double squares = 0, sum = 0, count = 0;
@@ -203,7 +207,7 @@ TEST_F(FarFields, HoldsInManyDirections) {
           Surroundings around;
           around.light_towards = tilted(azimuth, lit_from), around.light_irradiance = glm::vec3(1);
           const double off = grey(far_field_radiance(cloth.field, around.light_towards, view)) /
-                                 grey(traced_colour(cloth, view, around, kRays)) -
+                                 grey(traced_colour(cloth, view, around, kRays, 2)) -
                              1;
           squares += off * off, sum += off, ++count;
         }
@@ -212,7 +216,7 @@ TEST_F(FarFields, HoldsInManyDirections) {
     const double rms = std::sqrt(squares / count);
     RecordProperty(cloth.name, std::to_string(rms));
     const auto limit = limits.find(cloth.name);
-    EXPECT_LT(rms, limit != limits.end() ? limit->second : 0.08) << cloth.name;
+    EXPECT_LT(rms, limit != limits.end() ? limit->second : 0.06) << cloth.name;
     EXPECT_NEAR(sum / count, 0, 0.035) << cloth.name;
   }
 }

@@ -77,8 +77,8 @@ void heading(PanelContext& c, const std::string& text) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
-void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max) {
-  row_label(c, label, nullptr);
+void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max, const char* tip) {
+  row_label(c, label, tip);
   push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(140));
   ImGui::PushID(id);

@@ -348,7 +348,11 @@ void draw_true_distance(Panel& c, ImVec2 a, ImVec2 pane) {
       to.seen_from_m = std::clamp(metres, session::kNearestSeen_m, session::kFurthestSeen_m);
     });
   c.map.add_item("view.seen_from");
-  tooltip(c, tr("How far you stand from the cloth, 0.3 to 5 m"));
+  const bool imperial = c.settings.imperial;
+  tooltip(c, fill(tr("How far you stand from the cloth, {nearest} to {furthest}"),
+                  arg("nearest", session::distance_text(session::kNearestSeen_m, imperial)),
+                  arg("furthest", session::distance_text(session::kFurthestSeen_m, imperial)))
+                 .c_str());
   ImGui::SameLine(0, s.px(8));
   if (ImGui::Button(card)) c.wanted.add_action("measure_screen");
   c.map.add_item("view.measure_screen");

@@ -89,4 +89,12 @@ void number(PanelContext& c, const char* id, const char* label, int& value, int 
   value = std::clamp(value, min, max);
 }
 
+bool scaled_slider(const PanelContext& c, ui::SliderSpec spec, float scale, float& kept) {
+  for (float* limit : {&spec.min, &spec.max, &spec.figure_min, &spec.figure_max}) *limit *= scale;
+  float shown = kept * scale;
+  if (!ui::slider(c, spec, shown)) return false;
+  kept = shown / scale;
+  return true;
+}
+
 }  // namespace weftlight::views

@@ -197,10 +197,10 @@ TEST_F(DeskTest, TheSettOfANewDraftFollowsItsYarnUntilItIsTyped) {
   const auto yarn = [&] { return design_of(w.live()).yarns[0].name; };
   display_.key("ctrl+n");
   ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn"));
-  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn:Woollen yarn"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn:Linen"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Create"));
-  ASSERT_TRUE(comes_true([&] { return yarn() == "Woollen yarn"; }));
-  EXPECT_NEAR(loom_sett(), 6, 0.01) << "half of 12.8 wraps in plain weave";
+  ASSERT_TRUE(comes_true([&] { return yarn() == "Linen"; }));
+  EXPECT_NEAR(loom_sett(), 10, 0.01) << "half of 19.2 wraps in plain weave";
   display_.key("ctrl+n");
   ASSERT_TRUE(comes_true([&] { return w.has("weave.sett") && w.has("dialog:Create"); }));
   const auto [at, size] = w.place_of("weave.sett");
@@ -209,9 +209,9 @@ TEST_F(DeskTest, TheSettOfANewDraftFollowsItsYarnUntilItIsTyped) {
   display_.type("9");
   display_.key("Tab");
   ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn"));
-  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn:Linen"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn:Silk"));
   ASSERT_NO_FATAL_FAILURE(press(w, "Create"));
-  ASSERT_TRUE(comes_true([&] { return yarn() == "Linen"; }));
+  ASSERT_TRUE(comes_true([&] { return yarn() == "Silk"; }));
   EXPECT_NEAR(loom_sett(), 9, 0.01) << "the typed sett was lost";
 }
 

@@ -66,6 +66,10 @@ std::string width_text(double mm, Units units) {
   return units == Units::kMetric ? shown(tr("{value:.1f} cm"), mm / 10) : shown(tr("{value:.1f} in"), mm / kInch_mm);
 }
 
+std::string short_length_text(double mm, Units units) {
+  return units == Units::kMetric ? shown(tr("{value:.0f} mm"), mm) : shown(tr("{value:.2f} in"), mm / kInch_mm);
+}
+
 std::string warp_length_text(double mm, Units units) {
   return units == Units::kMetric ? shown(tr("{value:.2f} m"), mm / 1000)
                                  : shown(tr("{value:.2f} yd"), mm / 1000 / kYard_m);

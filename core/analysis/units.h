@@ -24,6 +24,8 @@ inline constexpr double kInch_mm = 25.4, kYard_m = 0.9144, kOunce_g = 28.3495231
 
 /// Across the loom, or a short length: "55.0 cm", "21.7 in".
 std::string width_text(double mm, Units units);
+/// Of a small piece of cloth: "19 mm", "0.75 in".
+std::string short_length_text(double mm, Units units);
 /// Of a warp: "3.19 m", "3.49 yd".
 std::string warp_length_text(double mm, Units units);
 /// Of yarn: "312 m", "4.1 km"; "341 yd"; "under 1 m".

@@ -45,24 +45,59 @@ constexpr std::array<UnitName, 8> kNames{{{"tex", CountUnit::kTex},
 /// Counts lengths per weight, of the singles.
 bool is_indirect(CountUnit unit) { return unit == CountUnit::kNe || unit == CountUnit::kNm || unit == CountUnit::kLea; }
 
-/// The number with the fewest digits, up to five, that is as good as the value.
+/// The number with the fewest digits, up to five, that is as good as the value: within `off`, a fraction of it.
 struct Rounded {
   std::string text;
   int digits = 0;
 };
-Rounded rounded(double value) {
+Rounded rounded(double value, double off) {
   constexpr int kMaxDigits = 5;
-  constexpr double kLabel = 5e-4;
   if (!(value > 0 && std::isfinite(value))) return {"0", kMaxDigits};
   for (int digits = 1; digits <= kMaxDigits; ++digits) {
     const double step = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
     const double near = std::round(value / step) * step;
-    if (digits < kMaxDigits && std::abs(near / value - 1) > kLabel) continue;
+    if (digits < kMaxDigits && std::abs(near / value - 1) > off) continue;
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", step < 1 ? static_cast<int>(std::lround(-std::log10(step))) : 0, near);
     return {text, digits};
   }
   return {};
+}
+
+/// How far a label in the unit of the trade may be from the count, as a fraction.
+double label_of(double tex, CountUnit usual) {
+  constexpr double kLabel = 5e-4, kFewFigures = 2e-3, kExact = 1e-6;
+  // 150 den are noted as 16.7 tex, 300 den as 33.3.
+  return usual == CountUnit::kDenier && rounded(tex, kExact).digits <= 3 ? kFewFigures : kLabel;
+}
+
+/// Whether a yarn of one trade may be labelled in the unit of another: filament is sold by neither hanks nor leas, and
+/// spun yarn not in denier.
+bool may_be_sold_in(CountUnit unit, CountUnit usual) {
+  if (usual == CountUnit::kTex || unit == CountUnit::kTex) return true;
+  if (usual == CountUnit::kDenier) return unit == CountUnit::kNm;
+  return unit != CountUnit::kDenier;
+}
+
+/// What of the yarn the number of a label counts: singles where the unit is of lengths per weight.
+double number_of(double tex, int plies, CountUnit unit) {
+  return count_of(is_indirect(unit) ? tex / std::max(plies, 1) : tex, unit);
+}
+
+std::string labelled(std::string number, int plies, CountUnit unit) {
+  if (is_indirect(unit) && plies > 1) number.append("/").append(std::to_string(plies));
+  switch (unit) {
+    case CountUnit::kNe:
+      return "Ne " + number;
+    case CountUnit::kNm:
+      return "Nm " + number;
+    case CountUnit::kLea:
+      return number + " lea";
+    case CountUnit::kDenier:
+      return number + " den";
+    default:
+      return number + " tex";
+  }
 }
 
 bool is_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
@@ -128,30 +163,23 @@ std::optional<double> tex_from_text(std::string_view text) {
 
 std::string count_text(double tex, int plies, CountUnit usual) {
   constexpr CountUnit kUnits[] = {CountUnit::kTex, CountUnit::kNe, CountUnit::kNm, CountUnit::kLea, CountUnit::kDenier};
-  const auto number = [&](CountUnit unit) {
-    return rounded(count_of(is_indirect(unit) ? tex / std::max(plies, 1) : tex, unit));
-  };
   constexpr int kPlain = 2;  // digits: nobody would write it otherwise
+  // What was typed in another unit is kept in four figures of tex at least; what is further off is near it by chance.
+  constexpr double kTyped = 2.5e-4;
   CountUnit best = usual;
-  Rounded fewest = number(usual);
+  Rounded fewest = rounded(number_of(tex, plies, usual), label_of(tex, usual));
   for (const CountUnit unit : kUnits) {
     if (fewest.digits <= kPlain && best == usual) break;
-    if (const Rounded other = number(unit); other.digits < fewest.digits) best = unit, fewest = other;
+    if (!may_be_sold_in(unit, usual)) continue;
+    if (const Rounded other = rounded(number_of(tex, plies, unit), kTyped); other.digits < fewest.digits)
+      best = unit, fewest = other;
   }
-  std::string text = fewest.text;
-  if (is_indirect(best) && plies > 1) text.append("/").append(std::to_string(plies));
-  switch (best) {
-    case CountUnit::kNe:
-      return "Ne " + text;
-    case CountUnit::kNm:
-      return "Nm " + text;
-    case CountUnit::kLea:
-      return text + " lea";
-    case CountUnit::kDenier:
-      return text + " den";
-    default:
-      return text + " tex";
-  }
+  return labelled(fewest.text, plies, best);
+}
+
+std::string about_count_text(double tex, int plies, CountUnit unit) {
+  constexpr double kThreeFigures = 5e-3;
+  return labelled(rounded(number_of(tex, plies, unit), kThreeFigures).text, plies, unit);
 }
 
 double diameter_from_tex_mm(double tex, double density_g_cm3, double packing) {

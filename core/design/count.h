@@ -28,8 +28,10 @@ std::optional<WrittenCount> read_count(std::string_view text);
 std::optional<double> tex_from_text(std::string_view text);
 /// The count as a label says it: "Ne 16/2", "Nm 28/2", "16/2 lea", "150 den", "30 tex". In the `usual` unit if the
 /// number has two digits at most, to within 0.05 %; else in the unit in which it has the fewest. What was typed so
-/// comes back so.
+/// comes back so. Denier is for filament alone, which is not sold by Ne or lea: 16.7 tex are 150 den, not 99 lea.
 std::string count_text(double tex, int plies, CountUnit usual);
+/// A count that is no label, in that unit: the fewest figures within half a percent.
+std::string about_count_text(double tex, int plies, CountUnit unit);
 
 /// Diameter of a round thread, mm: d = 2 sqrt(tex / (1000 pi rho phi)); rho: density of the fibre in g/cm3; phi
 /// (`packing`): fraction of the thread's volume that is fibre, 0.4 (woollen) to 0.65 (hard twisted), filament 0.6

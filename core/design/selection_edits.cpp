@@ -108,10 +108,26 @@ bool holds_whole_threads(const Draft& d, const Selection& s) {
   return threads->system == System::kWarp ? s.b0 <= 0 && s.b1 >= all.b1 : s.a0 <= 0 && s.a1 >= all.a1;
 }
 
+PlacedBlock cleared_block(const Draft& draft, const Selection& selection) {
+  const Selection s = clipped(selection, draft);
+  return {s, BitMatrix(s.rows(), s.columns())};
+}
+
+PlacedBlock repeated_block(const Draft& draft, const Selection& selection, RepeatExtent extent) {
+  const Selection s = clipped(selection, draft);
+  if (s.empty()) return {};
+  const BitMatrix one = cells_of(draft, s);
+  const Selection to = repeat_target(draft, s, extent);
+  return {to, block_of(to.rows(), to.columns(), [&](int r, int c) {
+            return one.get(wrapped(int64_t{r} + to.b0 - s.b0, one.rows()),
+                           wrapped(int64_t{c} + to.a0 - s.a0, one.cols()));
+          })};
+}
+
 Design with_cleared(Design design, const Selection& selection) {
-  const Selection s = clipped(selection, design.draft);
-  if (s.empty()) return design;
-  return with_block(std::move(design), s.grid, s.a0, s.b0, BitMatrix(s.rows(), s.columns()), Write::kInside);
+  const PlacedBlock none = cleared_block(design.draft, selection);
+  if (none.at.empty()) return design;
+  return with_block(std::move(design), none.at.grid, none.at.a0, none.at.b0, none.cells, Write::kInside);
 }
 
 Design with_inverted(Design design, const Selection& selection) {
@@ -170,12 +186,8 @@ Design with_repeated(Design design, const Selection& selection, RepeatExtent ext
   const auto threads = threads_of(s);
   if (threads && (s.grid != BitGrid::kLiftplan || holds_whole_threads(design.draft, s)))
     return with_repeated_threads(std::move(design), *threads, extent, with_properties);
-  const BitMatrix one = cells_of(design.draft, s);
-  const Selection to = repeat_target(design.draft, s, extent);
-  const BitMatrix many = block_of(to.rows(), to.columns(), [&](int r, int c) {
-    return one.get(wrapped(int64_t{r} + to.b0 - s.b0, one.rows()), wrapped(int64_t{c} + to.a0 - s.a0, one.cols()));
-  });
-  return with_block(std::move(design), s.grid, to.a0, to.b0, many, Write::kInside);
+  const PlacedBlock many = repeated_block(design.draft, s, extent);
+  return with_block(std::move(design), s.grid, many.at.a0, many.at.b0, many.cells, Write::kInside);
 }
 
 }  // namespace weftlight::design

@@ -29,6 +29,15 @@ std::optional<ThreadRange> threads_of(const Selection& selection);
 /// True if every shaft (treadle) of them is selected.
 bool holds_whole_threads(const Draft& draft, const Selection& selection);
 
+/// A block of cells and where it goes.
+struct PlacedBlock {
+  Selection at;
+  BitMatrix cells;
+};
+/// What the edits below ask of the selection's grid: no cell of it; it in both directions.
+PlacedBlock cleared_block(const Draft& draft, const Selection& s);
+PlacedBlock repeated_block(const Draft& draft, const Selection& s, RepeatExtent extent);
+
 Design with_cleared(Design design, const Selection& s);
 Design with_inverted(Design design, const Selection& s);
 /// Moves the marks to (a, b); `copy` keeps the original, too. Threads keep their position and colour.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/mark.h"
 #include "design/fibre.h"
@@ -125,6 +126,18 @@ Design with_pattern_yarn(Design design, System system, const std::vector<bool>& 
   Threads& threads = design.draft.threads(system);
   for (size_t i = 0; i < threads.yarn.size(); ++i)
     if (marked[i % marked.size()]) threads.yarn[i] = static_cast<int>(design.yarns.size()) - 1;
+  return with_sett(std::move(design));
+}
+
+Design with_ground_yarn(Design design, const Yarn& yarn) {
+  const float ground_mm = design.yarns[0].diameter_mm;
+  for (size_t i = 1; i < design.yarns.size() && ground_mm > 0; ++i) {
+    Yarn pattern = with_thickness(yarn, yarn.diameter_mm * design.yarns[i].diameter_mm / ground_mm);
+    pattern.name = design.yarns[i].name;
+    pattern.flattening = design.yarns[i].flattening;
+    design.yarns[i] = std::move(pattern);
+  }
+  design.yarns[0] = yarn;
   return with_sett(std::move(design));
 }
 

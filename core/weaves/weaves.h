@@ -114,6 +114,8 @@ Design with_colors(Design design, std::vector<Rgb> palette, const std::vector<St
                    const std::vector<Stripe>& weft);
 /// The marked threads of a system, repeated, in a second yarn: thicker and softer, so that it covers the ground.
 Design with_pattern_yarn(Design design, draft::System system, const std::vector<bool>& marked);
+/// The draft in another ground yarn. A pattern yarn stays as much thicker as it is, and as soft.
+Design with_ground_yarn(Design design, const design::Yarn& yarn);
 /// Spacing of finished cloth from yarn and weave (see recipe.cpp). `openness` 1 is a firm cloth; 2 has
 /// twice the spacing.
 Design with_sett(Design design, float openness = 1.0f);

@@ -11,24 +11,26 @@
 namespace weftlight::actions {
 
 using base::fill, base::mark, base::message, base::tr;
-using design::Design, design::RepeatExtent, design::ThreadRange, design::half_turned, design::inverted,
-    design::may_paint, design::mirrored_across, design::mirrored_down, design::shifted, design::threads_of,
-    design::with_advancing_repeat, design::with_bare_threads, design::with_block, design::with_cleared,
-    design::with_doubled_threads, design::with_half_turn, design::with_inverted, design::with_mirrored_across,
-    design::with_mirrored_down, design::with_point_repeat, design::with_repeated, design::with_reversed_threads,
-    design::with_shifted, design::without_threads;
+using design::Design, design::PlacedBlock, design::RepeatExtent, design::ThreadRange, design::cleared_block,
+    design::half_turned, design::inverted, design::may_paint, design::mirrored_across, design::mirrored_down,
+    design::repeated_block, design::shifted, design::threads_of, design::with_advancing_repeat,
+    design::with_bare_threads, design::with_block, design::with_cleared, design::with_doubled_threads,
+    design::with_half_turn, design::with_inverted, design::with_mirrored_across, design::with_mirrored_down,
+    design::with_point_repeat, design::with_repeated, design::with_reversed_threads, design::with_shifted,
+    design::without_threads;
 using draft::BitGrid, draft::BitMatrix, draft::CellBlock, draft::Draft, draft::Selection, draft::System, draft::Write,
     draft::block_text, draft::cells_of, draft::clipped, draft::columns_of, draft::for_each_bit, draft::kMaxBlockCells,
     draft::read_block_text, draft::rows_of, draft::whole_grid;
 using session::Cell, session::DrawingState, session::MaybeEdit, session::SelectDrag, session::SelectState,
     session::Tool, session::accept_number, session::begin_typing, session::bit_grid_of, session::cancel_drag,
     session::drop_block, session::escape, session::extend_selection, session::hold_block, session::hold_block_over,
-    session::missed_crossings, session::missed_text, session::move_selection, session::screen_step,
-    session::select_cells, session::size_text, session::turn_held_block, session::unless_locked;
+    session::missed_by_move, session::missed_crossings, session::missed_text, session::move_selection,
+    session::screen_step, session::select_cells, session::size_text, session::turn_held_block, session::unless_locked;
 
 namespace {
 
 using SelectionEdit = Design (*)(Design, const Selection&, bool with_properties);
+using BlockWanted = PlacedBlock (*)(const Draft&, const Selection&);
 using ThreadEdit = Design (*)(Design, const ThreadRange&, bool with_properties);
 constexpr const char* kTurn = mark("Mirror and rotate");
 constexpr const char* kShift = mark("Shift by one");
@@ -47,16 +49,28 @@ Action& on_selection(const SelectionSubjects& e, Action& a, const char* submenu 
   return a;
 }
 
+/// `wanted` of a block in the drawdown. A locked grid, and a loom that is too small, have given their own reason.
+void tell_missed(const SelectionSubjects& e, const std::string& done, const PlacedBlock& wanted) {
+  const Design& now = e.draft.document().now();
+  const Selection& s = wanted.at;
+  if (s.empty() || !may_paint(now, s.grid) || e.draft.view().rejected_edit) return;
+  const int64_t missed = missed_crossings(now.draft, s.grid, s.a0, s.b0, wanted.cells);
+  if (missed > 0) e.window.refuse(missed_text(done, missed));
+}
+
 Action& add_edit(Actions& all, const SelectionSubjects& e, const char* submenu, const char* id, const char* label,
-                 const char* key, SelectionEdit edit) {
+                 const char* key, SelectionEdit edit, BlockWanted wanted_by) {
   return on_selection(
       e,
       add(all, "Edit", id, label, key,
           [=] {
             const bool properties = e.draft.view().select.with_properties;
-            e.draft.commit(unless_locked(selected(e).grid, {label, [s = selected(e), edit, properties](Design d) {
-                                                              return edit(std::move(d), s, properties);
-                                                            }}));
+            const Selection s = selected(e);
+            const PlacedBlock wanted =
+                s.grid == BitGrid::kDrawdown ? wanted_by(e.draft.document().now().draft, s) : PlacedBlock();
+            e.draft.commit(unless_locked(
+                s.grid, {label, [s, edit, properties](Design d) { return edit(std::move(d), s, properties); }}));
+            tell_missed(e, label, wanted);
           }),
       submenu);
 }
@@ -91,8 +105,10 @@ bool copy_selection(const SelectionSubjects& e) {
 
 void cut_selection(const SelectionSubjects& e) {
   if (!copy_selection(e)) return;
-  e.draft.commit(unless_locked(selected(e).grid,
-                               {tr("Cut"), [s = selected(e)](Design d) { return with_cleared(std::move(d), s); }}));
+  const Selection s = selected(e);
+  const PlacedBlock wanted = cleared_block(e.draft.document().now().draft, s);
+  e.draft.commit(unless_locked(s.grid, {tr("Cut"), [s](Design d) { return with_cleared(std::move(d), s); }}));
+  tell_missed(e, tr("Cut"), wanted);
 }
 
 void paste(const SelectionSubjects& e, bool as_marks) {
@@ -161,8 +177,9 @@ void add_clipboard(Actions& all, const SelectionSubjects& e) {
   on_selection(e, add(all, "Edit", "paste", tr("Paste"), "Ctrl+V", [e] { paste(e, false); })).enabled = nullptr;
   on_selection(e, add(all, "Edit", "paste_add", tr("Paste marks on top"), "Ctrl+Shift+V", [e] { paste(e, true); }))
       .enabled = nullptr;
-  add_edit(all, e, "", "clear", tr("Delete"), "Delete",
-           [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); });
+  add_edit(
+      all, e, "", "clear", tr("Delete"), "Delete",
+      [](Design d, const Selection& s, bool) { return with_cleared(std::move(d), s); }, cleared_block);
   new_group(add(all, "Edit", "select_all", tr("Select the whole grid"), "Ctrl+A", [e] { select_all(e); }));
   on_selection(e, add(all, "Edit", "select_threads", tr("Select whole threads"), "Ctrl+Shift+A",
                       [e] { select_whole_threads(e); }))
@@ -171,13 +188,6 @@ void add_clipboard(Actions& all, const SelectionSubjects& e) {
     return has_selection(e) || has_block(e) || has_chosen_threads(e) || e.draft.view().drawing.shape ||
            e.draft.view().rejected_edit;
   };
-}
-
-/// A locked grid has given its own reason.
-void tell_missed(const SelectionSubjects& e, const std::string& done, const Selection& s, const BitMatrix& wanted) {
-  const Design& now = e.draft.document().now();
-  const int64_t missed = may_paint(now, s.grid) ? missed_crossings(now.draft, s.grid, s.a0, s.b0, wanted) : 0;
-  if (missed > 0) e.window.refuse(missed_text(done, missed));
 }
 
 using BlockTurn = BitMatrix (*)(const BitMatrix&);
@@ -191,7 +201,7 @@ void turn(const SelectionSubjects& e, const char* label, SelectionEdit edit, Blo
   e.draft.commit(unless_locked(s.grid, {label, [s, edit, properties = e.draft.view().select.with_properties](Design d) {
                                           return edit(std::move(d), s, properties);
                                         }}));
-  tell_missed(e, label, s, wanted);
+  tell_missed(e, label, {s, wanted});
 }
 
 /// Row 0 becomes the last column.
@@ -230,7 +240,7 @@ void quarter_turn(const SelectionSubjects& e) {
                                         return with_block(std::move(d), both.grid, both.a0, both.b0, cells,
                                                           Write::kInside);
                                       }}));
-  tell_missed(e, tr("Rotate by a quarter turn"), both, cells);
+  tell_missed(e, tr("Rotate by a quarter turn"), {both, cells});
   select_cells(e.draft.view().select, {grid, a, a + columns, b, b + rows});
 }
 
@@ -253,14 +263,18 @@ void add_turns(Actions& all, const SelectionSubjects& e) {
 }
 
 void add_repeats(Actions& all, const SelectionSubjects& e) {
-  add_edit(all, e, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R",
-           [](Design d, const Selection& s, bool properties) {
-             return with_repeated(std::move(d), s, RepeatExtent::kToEnd, properties);
-           });
-  add_edit(all, e, kRepeat, "repeat_all", tr("Repeat over the whole grid"), "Ctrl+Shift+R",
-           [](Design d, const Selection& s, bool properties) {
-             return with_repeated(std::move(d), s, RepeatExtent::kAll, properties);
-           });
+  add_edit(
+      all, e, kRepeat, "repeat_end", tr("Repeat to the end"), "Ctrl+R",
+      [](Design d, const Selection& s, bool properties) {
+        return with_repeated(std::move(d), s, RepeatExtent::kToEnd, properties);
+      },
+      [](const Draft& d, const Selection& s) { return repeated_block(d, s, RepeatExtent::kToEnd); });
+  add_edit(
+      all, e, kRepeat, "repeat_all", tr("Repeat over the whole grid"), "Ctrl+Shift+R",
+      [](Design d, const Selection& s, bool properties) {
+        return with_repeated(std::move(d), s, RepeatExtent::kAll, properties);
+      },
+      [](const Draft& d, const Selection& s) { return repeated_block(d, s, RepeatExtent::kAll); });
   add_thread_edit(all, e, kRepeat, "point_end", tr("Point repeat to the end"), "Ctrl+M",
                   [](Design d, const ThreadRange& t, bool properties) {
                     return with_point_repeat(std::move(d), t, RepeatExtent::kToEnd, properties);
@@ -312,8 +326,11 @@ void step(const SelectionSubjects& e, int dx, int dy) {
                   std::clamp(s.held->at.b + by.b, 0, rows_of(design.draft, grid) - 1)};
     return hold_block_over(s, grid, at);
   }
-  if (const MaybeEdit edit = move_selection(s, design, s.selected.a0 + by.a, s.selected.b0 + by.b, false))
-    e.draft.commit(*edit);
+  const MaybeEdit edit = move_selection(s, design, s.selected.a0 + by.a, s.selected.b0 + by.b, false);
+  if (!edit) return;
+  e.draft.commit(*edit);
+  if (e.draft.view().rejected_edit) return;
+  if (const std::string missed = missed_by_move(s, e.draft.document().now()); !missed.empty()) e.window.refuse(missed);
 }
 
 void shift_by_one(const SelectionSubjects& e, const char* label, int dx, int dy) {
@@ -324,7 +341,7 @@ void shift_by_one(const SelectionSubjects& e, const char* label, int dx, int dy)
   e.draft.commit(unless_locked(s.grid, {label, [s, by, properties = e.draft.view().select.with_properties](Design d) {
                                           return with_shifted(std::move(d), s, by.a, by.b, properties);
                                         }}));
-  tell_missed(e, label, s, wanted);
+  tell_missed(e, label, {s, wanted});
 }
 
 struct Arrow {

@@ -29,7 +29,7 @@ using session::OpenResult, session::color_deletion, session::color_deletion_word
 using views::ClosestWeavePrompt, views::GradientPrompt, views::JoinPrompt, views::NotesPrompt, views::PicturePrompt,
     views::PictureStage, views::Question, views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt,
     views::VersionPictures, views::VersionsPrompt, views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
-using weaves::WeaveKind, weaves::free_section_name, weaves::weave_kinds;
+using weaves::free_section_name, weaves::weave_kinds;
 
 namespace {
 
@@ -71,10 +71,8 @@ BitMatrix small_repeat(const BitMatrix& cells) {
 
 void DraftPrompts::ask_new_draft(int weave) {
   const Draft& d = document().now().draft;
-  dialogs_.ask(prompt_for(weave, {d.ends(), d.picks()}), [this](int) {
-    const auto& p = dialogs_.prompt<WeavePrompt>();
-    const WeaveKind& kind = weave_kinds()[static_cast<size_t>(p.kind)];
-    files_.open_new(weaves::new_draft(kind, p.values, {p.ends, p.picks}).design);
+  dialogs_.ask(prompt_for(weave, {d.ends(), d.picks()}, views::units_of(settings_)), [this](int) {
+    files_.open_new(views::new_design(dialogs_.prompt<WeavePrompt>()));
     // From afar a new cloth is of one colour; its threads are what a weaver wants to see first.
     show_flat_();
   });

@@ -15,13 +15,20 @@
 namespace weftlight::app {
 
 using actions::DraftDialogs;
-using session::Deletion, session::Document, session::DocumentView, session::DrawingState, session::Edit;
+using session::Deletion, session::Document, session::DocumentView, session::DrawingState, session::Edit,
+    session::Settings;
 
 class DraftPrompts {
  public:
   /// `show_flat`: shows the cloth as a flat swatch.
-  DraftPrompts(Editing& editing, Files& files, Dialogs& dialogs, Messages& messages, std::function<void()> show_flat)
-      : editing_(editing), files_(files), dialogs_(dialogs), messages_(messages), show_flat_(std::move(show_flat)) {}
+  DraftPrompts(Editing& editing, const Settings& settings, Files& files, Dialogs& dialogs, Messages& messages,
+               std::function<void()> show_flat)
+      : editing_(editing),
+        settings_(settings),
+        files_(files),
+        dialogs_(dialogs),
+        messages_(messages),
+        show_flat_(std::move(show_flat)) {}
 
   /// A new draft, with a weave of weave_kinds() chosen.
   void ask_new_draft(int weave);
@@ -47,6 +54,7 @@ class DraftPrompts {
   void delete_or_ask(const Deletion& deletion, const Edit& edit, const std::string& words, int DrawingState::*active);
 
   Editing& editing_;
+  const Settings& settings_;
   Files& files_;
   Dialogs& dialogs_;
   Messages& messages_;

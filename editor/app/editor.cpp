@@ -46,7 +46,7 @@ Editor::Editor(Window& window, const EditorOptions& options)
       dialogs_(session_, tasks_, messages_, schedule_),
       live_export_(options.live_export),
       files_(session_, settings_, tasks_, dialogs_, messages_, live_export_, [this] { edited(); }),
-      prompts_(editing_, files_, dialogs_, messages_, [this] { cloth_.show_flat(); }),
+      prompts_(editing_, settings_, files_, dialogs_, messages_, [this] { cloth_.show_flat(); }),
       own_yarns_(editing_, tasks_, dialogs_, messages_),
       start_(session_, files_, settings_, tasks_, dialogs_, messages_, [this] { prompts_.ask_new_draft(0); }),
       tabs_(session_, files_, dialogs_, schedule_),

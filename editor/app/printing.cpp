@@ -11,7 +11,7 @@
 #include "platform/environment_variables.h"
 #include "platform/process.h"
 #include "platform/unique_name.h"
-#include "views/analysis/plan_panel.h"
+#include "views/common/panel.h"
 
 namespace weftlight::app {
 

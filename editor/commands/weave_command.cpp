@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
+#include "analysis/loom_sett.h"
 #include "base/text.h"
 #include "commands/closest_word.h"
 #include "commands/commands.h"
@@ -11,6 +13,7 @@
 
 namespace weftlight::commands {
 
+using analysis::Units, analysis::firm_sett, analysis::with_loom_sett;
 using base::arg, base::fill, base::tr, base::write_file_atomically;
 using weaves::GeneratedWeave, weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues,
     weaves::cut_repeat_note, weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
@@ -108,6 +111,8 @@ int weave_command(const WeaveOptions& options) {
   if (!read_values(*kind, options.set, values)) return kUsage;
   if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));
   GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
+  const analysis::LoomSett sett = firm_sett(generated.design, Units::kMetric);
+  generated.design = with_loom_sett(std::move(generated.design), sett, Units::kMetric);
   generated.design.title = kind->name;
   warn(options, generated.note);
   warn(options, cut_repeat_note(*kind, values, {options.ends, options.picks}));

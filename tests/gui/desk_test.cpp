@@ -172,7 +172,7 @@ TEST_F(DeskTest, WhatIsTypedInTheListOfWeavesCanBeTypedOver) {
 }
 
 TEST_F(DeskTest, TheRepeatOfANewDraftIsInSightBelowManyParameters) {
-  constexpr double kHeight = 428;  // of the list, and of what stands beside it
+  constexpr double kHeight = 460;  // of the list, and of what stands beside it
   Window w(display_, folder_, draft_);
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
   display_.focus();
@@ -184,6 +184,35 @@ TEST_F(DeskTest, TheRepeatOfANewDraftIsInSightBelowManyParameters) {
       return size.y > 0 && text.y + size.y <= w.place_of("weave.drawdown").first.y + kHeight + 1;
     })) << weave;
   }
+}
+
+TEST_F(DeskTest, TheSettOfANewDraftFollowsItsYarnUntilItIsTyped) {
+  Window w(display_, folder_, draft_);
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  const auto loom_sett = [&] {
+    const design::Design d = design_of(w.live());
+    return 10 / d.draft.warp.spacing_mm[0] * (1 - d.plan.weft_shrinkage) / (1 + d.plan.weft_take_up);
+  };
+  const auto yarn = [&] { return design_of(w.live()).yarns[0].name; };
+  display_.key("ctrl+n");
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn:Linen"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Create"));
+  ASSERT_TRUE(comes_true([&] { return yarn() == "Linen"; }));
+  EXPECT_NEAR(loom_sett(), 10, 0.01) << "half of 19.2 wraps in plain weave";
+  display_.key("ctrl+n");
+  ASSERT_TRUE(comes_true([&] { return w.has("weave.sett") && w.has("dialog:Create"); }));
+  const auto [at, size] = w.place_of("weave.sett");
+  display_.click({at.x + size.x / 4, at.y + size.y / 2});
+  display_.key("ctrl+a");
+  display_.type("9");
+  display_.key("Tab");
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "weave.yarn:Silk"));
+  ASSERT_NO_FATAL_FAILURE(press(w, "Create"));
+  ASSERT_TRUE(comes_true([&] { return yarn() == "Silk"; }));
+  EXPECT_NEAR(loom_sett(), 9, 0.01) << "the typed sett was lost";
 }
 
 TEST_F(DeskTest, TheDraftKeepsItsColoursBesideADialogThatItFollows) {

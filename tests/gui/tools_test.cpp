@@ -139,6 +139,33 @@ TEST_F(ToolsTest, ThePlanOfTheClothIsKeptInTheFileAndUndone) {
   EXPECT_TRUE(kept["imperial"].get<bool>());
 }
 
+TEST_F(ToolsTest, TheFirstReedIsOneOfTheWeaversUnits) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "inspector:Plan"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "plan.units:Imperial"));
+  for (const char* above : {"section.size", "section.on_loom"}) ASSERT_NO_FATAL_FAILURE(click(w, above));
+  ASSERT_NO_FATAL_FAILURE(click(w, "plan.reed:figure"));
+  display_.key("ctrl+a 1 2 Return");
+  EXPECT_TRUE(comes_true([&] {
+    return design_of(w.live()).plan.reed == design::Reed{12, true};
+  })) << "12 dents in 10 cm, for a weaver who counts in inches";
+}
+
+TEST_F(ToolsTest, CellsOnPaperAreInInchesForAWeaverWhoCountsInThem) {
+  Window w(display_, folder_, draft_, without_dialogs());
+  ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));
+  display_.focus();
+  ASSERT_NO_FATAL_FAILURE(command(w, "inches, yards"));
+  display_.key("ctrl+shift+p");
+  ASSERT_TRUE(comes_true([&] { return w.has("print.ready") && w.has("print.sheets:2"); }));
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.scale:Custom"));
+  ASSERT_NO_FATAL_FAILURE(click(w, "print.cell:figure"));
+  display_.key("ctrl+a 0 period 5 Tab");
+  EXPECT_TRUE(comes_true([&] { return w.has("print.ready") && !w.has("print.sheets:2"); }))
+      << "half an inch takes more sheets than half a millimetre";
+}
+
 TEST_F(ToolsTest, AStepOfUndoHasTheNameOfItsControl) {
   Window w(display_, folder_, draft_, without_dialogs());
   ASSERT_TRUE(comes_true([&] { return w.is_ready(); }));

@@ -11,8 +11,8 @@ namespace weftlight::session {
 
 using base::arg, base::fill, base::tr, base::tr_n;
 using design::may_paint, design::painted_crossings, design::with_block, design::with_moved;
-using draft::ShedControl, draft::Write, draft::clipped, draft::columns_of, draft::covered, draft::missed_cells,
-    draft::rows_of, draft::turned_for;
+using draft::ShedControl, draft::Write, draft::cells_of, draft::clipped, draft::columns_of, draft::covered,
+    draft::missed_cells, draft::rows_of, draft::turned_for;
 
 namespace {
 
@@ -205,6 +205,23 @@ MaybeEdit move_selection(SelectState& s, const Design& design, int a, int b, boo
   s.selected = {at.grid, a, a + at.columns(), b, b + at.rows()};
   return Edit{s.move->copy ? tr("Copy selection") : tr("Move selection"),
               [move = *s.move, a, b](const Design&) { return moved_from(move, a, b); }, s.move->stroke};
+}
+
+std::string missed_by_move(const SelectState& s, const Design& design) {
+  if (s.selected.grid != BitGrid::kDrawdown || !goes_on(s, design)) return {};
+  const Selection &from = s.move->from, &to = s.selected;
+  if (from == to) return {};
+  int64_t missed = missed_crossings(design.draft, to.grid, to.a0, to.b0, cells_of(s.move->base->draft, from));
+  const BitMatrix left = cells_of(design.draft, from);
+  for (int b = from.b0; b < from.b1 && !s.move->copy; ++b)
+    for (int a = from.a0; a < from.a1; ++a)
+      if (!holds(to, to.grid, {a, b})) missed += left.get(b - from.b0, a - from.a0);
+  return missed > 0 ? missed_text(s.move->copy ? tr("Copy selection") : tr("Move selection"), missed) : "";
+}
+
+void end_drag(DocumentView& view, const Design& design) {
+  const bool moved = std::exchange(view.select.drag, SelectDrag::kNone) == SelectDrag::kMove;
+  if (moved && !view.rejected_edit) view.select.refusal = missed_by_move(view.select, design);
 }
 
 MaybeEdit cancel_drag(SelectState& s, const Design& design) {

@@ -41,6 +41,11 @@ Edit unless_locked(BitGrid grid, Edit edit);
 /// of one move start from the same draft, so that cells passed over are restored, and are one undo step. `copy` starts
 /// a new move that also leaves the marks in place.
 MaybeEdit move_selection(SelectState& state, const Design& design, int a, int b, bool copy);
+/// What of a move in the drawdown could not follow, where it is now and where it was: see missed_text(). Empty if all
+/// did, or if nothing was moved.
+std::string missed_by_move(const SelectState& state, const Design& design);
+/// Ends a drag; `view.select.refusal` reports the crossings that could not follow.
+void end_drag(DocumentView& view, const Design& design);
 /// Cancels a drag; moved marks return to their origin.
 MaybeEdit cancel_drag(SelectState& state, const Design& design);
 /// Moves the far corner of the selection by da and db.

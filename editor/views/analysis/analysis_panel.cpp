@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "analysis/difference.h"
+#include "analysis/plan_texts.h"
 #include "base/text.h"
 #include "ui/widgets.h"
-#include "views/analysis/plan_panel.h"
 
 namespace weftlight::views {
 

@@ -122,8 +122,6 @@ void draw_on_loom(PlanPanel& c) {
 
 }  // namespace
 
-Units units_of(const Settings& settings) { return settings.imperial ? Units::kImperial : Units::kMetric; }
-
 void change_plan(PlanPanel& c, const char* property, const std::function<void(ClothPlan&)>& change) {
   c.edit = Edit{property, [change](Design d) {
                   ClothPlan plan = d.plan;

@@ -9,9 +9,6 @@ namespace weftlight::views {
 
 using session::MaybeEdit;
 
-/// The units of the settings.
-Units units_of(const Settings& settings);
-
 /// The tab of the inspector.
 MaybeEdit draw_plan(PanelContext& c, PlanState& state);
 

@@ -26,13 +26,15 @@ namespace {
 void draw_dents(PlanPanel& c) {
   const design::Reed& reed = c.design.plan.reed;
   float dents = reed.dents;
-  const char* format = dents > 0 ? (reed.per_inch ? tr("%.4g /in") : tr("%.4g /10 cm")) : tr("none");
+  // The first reed is one of the weaver's own units.
+  const bool per_inch = dents > 0 ? reed.per_inch : c.state.units == Units::kImperial;
+  const char* format = dents > 0 ? (per_inch ? tr("%.4g /in") : tr("%.4g /10 cm")) : tr("none");
   if (slider(c,
-             {"plan.reed", tr("Reed"), 0, reed.per_inch ? 30.0f : 120.0f, format,
+             {"plan.reed", tr("Reed"), 0, per_inch ? 30.0f : 120.0f, format,
               tr("Dents of your reed; 0 if none is chosen yet. The list below has the reeds that suit"), false, 0,
               design::kMaxDents},
              dents))
-    change_plan(c, tr("Reed"), [d = std::round(2 * dents) / 2](ClothPlan& p) { p.reed.dents = d; });
+    change_plan(c, tr("Reed"), [r = design::Reed{std::round(2 * dents) / 2, per_inch}](ClothPlan& p) { p.reed = r; });
   if (reed.dents <= 0) return;
   constexpr const char* kPer[] = {mark("per 10 cm"), mark("per inch")};
   row_label(c, tr("Dents"), tr("The length in which the dents are counted"));

@@ -17,7 +17,6 @@
 
 namespace weftlight::views {
 
-using analysis::Units;
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using cloth::srgb_from_linear;
 using design::Design, design::Method, design::NamedView, design::kShadedMethods, design::method_facts;
@@ -312,11 +311,11 @@ float draw_view_buttons(Panel& c, ImVec2 a, ImVec2 pane) {
 constexpr float kBarMargin = 14, kBarSlider = 200;
 
 std::string true_distance_text(const Panel& c) {
-  return fill(tr("The cloth as it looks from {distance}: {percent:.0f}% of its real size on a screen {eyes} away"),
-              arg("distance", session::distance_text(c.settings.seen_from_m, c.settings.imperial)),
-              arg("percent", 100 * session::true_scale(c.settings)),
-              arg("eyes", analysis::width_text(static_cast<double>(c.settings.eye_to_screen_cm) * 10,
-                                               c.settings.imperial ? Units::kImperial : Units::kMetric)));
+  return fill(
+      tr("The cloth as it looks from {distance}: {percent:.0f}% of its real size on a screen {eyes} away"),
+      arg("distance", session::distance_text(c.settings.seen_from_m, c.settings.imperial)),
+      arg("percent", 100 * session::true_scale(c.settings)),
+      arg("eyes", analysis::width_text(static_cast<double>(c.settings.eye_to_screen_cm) * 10, units_of(c.settings))));
 }
 
 /// How far the weaver stands from the cloth, at the lower edge. Called before the view below it, as are the buttons.
@@ -349,7 +348,11 @@ void draw_true_distance(Panel& c, ImVec2 a, ImVec2 pane) {
       to.seen_from_m = std::clamp(metres, session::kNearestSeen_m, session::kFurthestSeen_m);
     });
   c.map.add_item("view.seen_from");
-  tooltip(c, tr("How far you stand from the cloth, 0.3 to 5 m"));
+  const bool imperial = c.settings.imperial;
+  tooltip(c, fill(tr("How far you stand from the cloth, {nearest} to {furthest}"),
+                  arg("nearest", session::distance_text(session::kNearestSeen_m, imperial)),
+                  arg("furthest", session::distance_text(session::kFurthestSeen_m, imperial)))
+                 .c_str());
   ImGui::SameLine(0, s.px(8));
   if (ImGui::Button(card)) c.wanted.add_action("measure_screen");
   c.map.add_item("view.measure_screen");

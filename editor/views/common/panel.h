@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "analysis/units.h"
 #include "design/design.h"
 #include "draft/drawdown.h"
 #include "session/document/edit.h"
@@ -44,6 +45,9 @@ template <class View>
 struct ViewContext : PanelContext {
   const View& view;
 };
+
+/// The units of the settings.
+analysis::Units units_of(const Settings& settings);
 
 /// A colour of the design as ImGui packs it.
 ImU32 to_u32(Rgb c, float alpha = 1.0f);

@@ -10,9 +10,9 @@
 
 namespace weftlight::views {
 
-using base::mark, base::tr;
+using base::arg, base::fill, base::mark, base::tr;
 using session::kCardCorner_mm, session::kCardHeight_mm, session::kCardWidth_mm;
-using ui::Colors, ui::SliderSpec, ui::blend, ui::hit_area, ui::slider, ui::text_button, ui::with_alpha;
+using ui::Colors, ui::SliderSpec, ui::blend, ui::hit_area, ui::text_button, ui::with_alpha;
 
 namespace {
 
@@ -67,9 +67,11 @@ DialogResult draw_prompt(PanelContext& c, CardPrompt& p) {
   p.px_a_mm = held(p.px_a_mm, room);
   heading(c, tr("Measure the screen"));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room.x);
-  ImGui::TextUnformatted(
-      tr("Hold a bank card, a library card or a driving licence to the screen (85.6 \xC3\x97 54.0 mm; all are the same "
-         "size) and drag the corner until the outline matches."));
+  const bool inches = c.settings.imperial;
+  ImGui::TextUnformatted(fill(tr("Hold a bank card, a library card or a driving licence to the screen ({size}; all are "
+                                 "the same size) and drag the corner until the outline matches."),
+                              arg("size", inches ? tr("3.37 \xC3\x97 2.13 in") : tr("85.6 \xC3\x97 54.0 mm")))
+                             .c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0, c.style.px(4)});
   const ImVec2 a = ImGui::GetCursorScreenPos();
@@ -84,12 +86,12 @@ DialogResult draw_prompt(PanelContext& c, CardPrompt& p) {
                         tr("Distance to screen"),
                         session::kNearestEye_cm,
                         100,
-                        "%.0f cm",
+                        inches ? tr("%.0f in") : "%.0f cm",
                         tr("How far your eyes are from the screen; about the length of your arm"),
                         false,
                         session::kNearestEye_cm,
                         session::kFurthestEye_cm};
-  slider(c, eyes, p.eye_to_screen_cm);
+  scaled_slider(c, eyes, inches ? static_cast<float>(10 / analysis::kInch_mm) : 1, p.eye_to_screen_cm);
   return dialog_result(draw_buttons(c, {mark("Save"), mark("Cancel")}, true));
 }
 

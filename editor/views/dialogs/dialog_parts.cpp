@@ -77,8 +77,8 @@ void heading(PanelContext& c, const std::string& text) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
-void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max) {
-  row_label(c, label, nullptr);
+void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max, const char* tip) {
+  row_label(c, label, tip);
   push_font(c.style.font.mono);
   ImGui::SetNextItemWidth(c.style.px(140));
   ImGui::PushID(id);
@@ -87,6 +87,14 @@ void number(PanelContext& c, const char* id, const char* label, int& value, int 
   c.map.add_field(id, field_of_number("##n"));
   ImGui::PopID();
   value = std::clamp(value, min, max);
+}
+
+bool scaled_slider(const PanelContext& c, ui::SliderSpec spec, float scale, float& kept) {
+  for (float* limit : {&spec.min, &spec.max, &spec.figure_min, &spec.figure_max}) *limit *= scale;
+  float shown = kept * scale;
+  if (!ui::slider(c, spec, shown)) return false;
+  kept = shown / scale;
+  return true;
 }
 
 }  // namespace weftlight::views

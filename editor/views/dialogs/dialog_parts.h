@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/widgets.h"
 #include "views/common/panel.h"
 #include "weaves/table.h"
 
@@ -24,7 +25,10 @@ void heading(PanelContext& c, const std::string& text);
 /// The id of the text field in ImGui::InputInt with steps, under its id.
 unsigned field_of_number(const char* label);
 /// A labelled whole number with steps of one and ten.
-void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max);
+void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max,
+            const char* tip = nullptr);
+/// A slider whose value, and the limits of `spec`, are kept in another unit: shown = kept * scale. True if it changed.
+bool scaled_slider(const PanelContext& c, ui::SliderSpec spec, float scale, float& kept);
 /// The buttons at the lower right, the first outermost. Labels are marked texts, and the map has them in English as
 /// dialog:LABEL. Returns the index of the pressed one or -1. `primary`: set off by its colour; -1: none. `by_enter`:
 /// Enter presses it. `possible`: it can be pressed.

@@ -15,6 +15,7 @@
 
 namespace weftlight::views {
 
+using analysis::kInch_mm, analysis::width_text;
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using files::kMipFormats;
 using session::PictureRect, session::PreviewSizes, session::ShownChannel, session::ShownImage, session::bytes_on_disk,
@@ -84,17 +85,37 @@ void draw_targets(PanelContext& c, ExportPrompt& p) {
   p.target = std::min(p.target, p.plan->targets.size() - 1);
 }
 
+/// In whole centimetres or inches; below 0 automatic.
+void draw_tile(PanelContext& c, ExportPlan& plan) {
+  const bool inches = c.settings.imperial;
+  const float unit_cm = inches ? static_cast<float>(kInch_mm / 10) : 1;
+  const std::string tip = fill(
+      tr("Minimum width of the tile; 0 is one repeat. More repeats show more variation of the yarns. Automatic: up "
+         "to {width} for yarns with slubs, melange or unevenness, else one repeat"),
+      arg("width", width_text(50, units_of(c.settings))));
+  float shown = plan.tile_cm > 0 ? plan.tile_cm / unit_cm : plan.tile_cm;
+  const char* format = shown > 0   ? (inches ? tr("%.0f in") : tr("%.0f cm"))
+                       : shown < 0 ? tr("Automatic")
+                                   : tr("1 repeat");
+  if (!slider(c, {"export.tile", tr("Tile"), -1, inches ? 20.0f : 50.0f, format, tip.c_str()}, shown)) return;
+  shown = std::round(shown);
+  plan.tile_cm = shown > 0 ? shown * unit_cm : shown;
+}
+
 void draw_size(PanelContext& c, ExportPlan& plan, float width) {
   constexpr const char* kWays[] = {mark("Pixels"), mark("Texel density")};
   int way = plan.by_density ? 1 : 0;
-  row_label(c, tr("Resolution"), tr("Pixels along the longer side of the tile, or texels per millimetre of cloth"));
+  row_label(c, tr("Resolution"), tr("Pixels along the longer side of the tile, or texels per length of cloth"));
   segmented(c, "export.by", kWays, way, width);
   plan.by_density = way == 1;
   if (plan.by_density) {
-    slider(c,
-           {"export.density", "", 2, 200, tr("%.0f /mm"),
-            tr("At least this many texels per millimetre; the size is the next power of two"), true},
-           plan.texels_per_mm);
+    const bool inches = c.settings.imperial;
+    scaled_slider(c,
+                  {"export.density", "", 2, 200, inches ? tr("%.0f /in") : tr("%.0f /mm"),
+                   inches ? tr("At least this many texels per inch; the size is the next power of two")
+                          : tr("At least this many texels per millimetre; the size is the next power of two"),
+                   true},
+                  inches ? static_cast<float>(kInch_mm) : 1, plan.texels_per_mm);
   } else {
     constexpr const char* kSizes[] = {"512", "1024", "2048", "4096", "8192"};
     int step = 0;
@@ -103,15 +124,7 @@ void draw_size(PanelContext& c, ExportPlan& plan, float width) {
     segmented(c, "export.size", kSizes, step, width);
     plan.size = 512 << step;
   }
-  slider(c,
-         {"export.tile", tr("Tile"), -1, 50,
-          plan.tile_cm > 0   ? tr("%.0f cm")
-          : plan.tile_cm < 0 ? tr("Automatic")
-                             : tr("1 repeat"),
-          tr("Minimum width of the tile; 0 is one repeat. More repeats show more variation of the yarns. Automatic: up "
-             "to 5 cm for yarns with slubs, melange or unevenness, else one repeat")},
-         plan.tile_cm);
-  plan.tile_cm = std::round(plan.tile_cm);
+  draw_tile(c, plan);
 }
 
 void draw_alpha(PanelContext& c, ExportPrompt& p, float width) {
@@ -174,8 +187,11 @@ void draw_facts(PanelContext& c, const ExportPrompt& p) {
     ImGui::PopTextWrapPos();
   };
   if (f.set.ends > 0) {
-    line(tr("Tile size"), fill(tr("{width} \xC3\x97 {height} mm, {ends} ends \xC3\x97 {picks} picks"),
-                               arg("width", figure(f.set.width_mm)), arg("height", figure(f.set.depth_mm)),
+    const bool inches = c.settings.imperial;
+    const auto length = [inches](float mm) { return figure(inches ? mm / static_cast<float>(kInch_mm) : mm); };
+    line(tr("Tile size"), fill(inches ? tr("{width} \xC3\x97 {height} in, {ends} ends \xC3\x97 {picks} picks")
+                                      : tr("{width} \xC3\x97 {height} mm, {ends} ends \xC3\x97 {picks} picks"),
+                               arg("width", length(f.set.width_mm)), arg("height", length(f.set.depth_mm)),
                                arg("ends", f.set.ends), arg("picks", f.set.picks)));
     line(tr("Images"), fill(tr("{count} of {width} \xC3\x97 {height}"), arg("count", f.images),
                             arg("width", f.set.size.width), arg("height", f.set.size.height)));

@@ -15,6 +15,7 @@
 
 namespace weftlight::views {
 
+using analysis::Units, analysis::kInch_mm;
 using base::arg, base::fill, base::mark, base::tr;
 using print::NamedPart, print::Paper, print::PrintFormat, print::PrintOptions, print::SheetPicture, print::kPapers,
     print::kParts, print::picture_of_sheet;
@@ -139,11 +140,12 @@ void draw_scale(PanelContext& c, PrintPrompt& p, float width) {
   int scale = p.own_scale ? 1 : 0;
   segmented(c, "print.scale", kScales, scale, width);
   p.own_scale = scale == 1;
+  const bool inches = p.options.units == Units::kImperial;
   if (p.own_scale)
-    slider(c,
-           {"print.cell", tr("Cell size"), 0.5f, 20, "%.1f mm",
-            tr("Size of a cell on paper; larger cells take more sheets"), true},
-           p.cell_mm);
+    scaled_slider(c,
+                  {"print.cell", tr("Cell size"), 0.5f, 20, inches ? tr("%.2f in") : "%.1f mm",
+                   tr("Size of a cell on paper; larger cells take more sheets"), true},
+                  inches ? static_cast<float>(1 / kInch_mm) : 1, p.cell_mm);
   row_label(c, tr("Heavy lines"), tr("A heavy grid line every so many threads, counted from the first"));
   constexpr int kEvery[] = {0, 4, 5, 6, 8, 10};
   constexpr const char* kWords[] = {mark("Off"), "4", "5", "6", "8", "10"};

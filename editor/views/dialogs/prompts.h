@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/loom_sett.h"
 #include "design/palette_edits.h"
 #include "session/document/rejected_edit.h"
 #include "views/dialogs/dialog_parts.h"
@@ -15,6 +16,7 @@
 
 namespace weftlight::views {
 
+using analysis::LoomSett, analysis::Units;
 using design::Assembly, design::Design, design::Gradient, design::WeaveUse;
 using draft::System;
 using session::ClosestWeave;
@@ -44,12 +46,18 @@ struct WeavePrompt {
   int ends = 64, picks = 64;
   ClothSize repeat{0, 0};
   bool own_size = false;  // the size was typed; otherwise it is whole repeats
+  int yarn = 0;           // of design::ready_yarns()
+  Units units = Units::kMetric;
+  LoomSett firm, sett;    // of that weave in that yarn; the draft's, in the same proportion
+  bool own_sett = false;  // it was typed; otherwise it is the firm one
   std::shared_ptr<WeavePreview> preview{};
   float below = 0;      // pixels that all below the picture took when it was last drawn
   std::string typed{};  // to find a weave
 };
 /// The weave with its default parameters, near that size.
-WeavePrompt prompt_for(int kind, ClothSize about);
+WeavePrompt prompt_for(int kind, ClothSize about, Units units);
+/// The draft that was asked for.
+Design new_design(const WeavePrompt& p);
 struct ThreadPrompt {
   System system = System::kWarp;
   int number = 1, ends = 1, picks = 1;

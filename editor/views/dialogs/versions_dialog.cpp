@@ -53,8 +53,10 @@ namespace {
 // Pixels at 96 dpi.
 constexpr float kPictureWidth = 216, kPictureHeight = 144, kPadding = 8, kGap = 10, kTwoLines = 42, kRound = 7;
 constexpr int kMaxColumns = 4;
-constexpr float kSwatchWidths[] = {12, 30, 75, 200};  // mm of cloth across a picture
+// Of the cloth across a picture.
+constexpr float kSwatchWidths_mm[] = {12, 30, 75, 200}, kSwatchWidthsInInches_mm[] = {12.7f, 31.75f, 76.2f, 203.2f};
 constexpr const char* kSwatchWords[] = {"12 mm", "30 mm", "75 mm", "200 mm"};
+constexpr const char* kSwatchWordsInInches[] = {mark("1/2 in"), mark("1 1/4 in"), mark("3 in"), mark("8 in")};
 
 ImVec2 card_size(const PanelContext& c) {
   return {c.style.px(kPictureWidth) + 2 * c.style.px(kPadding),
@@ -89,8 +91,9 @@ bool draw_card(const PanelContext& c, VersionsPrompt& p, const Card& card, ImVec
   if (card.chosen || ImGui::IsMouseHoveringRect(at, end))
     dl->AddRectFilled(at, end, with_alpha(k.accent, card.chosen ? 0.12f : 0.07f), c.style.px(kRound));
   if (card.chosen) dl->AddRect(at, end, k.accent, c.style.px(kRound), 0, c.style.px(2));
-  const PixelTexture* texture = p.pictures->picture(card.design, static_cast<int>(b.x - a.x),
-                                                    static_cast<int>(b.y - a.y), kSwatchWidths[p.scale]);
+  const float across_mm = (c.settings.imperial ? kSwatchWidthsInInches_mm : kSwatchWidths_mm)[p.scale];
+  const PixelTexture* texture =
+      p.pictures->picture(card.design, static_cast<int>(b.x - a.x), static_cast<int>(b.y - a.y), across_mm);
   if (texture) dl->AddImageRounded(texture->id(), a, b, {0, 0}, {1, 1}, IM_COL32_WHITE, c.style.px(kRound - 2));
   else dl->AddRectFilled(a, b, blend(k.raised, k.text, 0.05f), c.style.px(kRound - 2));
   dl->AddRect(a, b, with_alpha(k.text, 0.18f), c.style.px(kRound - 2));
@@ -196,7 +199,7 @@ DialogResult draw_prompt(PanelContext& c, VersionsPrompt& p) {
   const float scales = c.style.px(260);
   muted_text(c, tr("Saved in the draft's file; all shown at the same scale"));
   ImGui::SameLine(width - scales + ImGui::GetStyle().WindowPadding.x);
-  segmented(c, "versions.scale", kSwatchWords, p.scale, scales);
+  segmented(c, "versions.scale", c.settings.imperial ? kSwatchWordsInInches : kSwatchWords, p.scale, scales);
   ImGui::Dummy({0, c.style.px(4)});
   const auto rows = (c.design.versions.size() + static_cast<size_t>(columns)) / static_cast<size_t>(columns);
   const float height = std::min(room_y, static_cast<float>(std::min<size_t>(rows, 3)) * (size.y + gap));

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "session/editing/paint.h"
+#include "session/editing/selection_state.h"
 #include "session/editing/typing.h"
 #include "ui/widgets.h"
 #include "views/draft/draft_layout.h"
@@ -24,8 +25,8 @@ using base::tr;
 using design::Design;
 using draft::System, draft::Threads;
 using session::Cell, session::DraftView, session::GridId, session::MaybeEdit, session::SelectDrag, session::Tool,
-    session::accept_number, session::begin_stroke, session::fit_grown, session::go_on_with_stroke, session::grid_name,
-    session::is_on, session::put_cursor, session::zoomed_pitch;
+    session::accept_number, session::begin_stroke, session::end_drag, session::fit_grown, session::go_on_with_stroke,
+    session::grid_name, session::is_on, session::put_cursor, session::zoomed_pitch;
 using ui::Axis, ui::clamp_scroll, ui::hit_area, ui::scroll_about, ui::with_alpha;
 
 namespace {
@@ -307,7 +308,10 @@ void draw_draft(const PanelContext& panel, const DocumentView& view, const Repor
   draw_hover(dl, c, l);
   pictures.minimap.draw(dl, c, l);
   if (!ImGui::IsAnyMouseDown() && c.select.drag != SelectDrag::kNone)
-    c.wanted.change_view([](DocumentView& v) { v.select.drag = SelectDrag::kNone; });
+    c.wanted.gesture([](DocumentView& v, const Design& design) {
+      end_drag(v, design);
+      return MaybeEdit();
+    });
 }
 
 }  // namespace weftlight::views

@@ -46,7 +46,7 @@ std::string count_in_words(const Yarn& yarn) {
   const auto figure = [tex](CountUnit unit) { return with_decimal_point(three_figures(count_of(tex, unit))); };
   std::string counts = fill(tr("Ne {ne}, Nm {nm}, {denier} den"), arg("ne", figure(CountUnit::kNe)),
                             arg("nm", figure(CountUnit::kNm)), arg("denier", figure(CountUnit::kDenier)));
-  if (yarn.tex > 0 && !written_count(yarn).ends_with("tex"))  // the field shows it as its label does
+  if (!written_count(yarn).ends_with("tex"))  // the field has the unit of the trade
     counts = fill(tr("{tex} tex; {counts}"), arg("tex", figure(CountUnit::kTex)), arg("counts", counts));
   counts += "\n";
   if (!(yarn.tex > 0)) return counts + tr("computed from the thickness");
@@ -75,7 +75,7 @@ bool draw_count(const PanelContext& c, Yarn& yarn) {
             tr("Yarn count as it is sold: Ne 8/2, Nm 30/2, 16 lea, 150 den, 30 tex. It sets the thickness, which can "
                "be changed afterwards. If empty, the count is computed from the thickness"));
   ImGui::SetNextItemWidth(-FLT_MIN);
-  std::string typed = yarn.tex > 0 ? written_count(yarn) : three_figures(static_cast<double>(tex_of(yarn))) + " tex";
+  std::string typed = written_count(yarn);
   const ImGuiID unread = ImGui::GetID("##count not understood");
   ImGuiStorage& kept = *ImGui::GetStateStorage();
   const bool entered = ImGui::InputText("##count", &typed, ImGuiInputTextFlags_EnterReturnsTrue);

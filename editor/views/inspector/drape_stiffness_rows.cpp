@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "analysis/handle.h"
+#include "analysis/units.h"
 #include "analysis/yarn_need.h"
 #include "base/text.h"
 #include "drape/stiffness.h"
@@ -13,6 +14,7 @@
 
 namespace weftlight::views {
 
+using analysis::area_weight_text, analysis::short_length_text;
 using base::arg, base::fill, base::mark, base::tr;
 using drape::drape_stiffness_of;
 using session::DrapeStage, session::simulated_drape_edit;
@@ -50,14 +52,15 @@ void draw_stage(PanelContext& c, const DrapeState& drape) {
 
 }  // namespace
 
-std::string stiffness_in_words(const Design& design) {
+std::string stiffness_in_words(const Design& design, Units units) {
   const analysis::ClothHandle handle = analysis::cloth_handle(design);
   if (!(handle.bending_length_mm > 0)) return {};
-  constexpr const char* kTexts[] = {mark("Limp: bending length {length:.0f} mm, {weight:.0f} g/m\xC2\xB2"),
-                                    mark("Medium: bending length {length:.0f} mm, {weight:.0f} g/m\xC2\xB2"),
-                                    mark("Stiff: bending length {length:.0f} mm, {weight:.0f} g/m\xC2\xB2")};
+  constexpr const char* kTexts[] = {mark("Limp: bending length {length}, {weight}"),
+                                    mark("Medium: bending length {length}, {weight}"),
+                                    mark("Stiff: bending length {length}, {weight}")};
   const char* text = tr(kTexts[static_cast<size_t>(drape_stiffness_of(handle.bending_length_mm))]);
-  return fill(text, arg("length", handle.bending_length_mm), arg("weight", analysis::yarn_report(design).g_per_m2));
+  return fill(text, arg("length", short_length_text(handle.bending_length_mm, units)),
+              arg("weight", area_weight_text(analysis::yarn_report(design).g_per_m2, units)));
 }
 
 MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape) {
@@ -69,10 +72,16 @@ MaybeEdit draw_drape_stiffness(PanelContext& c, const DrapeState& drape) {
   int way = c.design.scene.simulated_drape ? 1 : 0;
   MaybeEdit edit;
   if (segmented(c, "scene.simulated_drape", kWays, way)) edit = simulated_drape_edit(way == 1);
-  if (const std::string stiffness = stiffness_in_words(c.design); !stiffness.empty())
-    draw_words(c, stiffness, c.style.color.muted,
-               tr("Peirce's bending length: how far a strip overhangs before it bends under its own weight. 12 mm is "
-                  "charmeuse, 19 shirting, 30 denim. Computed from yarns and sett; the weight is that of the plan"));
+  const Units units = units_of(c.settings);
+  if (const std::string stiffness = stiffness_in_words(c.design, units); !stiffness.empty())
+    draw_words(
+        c, stiffness, c.style.color.muted,
+        fill(tr("Peirce's bending length: how far a strip overhangs before it bends under its own weight. "
+                "{charmeuse} is charmeuse, {shirting} shirting, {denim} denim. Computed from yarns and sett; the "
+                "weight is that of the plan"),
+             arg("charmeuse", short_length_text(12, units)), arg("shirting", short_length_text(19, units)),
+             arg("denim", short_length_text(30, units)))
+            .c_str());
   draw_stage(c, drape);
   ImGui::Dummy({0, c.style.px(2)});
   return edit;

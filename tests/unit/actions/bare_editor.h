@@ -44,6 +44,8 @@ class BareEditor {
   void undo() { document_.undo(); }
   void redo() { document_.redo(); }
   void go_to_step(size_t step) { document_.go_to(step); }
+  /// What the window said last that it could not do.
+  const std::string& refused() const { return refused_; }
   void set_clipboard(const std::string& text) { clipboard_ = text; }
   /// The actions refer to this editor.
   const Subjects& subjects() const { return subjects_; }
@@ -63,7 +65,7 @@ class BareEditor {
                           .set_text = [this](const std::string& text) { clipboard_ = text; }},
             .settings = settings_,
             .window = {.say = [](const std::string&) {},
-                       .refuse = [](const std::string&) {},
+                       .refuse = [this](const std::string& text) { refused_ = text; },
                        .hover = [] { return Hover{}; },
                        .focus = [](const std::string&) {},
                        .open_menus = nothing,
@@ -154,7 +156,7 @@ class BareEditor {
   Document document_;
   DocumentView view_;
   Settings settings_;
-  std::string clipboard_;
+  std::string clipboard_, refused_;
   DrapeState drape_ = kSimulating;
   Subjects subjects_ = make_subjects();
 };

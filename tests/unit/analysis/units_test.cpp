@@ -10,6 +10,8 @@ namespace {
 TEST(Units, MeasuresInBoth) {
   EXPECT_EQ(width_text(508, Units::kMetric), "50.8 cm");
   EXPECT_EQ(width_text(508, Units::kImperial), "20.0 in");
+  EXPECT_EQ(short_length_text(19, Units::kMetric), "19 mm");
+  EXPECT_EQ(short_length_text(19.05, Units::kImperial), "0.75 in");
   EXPECT_EQ(warp_length_text(3 * 914.4, Units::kMetric), "2.74 m");
   EXPECT_EQ(warp_length_text(3 * 914.4, Units::kImperial), "3.00 yd");
   EXPECT_EQ(yarn_length_text(1000 * 0.9144, Units::kImperial), "1000 yd");

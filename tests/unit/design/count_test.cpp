@@ -56,6 +56,15 @@ TEST(Count, ComesBackAsItWasTyped) {
   EXPECT_EQ(count_text(73.2913, 1, CountUnit::kTex), "73.3 tex") << "no label";
 }
 
+TEST(Count, OfFilamentIsInDenierAndOfSpunYarnIsNot) {
+  EXPECT_EQ(count_text(16.7, 1, CountUnit::kDenier), "150 den") << "not 99 lea";
+  EXPECT_EQ(count_text(33.3, 1, CountUnit::kDenier), "300 den");
+  EXPECT_EQ(count_text(501 / 9.0, 1, CountUnit::kDenier), "501 den") << "as it was typed";
+  EXPECT_EQ(count_text(182.2, 2, CountUnit::kNe), "Ne 6.48/2") << "not 1640 den";
+  EXPECT_EQ(about_count_text(179.1, 2, CountUnit::kNe), "Ne 6.6/2");
+  EXPECT_EQ(about_count_text(33.3, 1, CountUnit::kDenier), "300 den");
+}
+
 TEST(Count, DiameterOfARoundThread) {
   // As in the yarn presets: Ne 8/2 cotton 0.45 mm, 150 den polyester 0.16 mm.
   EXPECT_NEAR(diameter_from_tex_mm(147.6, 1.52, 0.6), 0.45, 0.005);

@@ -184,6 +184,20 @@ TEST(Fibre, ACountStaysAsItWasWritten) {
   EXPECT_EQ(written_count(yarn_preset("Wool")), "Nm 28/2");
 }
 
+TEST(Fibre, ACountThatFollowsFromTheThicknessIsInTheUnitOfTheTrade) {
+  const std::pair<const char*, const char*> units[] = {{"Cotton", "Ne "},         {"Linen", " lea"},
+                                                       {"Wool", "Nm "},           {"Silk", "Nm "},
+                                                       {"Viscose", " den"},       {"Polyester filament", " den"},
+                                                       {"Spun polyester", "Ne "}, {"Reeled silk", " den"}};
+  for (const auto& [name, unit] : units) {
+    Yarn yarn = *with_count(yarn_preset(name), "");
+    for (const float mm : {0.16f, 0.5f, 1.37f}) {
+      yarn.diameter_mm = mm;
+      EXPECT_NE(written_count(yarn).find(unit), std::string::npos) << name << ": " << written_count(yarn);
+    }
+  }
+}
+
 TEST(Fibre, CountsOfThePresets) {
   const std::pair<const char*, const char*> counts[] = {{"Cotton", "Ne 8/2"},
                                                         {"Mercerised cotton", "Ne 10/2"},

@@ -82,7 +82,7 @@ TEST(ReadyYarns, CountThicknessAndTwistAgree) {
     EXPECT_NEAR(again->tex / yarn.tex, 1, 3e-3) << yarn.name;
     EXPECT_EQ(again->plies, yarn.plies) << yarn.name;
   }
-  for (const size_t other : {1, 5, 7, 10}) EXPECT_EQ(written_count(ready_yarns()[other]), kSold[other].count);
+  for (size_t i = 0; i < std::size(kSold); ++i) EXPECT_EQ(written_count(ready_yarns()[i]), kSold[i].count);
   for (const Yarn& yarn : ready_yarns()) {
     EXPECT_EQ(clamped(yarn), yarn) << yarn.name;
     if (yarn.fibre == Fibre::kMetallic) continue;  // a folded film

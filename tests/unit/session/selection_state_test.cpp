@@ -272,6 +272,26 @@ TEST(SelectTool, CountsCrossingsThatCouldNotFollow) {
   EXPECT_NE(s.notice.find("1 crossing could not follow"), std::string::npos) << s.notice;
 }
 
+TEST(SelectTool, AMoveTellsTheCrossingsThatCouldNotFollow) {
+  const Design start = straight_twill(8, 6);
+  DocumentView view;
+  view.select = with_selected({BitGrid::kDrawdown, 0, 1, 0, 1});
+  view.select.drag = SelectDrag::kMove;
+  // To end 5, which is on the shaft of end 1: the crossing that it left cannot stay down.
+  const MaybeEdit away = move_selection(view.select, start, 4, 0, false);
+  ASSERT_TRUE(away.has_value());
+  const Design now = away->apply(start);
+  EXPECT_EQ(view.select.refusal, "") << "not before the drag ends";
+  end_drag(view, now);
+  EXPECT_EQ(view.select.drag, SelectDrag::kNone);
+  EXPECT_NE(view.select.refusal.find("Move selection: 1 crossing could not follow"), std::string::npos)
+      << view.select.refusal;
+  EXPECT_EQ(missed_by_move(view.select, straight_twill(12, 6)), "") << "the draft is another one";
+  view.select = with_selected({BitGrid::kThreading, 0, 2, 0, 4});
+  const Design moved = move_selection(view.select, start, 3, 0, false)->apply(start);
+  EXPECT_EQ(missed_by_move(view.select, moved), "") << "the threading takes any marks";
+}
+
 TEST(SelectTool, ALiftplanBlockIsPastedIntoAShownGrid) {
   SelectState s;
   hold_block(s, straight_twill(8, 6).draft, {BitGrid::kLiftplan, BitMatrix(2, 2)}, false);

@@ -24,6 +24,7 @@ TEST(CountRow, HasTheUnitsOfTheTradeAndTheSourceOfTheCount) {
   EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\ntoo much fibre for this thickness");
   yarn = *with_count(cotton, "");
   EXPECT_NE(count_in_words(yarn).find("\ncomputed from the thickness"), std::string::npos);
+  EXPECT_NE(count_in_words(yarn).find(" tex; Ne "), std::string::npos) << "the field has it in Ne";
   yarn.diameter_mm = 0;
   EXPECT_EQ(count_in_words(yarn), "thickness set by the draft");
 }

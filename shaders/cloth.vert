@@ -10,13 +10,15 @@ in vec2 in_sky;
 
 out vec3 position;
 out vec3 normal;
-out vec3 tangent;
+centroid out vec3 normal_inside;
+centroid out vec3 tangent;
 out vec2 tile;
 out vec2 sky_visibility;
 
 void main() {
   position = in_position;
   normal = in_normal;
+  normal_inside = in_normal;
   tangent = in_tangent;
   tile = in_uv_mm * frame.tile.xy + frame.tile.zw;
   sky_visibility = in_sky;

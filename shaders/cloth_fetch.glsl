@@ -18,7 +18,8 @@ uniform sampler2D view_map;
 
 in vec3 position;
 in vec3 normal;
-in vec3 tangent;
+centroid in vec3 normal_inside;  // where the triangle covers the pixel
+centroid in vec3 tangent;
 in vec2 tile;
 in vec2 sky_visibility;
 
@@ -36,6 +37,9 @@ Side viewed_side() {
   Side s;
   float turn = gl_FrontFacing ? 1.0 : -1.0;
   vec3 n = normalize(normal);
+  // At the centre of a pixel that a narrow triangle covers aside, interpolation leads anywhere: to specks of light.
+  vec3 inside = normalize(normal_inside);
+  if (dot(n, inside) < 0.9) n = inside;
   s.t = normalize(tangent - n * dot(n, tangent));
   s.b = cross(n, s.t);
   s.n = n * turn;

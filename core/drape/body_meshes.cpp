@@ -172,6 +172,26 @@ int corners_inside(const Samples& s, int x, int y, int z) {
   return inside;
 }
 
+/// The mean of the points where the edges of a cell cross the surface.
+Vec3 middle_of_crossings(const Samples& s, int x, int y, int z) {
+  Vec3 sum{};
+  int crossings = 0;
+  for (int k = 0; k < 8; ++k) {
+    const std::array corner{x + (k & 1), y + (k >> 1 & 1), z + (k >> 2)};
+    const float here = s.value[s.at(corner[0], corner[1], corner[2])];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (k >> axis & 1) continue;
+      std::array to = corner;
+      ++to[static_cast<size_t>(axis)];
+      const float there = s.value[s.at(to[0], to[1], to[2])];
+      if ((here < 0) == (there < 0)) continue;
+      sum += mix(s.position(corner[0], corner[1], corner[2]), s.position(to[0], to[1], to[2]), here / (here - there));
+      ++crossings;
+    }
+  }
+  return sum / static_cast<float>(crossings);
+}
+
 void append_zero_set(Mesh& mesh, const Distance& distance, const Samples& s) {
   std::vector<uint32_t> vertex(s.value.size(), 0);
   const auto [nx, ny, nz] = s.count;
@@ -181,8 +201,7 @@ void append_zero_set(Mesh& mesh, const Distance& distance, const Samples& s) {
         const int inside = corners_inside(s, x, y, z);
         if (inside == 0 || inside == 8) continue;
         vertex[s.at(x, y, z)] = static_cast<uint32_t>(mesh.position_mm.size());
-        const float half = 0.5f * s.width;
-        mesh.position_mm.push_back(project_to_surface(distance, s.position(x, y, z) + Vec3{half, half, half}));
+        mesh.position_mm.push_back(project_to_surface(distance, middle_of_crossings(s, x, y, z)));
       }
     }
   }

@@ -168,8 +168,9 @@ Drape shirt() {
   drape.smoothing_passes = 2;
   drape.fall.slow_start_s = 0.3;
   drape.fall.seconds = 2.8;
-  drape.fall.substeps = 20;
-  drape.fall.rest_substeps = 40;
+  drape.fall.contact_updates_per_second = 320;
+  drape.fall.substeps = 10;
+  drape.fall.rest_substeps = 25;
   drape.fall.cloth_gap_mm = 6;
   drape.fall.body_friction = 0.4;
   return drape;

@@ -9,18 +9,32 @@ namespace weftlight::drape {
 
 namespace {
 
-constexpr int kScarfColumns = 41, kScarfRows = 217;
-constexpr float kScarfWidth = 320, kScarfLength = 1728;
-constexpr float kScarfLow = 1412;  // height of its lower edge at the start
+constexpr int kScarfColumns = 37, kScarfRows = 241;
+constexpr float kScarfWidth = 259.2f, kScarfLength = 1728;
+constexpr float kScarfRound = 104, kScarfHigh = 1462;  // radius and height of its middle at the start, around the neck
 
 constexpr int kCushionThreads = 63;
 constexpr float kCushionSide = 420;
 
-/// The path of the scarf from its middle at the nape: a half circle, then straight forwards on both sides.
-Vec3 scarf_path(float along, float radius) {
-  const float turn = std::fmin(std::fabs(along) / radius, kPi / 2), on = std::fabs(along) - turn * radius;
-  const float side = along < 0 ? -1.0f : 1.0f;
-  return {side * radius * std::sin(turn), 0, -radius * std::cos(turn) + on};
+/// A cross-section of the scarf, which is worn folded in three: a sine-generated curve. x: away from the neck, y: along
+/// the folds, both from its middle.
+Vec2 scarf_folds(float from_middle, float swing) {
+  constexpr int kSteps = 96;
+  constexpr float kWave = kScarfWidth / 1.5f;
+  Vec2 at{};
+  for (int k = 0; k < kSteps; ++k) {
+    const float there = from_middle * (static_cast<float>(k) + 0.5f) / kSteps;
+    const float direction = swing * std::cos(2 * kPi * there / kWave);
+    at += Vec2{std::cos(direction), std::sin(direction)} * (from_middle / kSteps);
+  }
+  return at;
+}
+
+/// The path of the scarf from its middle at the nape: a half circle, then straight forwards on both sides. `radius`: of
+/// a point; `even`: of the threads there, if the folds were spread evenly, so that no fold is sheared.
+Vec3 scarf_path(float along, float radius, float even) {
+  const float turn = std::fmin(std::fabs(along) / even, kPi / 2), on = std::fabs(along) - turn * even;
+  return {std::copysign(radius * std::sin(turn), along), 0, -radius * std::cos(turn) + on};
 }
 
 /// The enclosed volume in mm3.
@@ -64,17 +78,24 @@ Piece add_cushion_side(Pattern& pattern, bool back) {
 Drape scarf() {
   Drape drape;
   const auto shape = [](float s, float t) { return Vec2{s * kScarfWidth, t * kScarfLength}; };
-  const auto place = [](Vec2 uv) {
-    const float up = uv[0] / kScarfWidth, along = uv[1] - kScarfLength * 0.53f;
-    // Wider at the top, as a scarf is thrown on, and not quite symmetric.
-    const Vec3 p = scarf_path(along, 92 + 40 * up);
-    return p + Vec3{6 * std::sin(0.011f * uv[1] + 1), kScarfLow + uv[0] * 0.97f + 5 * std::sin(0.019f * uv[1]), 4};
+  constexpr float kFolded = 2, kOpen = 1.3f;                        // at the neck, and towards the ends
+  const float deep = 2 * scarf_folds(kScarfWidth / 2, kFolded)[0];  // of the three layers
+  const auto place = [=](Vec2 uv) {
+    const float across = uv[0] - kScarfWidth / 2, along = uv[1] - kScarfLength * 0.53f;
+    const Vec2 folds = scarf_folds(across, mix(kFolded, kOpen, ramp(250, 900, std::fabs(along))));
+    // Not quite symmetric, as a scarf is thrown on.
+    const Vec3 uneven{6 * std::sin(0.011f * uv[1] + 1), 5 * std::sin(0.019f * uv[1]), 4};
+    return scarf_path(along, kScarfRound + folds[0], kScarfRound + across / kScarfWidth * deep) + uneven +
+           Vec3{0, kScarfHigh - folds[1], 0};
   };
   add_piece(drape.pattern, kScarfColumns, kScarfRows, shape, place);
   put_on_form(drape);
   drape.fall.seconds = 4.5;
-  drape.fall.substeps = 20;
-  drape.fall.cloth_gap_mm = 6.5;
+  drape.fall.contact_updates_per_second = 320;
+  drape.fall.substeps = 10;
+  drape.fall.slow_start_s = 1.2;
+  drape.fall.cloth_gap_mm = 7.5;
+  drape.fabric.crease_per_mm = 0.03;  // it keeps the folds in which it is worn
   drape.fall.body_friction = 0.45;
   drape.fall.drag_per_second = 3.5;
   return drape;
@@ -93,17 +114,19 @@ Drape cushion() {
   }
   drop_unused_particles(pattern);
   drape.body = board;
+  drape.smoothing_passes = 2;
   drape.fall.drag_per_second = 4;  // a filling of fibres does not bounce like a gas
+  drape.fall.slow_start_s = 0.8;   // filled too fast, a limp one leaps off the board
   drape.fabric.bending_n_m = 0.8e-5;
-  drape.fabric.bias_n_per_m = 100;
+  drape.fabric.bias_n_per_m = 160;  // with the filling
   drape.fall.seconds = 3;
-  drape.fall.cloth_gap_mm = 6;
+  drape.fall.cloth_gap_mm = 7;
   drape.fall.body_friction = 1.2;
   drape.fall.accelerate = [pattern](const SimulatedCloth& cloth, double time, std::vector<Vec3d>& acceleration) {
     // A full cushion holds a fifth of the cube of its side; a soft one is filled less.
-    constexpr double kPascal = 900, kMax = 70, kSide = kCushionSide, kVolume = 0.165 * kSide * kSide * kSide;
+    constexpr double kPascal = 900, kMax = 15, kSide = kCushionSide, kVolume = 0.165 * kSide * kSide * kSide;
     const double pascal = std::clamp(kPascal * (1 - volume_of(pattern, cloth) / kVolume), 0.0, kMax);
-    add_pressure(pattern, pascal * std::fmin(1.0, time / 0.1), cloth, acceleration);
+    add_pressure(pattern, pascal * std::fmin(1.0, time / 0.4), cloth, acceleration);
   };
   return drape;
 }

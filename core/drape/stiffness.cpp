@@ -21,7 +21,7 @@ constexpr double kGravity = 9.81;
 constexpr double kBiasPower = 1.75, kMediumLength_mm = 19;
 constexpr double kUsualThickness_mm = 0.5;  // thickness for which the gaps of the drapes are set
 constexpr double kShortest_mm = 6, kLongest_mm = 60, kThickest_mm = 4;
-constexpr int kCacheVersion = 2;  // a new version makes cached meshes invalid
+constexpr int kCacheVersion = 3;  // a new version makes cached meshes invalid
 
 double twice_area(Vec3 a, Vec3 b, Vec3 c) {
   return static_cast<double>((b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x));

@@ -32,7 +32,7 @@ struct DrapeParameters {
   bool operator==(const DrapeParameters&) const = default;
 };
 DrapeParameters drape_parameters(double bending_length_mm, double thickness_mm);
-/// Name of the cached mesh without its extension: "tablecloth_19.0mm_0.50mm_v2".
+/// Name of the cached mesh without its extension: "tablecloth_19.0mm_0.50mm_v3".
 std::string drape_file(const std::string& name, const DrapeParameters& parameters);
 /// Applies the parameters of a fabric to a drape.
 void apply_parameters(Fabric& fabric, Fall& fall, const DrapeParameters& parameters);

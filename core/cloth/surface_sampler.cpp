@@ -13,6 +13,7 @@
 
 #include "cloth/thickness.h"
 #include "cloth/wrap.h"
+#include "platform/vectors.h"
 
 namespace weftlight::cloth {
 
@@ -23,8 +24,9 @@ namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
-constexpr float kMinCover = 1e-6f;       // below it is rounding
-constexpr double kMaxSamples = 1 << 24;  // of one map; beyond, threads are sampled more sparsely
+const TexturePoint kTooFine{0, 0, 0, 0, 0, 1e6f, 0};  // any point in samples that show nothing of a pattern
+constexpr float kMinCover = 1e-6f;                    // below it is rounding
+constexpr double kMaxSamples = 1 << 24;               // of one map; beyond, threads are sampled more sparsely
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
@@ -116,6 +118,7 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
     const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
                                   std::abs(static_cast<float>(t.advance)) * step_along / length);
     out.patterned.push_back(contrast_left(0.99f * cycles) > 0.0f);
+    out.means.push_back(texture_at(t, kTooFine));
   }
   return out;
 }
@@ -152,6 +155,7 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
   warp_along_.resize(static_cast<size_t>(end1 + margin - first_end_ + 1));
   int most = 1;  // picks within a row
   for (const Slot& row : row_slots_) most = std::max(most, row.highest - row.lowest + 1);
+  warp_sections_.resize(warp_sizes_.place.size());
   pick_along_.rows.resize(4);
   pick_sections_.rows.resize(std::bit_ceil(static_cast<size_t>(most + 2)));
 }
@@ -258,7 +262,8 @@ void SurfaceSampler::add_pattern(Across& a, System system, const Slot& slot, con
   };
   a.cycles = cycles(texture.fibres, texture.advance);
   a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
-  if (!shows_turn(texture, a.cycles)) return;
+  a.turns = shows_turn(texture, a.cycles);
+  if (!a.turns) return;
   const float around = std::atan2(a.u, a.top) / kTwoPi;
   a.turn = texture.fibres * around;
   a.ply_turn = static_cast<float>(texture.plies) * around;
@@ -352,10 +357,12 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const bool warp = system == System::kWarp;
   const std::vector<ThreadBody>& threads = warp ? cloth_.ends : cloth_.picks;
   const int thread = wrap(a.thread, static_cast<int>(threads.size()));
-  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
-  const Texel texel = texture_at(
-      texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, a.turn / thread_formulas::kStraySpacing + l.stray_turn,
-                l.node, l.blend, a.cycles, a.ply_fade});
+  const Textures& textures = warp ? warp_texture_ : weft_texture_;
+  const ThreadTexture& texture = textures.at(a.thread);
+  const Texel texel = !a.turns ? textures.mean(a.thread)
+                               : texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
+                                                      a.turn / thread_formulas::kStraySpacing + l.stray_turn, l.node,
+                                                      l.blend, a.cycles, a.ply_fade});
   float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm) - l.sideways * across;
   SurfaceSample s;
   s.cover = cover;
@@ -386,6 +393,11 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
 }
 
 void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
+  beside.clear();
+  platform::with_widest_vectors([&] { sample_row(y, out, beside); });
+}
+
+void SurfaceSampler::sample_row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
   const size_t at_row = static_cast<size_t>(y - y0_);
   const Slot& row_slot = row_slots_[at_row];
   const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
@@ -395,43 +407,35 @@ void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside
     warp_along_[e] =
         along(System::kWarp, first_end_ + static_cast<int>(e), end_step(first_end_ + static_cast<int>(e)), s_mm);
   // Uneven threads have another section at each position along them.
-  warp_sections_.clear();
-  for (size_t t = 0; t < warp_sizes_.place.size(); ++t) {
+  for (size_t t = 0; t < warp_sections_.size(); ++t) {
     const int end = warp_sizes_.first_thread + static_cast<int>(t);
-    warp_sections_.push_back(warp_sizes_.at(end, end_step(end)));
+    warp_sections_[t] = warp_sizes_.at(end, end_step(end));
   }
   const auto end_section = [&](int end) -> const Section& {
     return warp_sections_[static_cast<size_t>(end - warp_sizes_.first_thread)];
   };
-  beside.clear();
   for (size_t i = 0; i < out.size(); ++i) {
     const auto pick_section = [&](int pick) -> const Section& { return sections_of_pick(pick)[i]; };
     Across column = uneven_[0] ? across_at(System::kWarp, column_slots_[i], end_section) : columns_[i];
     Across across_row = uneven_[1] ? across_at(System::kWeft, row_slot, pick_section) : rows_[at_row];
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end_)];
     const Along& pick = along_pick(across_row.thread)[i];
-    const auto finish_warp = [&](float cover) {
-      if (uneven_[0]) add_pattern(column, System::kWarp, column_slots_[i], end_section);
-      return finish(System::kWarp, column, end, cover);
-    };
-    const auto finish_weft = [&](float cover) {
-      if (uneven_[1]) add_pattern(across_row, System::kWeft, row_slot, pick_section);
-      return finish(System::kWeft, across_row, pick, cover);
+    const auto shown = [&](bool of_warp, float cover) {
+      if (of_warp && uneven_[0]) add_pattern(column, System::kWarp, column_slots_[i], end_section);
+      if (!of_warp && uneven_[1]) add_pattern(across_row, System::kWeft, row_slot, pick_section);
+      return of_warp ? finish(System::kWarp, column, end, cover) : finish(System::kWeft, across_row, pick, cover);
     };
     // Coverage of each system: where both are present, one is on top.
     const float both = column.cover * across_row.cover;
     const bool over =
         end.centre_mm + column.height_mm * end.lengthened >= pick.centre_mm + across_row.height_mm * pick.lengthened;
     const float warp = column.cover - (over ? 0.0f : both), weft = across_row.cover - (over ? both : 0.0f);
-    if (warp + weft <= 0.0f) {
-      out[i] = column.beyond_mm <= across_row.beyond_mm ? finish_warp(0) : finish_weft(0);
-      out[i].height_mm = floor_mm_, out[i].slope = {};
-      continue;
-    }
-    const bool warp_first = warp >= weft;
-    out[i] = warp_first ? finish_warp(warp) : finish_weft(weft);
-    if (std::min(warp, weft) > kMinCover)
-      beside.push_back({static_cast<int>(i), warp_first ? finish_weft(weft) : finish_warp(warp)});
+    const bool open = warp + weft <= 0.0f;
+    const bool warp_first = open ? column.beyond_mm <= across_row.beyond_mm : warp >= weft;
+    out[i] = shown(warp_first, open ? 0.0f : std::max(warp, weft));
+    if (open) out[i].height_mm = floor_mm_, out[i].slope = {};
+    else if (std::min(warp, weft) > kMinCover)
+      beside.push_back({static_cast<int>(i), shown(!warp_first, std::min(warp, weft))});
   }
 }
 

@@ -79,6 +79,7 @@ class SurfaceSampler {
     // What only a visible thread needs (add_pattern).
     float slope = 0;  // -d height / d across, mean over the sample
     float turn = 0, ply_turn = 0, cycles = 0, ply_fade = 1;
+    bool turns = false;  // the colour depends on the turns
   };
   /// State of a thread at a sample along it.
   struct Along {
@@ -145,6 +146,7 @@ class SurfaceSampler {
   int thread_under(System system, const Slot& slot, const Sections& sections) const;
   float centre_of(System system, int thread) const;
   Along along(System system, int thread, const CentreStep& step, float s_mm) const;
+  void sample_row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside);
   const std::vector<Along>& along_pick(int pick);
   const std::vector<Section>& sections_of_pick(int pick);
   CentreStep pick_step(int pick, size_t column) const;
@@ -159,6 +161,8 @@ class SurfaceSampler {
     int first = 0;
     std::vector<ThreadTexture> of;
     std::vector<bool> patterned;  // false: too fine for the samples, without contrast
+    std::vector<Texel> means;     // where the pattern is too fine for the samples
+    const Texel& mean(int thread) const { return means[static_cast<size_t>(thread - first)]; }
     const ThreadTexture& at(int thread) const { return of[static_cast<size_t>(thread - first)]; }
     bool has_pattern(int thread) const { return patterned[static_cast<size_t>(thread - first)]; }
   };

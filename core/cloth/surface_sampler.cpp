@@ -200,7 +200,7 @@ std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system) const 
               glm::vec2(0.5f * body.spacing_mm),
               body.squareness};
     };
-    out.push_back(across_at(system, slot, sections));
+    set_across(out.emplace_back(), system, slot, sections);
     add_pattern(out.back(), system, slot, sections);
   }
   return out;
@@ -216,9 +216,8 @@ int SurfaceSampler::thread_under(System system, const Slot& slot, const Sections
 }
 
 template <class Sections>
-SurfaceSampler::Across SurfaceSampler::across_at(System system, const Slot& slot, const Sections& sections) const {
+void SurfaceSampler::set_across(Across& a, System system, const Slot& slot, const Sections& sections) const {
   const auto& [from, to, lowest, highest, nominal] = slot;
-  Across a;
   a.thread = a.first = a.last = thread_under(system, slot, sections);
   const Section& own = sections(a.thread);
   const float centre = own.centre();
@@ -236,7 +235,6 @@ SurfaceSampler::Across SurfaceSampler::across_at(System system, const Slot& slot
   a.u = 0.5f * (u0 + u1);
   a.top = section_top(a.u, own.squareness);
   a.height_mm = own.half.y * a.top;
-  return a;
 }
 
 /// The mean slope of the threads within a sample, and where it lies on the pattern of its thread.
@@ -253,7 +251,7 @@ void SurfaceSampler::add_pattern(Across& a, System system, const Slot& slot, con
     covered += part.width();
     rise += section(s.centre(), s.half, s.squareness, part.to) - section(s.centre(), s.half, s.squareness, part.from);
   }
-  if (covered > 1e-6f * (slot.to - slot.from)) a.slope = -rise / covered;
+  a.slope = covered > 1e-6f * (slot.to - slot.from) ? -rise / covered : 0.0f;
   const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
   const Section& own = sections(a.thread);
   const float turn_per_sample = step / (kTwoPi * std::max(own.half.x, 1e-7f)) * turn_across(a.u, a.top, own.squareness);
@@ -414,10 +412,13 @@ void SurfaceSampler::sample_row(int y, std::span<SurfaceSample> out, std::vector
   const auto end_section = [&](int end) -> const Section& {
     return warp_sections_[static_cast<size_t>(end - warp_sizes_.first_thread)];
   };
+  Across uneven_column, uneven_row;
   for (size_t i = 0; i < out.size(); ++i) {
     const auto pick_section = [&](int pick) -> const Section& { return sections_of_pick(pick)[i]; };
-    Across column = uneven_[0] ? across_at(System::kWarp, column_slots_[i], end_section) : columns_[i];
-    Across across_row = uneven_[1] ? across_at(System::kWeft, row_slot, pick_section) : rows_[at_row];
+    if (uneven_[0]) set_across(uneven_column, System::kWarp, column_slots_[i], end_section);
+    if (uneven_[1]) set_across(uneven_row, System::kWeft, row_slot, pick_section);
+    Across& column = uneven_[0] ? uneven_column : columns_[i];
+    Across& across_row = uneven_[1] ? uneven_row : rows_[at_row];
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end_)];
     const Along& pick = along_pick(across_row.thread)[i];
     const auto shown = [&](bool of_warp, float cover) {

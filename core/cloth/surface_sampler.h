@@ -139,7 +139,7 @@ class SurfaceSampler {
   CrossingSizes crossing_sizes(System system) const;
   /// sections: of a thread at this sample.
   template <class Sections>
-  Across across_at(System system, const Slot& slot, const Sections& sections) const;
+  void set_across(Across& a, System system, const Slot& slot, const Sections& sections) const;
   template <class Sections>
   void add_pattern(Across& a, System system, const Slot& slot, const Sections& sections) const;
   template <class Sections>

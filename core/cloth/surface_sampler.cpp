@@ -111,14 +111,14 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
   for (int i = out.first, last = thread_at(threads, to_mm) + margin; i <= last; ++i) {
     const int thread = wrap(i, static_cast<int>(threads.size()));
     const ThreadBody& body = threads[static_cast<size_t>(thread)];
-    out.of.push_back(
-        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length));
-    const ThreadTexture& t = out.of.back();
+    const ThreadTexture t =
+        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length);
+    const auto along = [&](int advance) { return std::abs(static_cast<float>(advance)) * step_along / length; };
+    const float cycles_along = along(t.advance);
     // At the ridge, where the grooves appear widest.
-    const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
-                                  std::abs(static_cast<float>(t.advance)) * step_along / length);
-    out.patterned.push_back(contrast_left(0.99f * cycles) > 0.0f);
-    out.means.push_back(texture_at(t, kTooFine));
+    const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)), cycles_along);
+    out.of.push_back(
+        {t, texture_at(t, kTooFine), cycles_along, along(t.ply_advance), contrast_left(0.99f * cycles) > 0});
   }
   return out;
 }
@@ -241,8 +241,7 @@ void SurfaceSampler::set_across(Across& a, System system, const Slot& slot, cons
 template <class Sections>
 void SurfaceSampler::add_pattern(Across& a, System system, const Slot& slot, const Sections& sections) const {
   const bool warp = system == System::kWarp;
-  const float step = warp ? dx_mm_ : dy_mm_, step_along = warp ? dy_mm_ : dx_mm_;
-  const float length = warp ? cloth_.depth_mm : cloth_.width_mm;
+  const float step = warp ? dx_mm_ : dy_mm_;
   float covered = 0, rise = 0;
   for (int t = a.first; t <= a.last; ++t) {
     const Section& s = sections(t);
@@ -252,14 +251,12 @@ void SurfaceSampler::add_pattern(Across& a, System system, const Slot& slot, con
     rise += section(s.centre(), s.half, s.squareness, part.to) - section(s.centre(), s.half, s.squareness, part.from);
   }
   a.slope = covered > 1e-6f * (slot.to - slot.from) ? -rise / covered : 0.0f;
-  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
+  const Textures::Thread& thread = (warp ? warp_texture_ : weft_texture_).at(a.thread);
+  const ThreadTexture& texture = thread.texture;
   const Section& own = sections(a.thread);
   const float turn_per_sample = step / (kTwoPi * std::max(own.half.x, 1e-7f)) * turn_across(a.u, a.top, own.squareness);
-  const auto cycles = [&](float patterns, int advance) {
-    return std::max(patterns * turn_per_sample, std::abs(static_cast<float>(advance)) * step_along / length);
-  };
-  a.cycles = cycles(texture.fibres, texture.advance);
-  a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
+  a.cycles = std::max(texture.fibres * turn_per_sample, thread.cycles_along);
+  a.ply_fade = contrast_left(std::max(static_cast<float>(texture.plies) * turn_per_sample, thread.ply_cycles_along));
   a.turns = shows_turn(texture, a.cycles);
   if (!a.turns) return;
   const float around = std::atan2(a.u, a.top) / kTwoPi;
@@ -305,8 +302,8 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
 
 SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
   const bool warp = system == System::kWarp;
-  const Textures& textures = warp ? warp_texture_ : weft_texture_;
-  const ThreadTexture& texture = textures.at(thread);
+  const Textures::Thread& own = (warp ? warp_texture_ : weft_texture_).at(thread);
+  const ThreadTexture& texture = own.texture;
   const float period_fraction = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
   const CentrePoint centre = centre_at(lines_, system, thread, step);
   Along a;
@@ -322,7 +319,7 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
   a.blend = std::clamp(period_fraction * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
   a.turn = static_cast<float>(texture.advance) * period_fraction;
-  if (textures.has_pattern(thread)) a.turn += thread_formulas::wander(texture, a.node, a.blend);
+  if (own.patterned) a.turn += thread_formulas::wander(texture, a.node, a.blend);
   return a;
 }
 
@@ -355,9 +352,9 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
   const bool warp = system == System::kWarp;
   const std::vector<ThreadBody>& threads = warp ? cloth_.ends : cloth_.picks;
   const int thread = wrap(a.thread, static_cast<int>(threads.size()));
-  const Textures& textures = warp ? warp_texture_ : weft_texture_;
-  const ThreadTexture& texture = textures.at(a.thread);
-  const Texel texel = !a.turns ? textures.mean(a.thread)
+  const Textures::Thread& of = (warp ? warp_texture_ : weft_texture_).at(a.thread);
+  const ThreadTexture& texture = of.texture;
+  const Texel texel = !a.turns ? of.mean
                                : texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
                                                       a.turn / thread_formulas::kStraySpacing + l.stray_turn, l.node,
                                                       l.blend, a.cycles, a.ply_fade});

@@ -158,13 +158,15 @@ class SurfaceSampler {
   float dx_mm_, dy_mm_, floor_mm_;
   /// Textures of the threads in the window, from `first` on.
   struct Textures {
+    struct Thread {
+      ThreadTexture texture;
+      Texel mean;                                    // where the pattern is too fine for the samples
+      float cycles_along = 0, ply_cycles_along = 0;  // grooves and plies that a sample spans along the thread
+      bool patterned = false;                        // false: too fine everywhere, without contrast
+    };
     int first = 0;
-    std::vector<ThreadTexture> of;
-    std::vector<bool> patterned;  // false: too fine for the samples, without contrast
-    std::vector<Texel> means;     // where the pattern is too fine for the samples
-    const Texel& mean(int thread) const { return means[static_cast<size_t>(thread - first)]; }
-    const ThreadTexture& at(int thread) const { return of[static_cast<size_t>(thread - first)]; }
-    bool has_pattern(int thread) const { return patterned[static_cast<size_t>(thread - first)]; }
+    std::vector<Thread> of;
+    const Thread& at(int thread) const { return of[static_cast<size_t>(thread - first)]; }
   };
   static Textures textures(const Cloth& cloth, System system, float from_mm, float to_mm, float step, float step_along);
   Textures warp_texture_, weft_texture_;

@@ -175,6 +175,11 @@ FORMULA Texel finished_texel(ThreadTexture x, TexturePoint p, Texel made) {
   return made;
 }
 
+// Whether texture_at() depends on the turns of a point.
+FORMULA bool shows_turn(ThreadTexture x, float cycles) {
+  return x.plies > 1 || contrast_left(cycles) > 0.0f || (x.melange > 0.0f && contrast_left(cycles / kTuft) > 0.0f);
+}
+
 FORMULA Texel texture_at(ThreadTexture x, TexturePoint p) {
   Texel made = mean_texel(x);
   float fade = contrast_left(p.cycles);

@@ -6,24 +6,27 @@
 #include "cloth/surface_sampler.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "cloth/thickness.h"
 #include "cloth/wrap.h"
+#include "platform/vectors.h"
 
 namespace weftlight::cloth {
 
 using cloth::thread_formulas::fibre_colour, cloth::thread_formulas::section_gradient,
-    cloth::thread_formulas::section_top;
+    cloth::thread_formulas::section_top, cloth::thread_formulas::shows_turn;
 
 namespace {
 
 constexpr float kTwoPi = 2.0f * std::numbers::pi_v<float>;
 constexpr int kSamplesPerThread = 3;
-constexpr float kMinCover = 1e-6f;       // below it is rounding
-constexpr double kMaxSamples = 1 << 24;  // of one map; beyond, threads are sampled more sparsely
+const TexturePoint kTooFine{0, 0, 0, 0, 0, 1e6f, 0};  // any point in samples that show nothing of a pattern
+constexpr float kMinCover = 1e-6f;                    // below it is rounding
+constexpr double kMaxSamples = 1 << 24;               // of one map; beyond, threads are sampled more sparsely
 
 const std::vector<ThreadBody>& threads_of(const Cloth& cloth, System s) {
   return s == System::kWarp ? cloth.ends : cloth.picks;
@@ -108,13 +111,14 @@ SurfaceSampler::Textures SurfaceSampler::textures(const Cloth& cloth, System sys
   for (int i = out.first, last = thread_at(threads, to_mm) + margin; i <= last; ++i) {
     const int thread = wrap(i, static_cast<int>(threads.size()));
     const ThreadBody& body = threads[static_cast<size_t>(thread)];
-    out.of.push_back(
-        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length));
-    const ThreadTexture& t = out.of.back();
+    const ThreadTexture t =
+        thread_texture(cloth.yarns[static_cast<size_t>(body.yarn)], {}, body, system, own + thread, length);
+    const auto along = [&](int advance) { return std::abs(static_cast<float>(advance)) * step_along / length; };
+    const float cycles_along = along(t.advance);
     // At the ridge, where the grooves appear widest.
-    const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)),
-                                  std::abs(static_cast<float>(t.advance)) * step_along / length);
-    out.patterned.push_back(contrast_left(0.99f * cycles) > 0.0f);
+    const float cycles = std::max(t.fibres * step / (kTwoPi * std::max(0.5f * body.width_mm, 1e-7f)), cycles_along);
+    out.of.push_back(
+        {t, texture_at(t, kTooFine), cycles_along, along(t.ply_advance), contrast_left(0.99f * cycles) > 0});
   }
   return out;
 }
@@ -134,19 +138,26 @@ SurfaceSampler::SurfaceSampler(const Cloth& cloth, const SampleGrid& grid, int x
       weft_texture_(textures(cloth, System::kWeft, static_cast<float>(y0) * dy_mm_, static_cast<float>(y1) * dy_mm_,
                              dy_mm_, dx_mm_)),
       uneven_{cloth::uneven(cloth, System::kWarp), cloth::uneven(cloth, System::kWeft)},
-      columns_(across(System::kWarp, x0, x1)),
-      rows_(across(System::kWeft, y0, y1)) {
-  column_steps_.reserve(columns_.size());
+      column_slots_(slots(System::kWarp, x0, x1)),
+      row_slots_(slots(System::kWeft, y0, y1)) {
+  if (!uneven_[0]) columns_ = across(System::kWarp);
+  if (!uneven_[1]) rows_ = across(System::kWeft);
+  column_steps_.reserve(column_slots_.size());
   for (int x = x0; x < x1; ++x)
     column_steps_.push_back(centre_step(cloth, System::kWeft, (static_cast<float>(x) + 0.5f) * dx_mm_));
   // More crossings on each side than the curves of the threads there and beside them read.
-  lines_ = centre_lines(cloth, {columns_.front().thread - 3, columns_.back().thread + 5, rows_.front().thread - 3,
-                                rows_.back().thread + 5});
+  const int end0 = column_slots_.front().middle, end1 = column_slots_.back().middle;
+  lines_ = centre_lines(cloth, {end0 - 3, end1 + 5, row_slots_.front().middle - 3, row_slots_.back().middle + 5});
   if (uneven_[0]) warp_sizes_ = crossing_sizes(System::kWarp);
   if (uneven_[1]) weft_sizes_ = crossing_sizes(System::kWeft);
   const int margin = uneven_[0] ? 1 : 0;
-  first_end_ = columns_.front().thread - margin;
-  warp_along_.resize(static_cast<size_t>(columns_.back().thread + margin - first_end_ + 1));
+  first_end_ = end0 - margin;
+  warp_along_.resize(static_cast<size_t>(end1 + margin - first_end_ + 1));
+  int most = 1;  // picks within a row
+  for (const Slot& row : row_slots_) most = std::max(most, row.highest - row.lowest + 1);
+  warp_sections_.resize(warp_sizes_.place.size());
+  pick_along_.rows.resize(4);
+  pick_sections_.rows.resize(std::bit_ceil(static_cast<size_t>(most + 2)));
 }
 
 float SurfaceSampler::centre_of(System system, int thread) const {
@@ -156,108 +167,107 @@ float SurfaceSampler::centre_of(System system, int thread) const {
   return threads[static_cast<size_t>(t)].centre_mm + (thread < 0 ? -period : thread >= count ? period : 0.0f);
 }
 
-std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system, int first, int last) const {
+std::vector<SurfaceSampler::Slot> SurfaceSampler::slots(System system, int first, int last) const {
   const auto& threads = threads_of(cloth_, system);
   const float step = system == System::kWarp ? dx_mm_ : dy_mm_;
-  std::vector<Across> out(static_cast<size_t>(last - first));
-  int lowest = thread_at(threads, static_cast<float>(first) * step);
-  for (int i = first; i < last; ++i) {
-    Across& a = out[static_cast<size_t>(i - first)];
-    a = across_at(system, i, lowest, [&](int t) -> Section {
-      const ThreadBody& body = threads[static_cast<size_t>(wrap(t, static_cast<int>(threads.size())))];
-      return {{0.5f * body.width_mm, 0.5f * body.height_mm}, 0, glm::vec2(0.5f * body.spacing_mm), body.squareness};
-    });
-    lowest = a.lowest;
-  }
-  return out;
-}
-
-/// The thread within whose borders a position lies; searched from `lowest` on.
-template <class Sections>
-int SurfaceSampler::thread_under(System system, float at_mm, int lowest, const Sections& sections) const {
-  const auto& threads = threads_of(cloth_, system);
-  const auto end_of = [&](int t) {
-    return threads[static_cast<size_t>(t)].centre_mm + 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
-  };
-  int t = lowest;
-  while (t + 1 < static_cast<int>(threads.size()) && end_of(t) <= at_mm) ++t;
-  if (!uneven_[system == System::kWarp ? 0 : 1]) return t;
-  const Section own = sections(t);
-  const float beyond = at_mm - centre_of(system, t) - own.aside;
-  return beyond >= own.room.y ? t + 1 : beyond < -own.room.x ? t - 1 : t;
-}
-
-/// Cover and mean slope of the threads [first, last] within a sample.
-template <class Sections>
-void SurfaceSampler::add_cover(Across& a, System system, float from, float to, int first, int last,
-                               const Sections& sections) const {
-  float covered = 0, rise = 0;
-  for (int t = first; t <= last; ++t) {
-    const Section s = sections(t);
-    const float centre = centre_of(system, t) + s.aside;
-    const float lo = std::max(from, centre - s.half.x), hi = std::min(to, centre + s.half.x);
-    if (hi <= lo) continue;
-    covered += hi - lo;
-    rise += section(centre, s.half, s.squareness, hi) - section(centre, s.half, s.squareness, lo);
-  }
-  const float step = to - from;
-  if (covered > 1e-6f * step) a.slope = -rise / covered;
-  a.cover = unit_or_less(covered / step);
-}
-
-template <class Sections>
-SurfaceSampler::Across SurfaceSampler::across_at(System system, int sample, int lowest,
-                                                 const Sections& sections) const {
-  const auto& threads = threads_of(cloth_, system);
-  const auto& textures = system == System::kWarp ? warp_texture_ : weft_texture_;
-  const float step = system == System::kWarp ? dx_mm_ : dy_mm_;
-  const float step_along = system == System::kWarp ? dy_mm_ : dx_mm_;
-  const float length = system == System::kWarp ? cloth_.depth_mm : cloth_.width_mm;
-  const float from = static_cast<float>(sample) * step, to = static_cast<float>(sample + 1) * step;
-  const float middle = 0.5f * (from + to);
   const int count = static_cast<int>(threads.size());
   const auto side_of = [&](int t, float way) {
     return threads[static_cast<size_t>(t)].centre_mm + way * 0.5f * threads[static_cast<size_t>(t)].spacing_mm;
   };
-  Across a;
-  while (lowest + 1 < count && side_of(lowest, 1) <= from) ++lowest;
-  a.lowest = lowest;
-  a.thread = thread_under(system, middle, lowest, sections);
-  const ThreadTexture& texture = textures.at(a.thread);
-  const Section own = sections(a.thread);
-  const float centre = centre_of(system, a.thread) + own.aside;
-  const glm::vec2 size = own.half;
-  if (from >= centre - own.room.x && to <= centre + own.room.y) {
-    add_cover(a, system, from, to, a.thread, a.thread, sections);
-  } else {
-    int highest = lowest;
-    while (highest + 1 < count && side_of(highest + 1, -1) < to) ++highest;
-    const int margin = uneven_[system == System::kWarp ? 0 : 1] ? 1 : 0;
-    add_cover(a, system, from, to, lowest - margin, highest + margin, sections);
+  std::vector<Slot> out;
+  out.reserve(static_cast<size_t>(last - first));
+  int lowest = thread_at(threads, static_cast<float>(first) * step);
+  for (int i = first; i < last; ++i) {
+    Slot s{static_cast<float>(i) * step, static_cast<float>(i + 1) * step, 0, 0, 0};
+    while (lowest + 1 < count && side_of(lowest, 1) <= s.from) ++lowest;
+    s.lowest = s.highest = s.middle = lowest;
+    while (s.highest + 1 < count && side_of(s.highest + 1, -1) < s.to) ++s.highest;
+    while (s.middle + 1 < count && side_of(s.middle, 1) <= 0.5f * (s.from + s.to)) ++s.middle;
+    out.push_back(s);
   }
-  const float half = std::max(size.x, 1e-7f);
-  a.beyond_mm = std::max(0.0f, std::abs(middle - centre) - half);
+  return out;
+}
+
+std::vector<SurfaceSampler::Across> SurfaceSampler::across(System system) const {
+  const auto& threads = threads_of(cloth_, system);
+  std::vector<Across> out;
+  for (const Slot& slot : system == System::kWarp ? column_slots_ : row_slots_) {
+    const auto sections = [&](int t) -> Section {
+      const ThreadBody& body = threads[static_cast<size_t>(wrap(t, static_cast<int>(threads.size())))];
+      return {{0.5f * body.width_mm, 0.5f * body.height_mm},
+              centre_of(system, t),
+              0,
+              glm::vec2(0.5f * body.spacing_mm),
+              body.squareness};
+    };
+    set_across(out.emplace_back(), system, slot, sections);
+    add_pattern(out.back(), system, slot, sections);
+  }
+  return out;
+}
+
+/// The thread within whose borders the middle of a sample lies.
+template <class Sections>
+int SurfaceSampler::thread_under(System system, const Slot& slot, const Sections& sections) const {
+  if (!uneven_[system == System::kWarp ? 0 : 1]) return slot.middle;
+  const Section& own = sections(slot.middle);
+  const float beyond = 0.5f * (slot.from + slot.to) - own.place - own.aside;
+  return beyond >= own.room.y ? slot.middle + 1 : beyond < -own.room.x ? slot.middle - 1 : slot.middle;
+}
+
+template <class Sections>
+void SurfaceSampler::set_across(Across& a, System system, const Slot& slot, const Sections& sections) const {
+  const auto& [from, to, lowest, highest, nominal] = slot;
+  a.thread = a.first = a.last = thread_under(system, slot, sections);
+  const Section& own = sections(a.thread);
+  const float centre = own.centre();
+  if (from < centre - own.room.x || to > centre + own.room.y) {
+    const int margin = uneven_[system == System::kWarp ? 0 : 1] ? 1 : 0;
+    a.first = lowest - margin, a.last = highest + margin;
+  }
+  float covered = 0;
+  for (int t = a.first; t <= a.last; ++t) covered += covered_part(slot, sections(t)).width();
+  a.cover = unit_or_less(covered / (to - from));
+  const float half = std::max(own.half.x, 1e-7f);
+  a.beyond_mm = std::max(0.0f, std::abs(0.5f * (from + to) - centre) - half);
   const float u0 = std::clamp((from - centre) / half, -1.0f, 1.0f);
   const float u1 = std::clamp((to - centre) / half, -1.0f, 1.0f);
-  const float u = 0.5f * (u0 + u1);
-  const float top = section_top(u, own.squareness);
-  a.height_mm = size.y * top;
-  const float around = std::atan2(u, top) / kTwoPi;
+  a.u = 0.5f * (u0 + u1);
+  a.top = section_top(a.u, own.squareness);
+  a.height_mm = own.half.y * a.top;
+}
+
+/// The mean slope of the threads within a sample, and where it lies on the pattern of its thread.
+template <class Sections>
+void SurfaceSampler::add_pattern(Across& a, System system, const Slot& slot, const Sections& sections) const {
+  const bool warp = system == System::kWarp;
+  const float step = warp ? dx_mm_ : dy_mm_;
+  float covered = 0, rise = 0;
+  for (int t = a.first; t <= a.last; ++t) {
+    const Section& s = sections(t);
+    const Part part = covered_part(slot, s);
+    if (part.width() <= 0) continue;
+    covered += part.width();
+    rise += section(s.centre(), s.half, s.squareness, part.to) - section(s.centre(), s.half, s.squareness, part.from);
+  }
+  a.slope = covered > 1e-6f * (slot.to - slot.from) ? -rise / covered : 0.0f;
+  const Textures::Thread& thread = (warp ? warp_texture_ : weft_texture_).at(a.thread);
+  const ThreadTexture& texture = thread.texture;
+  const Section& own = sections(a.thread);
+  const float turn_per_sample = step / (kTwoPi * std::max(own.half.x, 1e-7f)) * turn_across(a.u, a.top, own.squareness);
+  a.cycles = std::max(texture.fibres * turn_per_sample, thread.cycles_along);
+  a.ply_fade = contrast_left(std::max(static_cast<float>(texture.plies) * turn_per_sample, thread.ply_cycles_along));
+  a.turns = shows_turn(texture, a.cycles);
+  if (!a.turns) return;
+  const float around = std::atan2(a.u, a.top) / kTwoPi;
   a.turn = texture.fibres * around;
   a.ply_turn = static_cast<float>(texture.plies) * around;
-  const float turn_per_sample = step / (kTwoPi * half) * turn_across(u, top, own.squareness);
-  const auto cycles = [&](float patterns, int advance) {
-    return std::max(patterns * turn_per_sample, std::abs(static_cast<float>(advance)) * step_along / length);
-  };
-  a.cycles = cycles(texture.fibres, texture.advance);
-  a.ply_fade = contrast_left(cycles(static_cast<float>(texture.plies), texture.ply_advance));
-  return a;
 }
 
 SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) const {
   const bool warp = system == System::kWarp;
   const auto& threads = threads_of(cloth_, system);
-  const std::vector<Across>& own = warp ? columns_ : rows_;
+  const std::vector<Slot>& own = warp ? column_slots_ : row_slots_;
   const float end_mm = warp ? static_cast<float>(x1_) * dx_mm_ : static_cast<float>(y1_) * dy_mm_;
   const auto crossing = [&](int sample, float step) {
     return centre_step(cloth_, system, (static_cast<float>(sample) + 0.5f) * step).crossing;
@@ -276,6 +286,7 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
     ++last;
   for (int t = out.first_thread; t <= last + 1; ++t) {
     const ThreadBody& body = threads[static_cast<size_t>(wrap(t, count))];
+    out.place.push_back(centre_of(system, t));
     out.squareness.push_back(body.squareness);
     out.room_by_width.push_back(room_mm(body) / std::max(body.width_mm, 1e-6f));
     for (int c = 0; c < out.crossings; ++c) {
@@ -291,8 +302,8 @@ SurfaceSampler::CrossingSizes SurfaceSampler::crossing_sizes(System system) cons
 
 SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const CentreStep& step, float s_mm) const {
   const bool warp = system == System::kWarp;
-  const Textures& textures = warp ? warp_texture_ : weft_texture_;
-  const ThreadTexture& texture = textures.at(thread);
+  const Textures::Thread& own = (warp ? warp_texture_ : weft_texture_).at(thread);
+  const ThreadTexture& texture = own.texture;
   const float period_fraction = s_mm / (warp ? cloth_.depth_mm : cloth_.width_mm);
   const CentrePoint centre = centre_at(lines_, system, thread, step);
   Along a;
@@ -308,31 +319,45 @@ SurfaceSampler::Along SurfaceSampler::along(System system, int thread, const Cen
   a.node = std::clamp(static_cast<int>(node), 0, texture.nodes - 1);
   a.blend = std::clamp(period_fraction * static_cast<float>(texture.nodes) - node, 0.0f, 1.0f);
   a.turn = static_cast<float>(texture.advance) * period_fraction;
-  if (textures.has_pattern(thread)) a.turn += thread_formulas::wander(texture, a.node, a.blend);
+  if (own.patterned) a.turn += thread_formulas::wander(texture, a.node, a.blend);
   return a;
 }
 
+CentreStep SurfaceSampler::pick_step(int pick, size_t column) const {
+  const float s_mm = (static_cast<float>(x0_ + static_cast<int>(column)) + 0.5f) * dx_mm_;
+  return moved_step(cloth_, System::kWeft, pick, s_mm, column_steps_[column]);
+}
+
 const std::vector<SurfaceSampler::Along>& SurfaceSampler::along_pick(int pick) {
-  Pick& kept = picks_[static_cast<size_t>((pick + 3) % 3)];
-  if (kept.pick == pick) return kept.along;
-  kept.pick = pick;
-  kept.along.resize(columns_.size());
-  for (int x = x0_; x < x1_; ++x) {
-    const size_t i = static_cast<size_t>(x - x0_);
-    const float s_mm = (static_cast<float>(x) + 0.5f) * dx_mm_;
-    kept.along[i] = along(System::kWeft, pick, moved_step(cloth_, System::kWeft, pick, s_mm, column_steps_[i]), s_mm);
-  }
-  return kept.along;
+  auto& [kept, by_column] = pick_along_.at(pick);
+  if (kept == pick) return by_column;
+  kept = pick;
+  by_column.resize(column_slots_.size());
+  for (size_t i = 0; i < by_column.size(); ++i)
+    by_column[i] =
+        along(System::kWeft, pick, pick_step(pick, i), (static_cast<float>(x0_ + static_cast<int>(i)) + 0.5f) * dx_mm_);
+  return by_column;
+}
+
+const std::vector<SurfaceSampler::Section>& SurfaceSampler::sections_of_pick(int pick) {
+  auto& [kept, by_column] = pick_sections_.at(pick);
+  if (kept == pick) return by_column;
+  kept = pick;
+  by_column.resize(column_slots_.size());
+  for (size_t i = 0; i < by_column.size(); ++i) by_column[i] = weft_sizes_.at(pick, pick_step(pick, i));
+  return by_column;
 }
 
 SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along& l, float cover) const {
   const bool warp = system == System::kWarp;
   const std::vector<ThreadBody>& threads = warp ? cloth_.ends : cloth_.picks;
   const int thread = wrap(a.thread, static_cast<int>(threads.size()));
-  const ThreadTexture& texture = (warp ? warp_texture_ : weft_texture_).at(a.thread);
-  const Texel texel = texture_at(
-      texture, {a.turn + l.turn, a.ply_turn + l.ply_turn, a.turn / thread_formulas::kStraySpacing + l.stray_turn,
-                l.node, l.blend, a.cycles, a.ply_fade});
+  const Textures::Thread& of = (warp ? warp_texture_ : weft_texture_).at(a.thread);
+  const ThreadTexture& texture = of.texture;
+  const Texel texel = !a.turns ? of.mean
+                               : texture_at(texture, {a.turn + l.turn, a.ply_turn + l.ply_turn,
+                                                      a.turn / thread_formulas::kStraySpacing + l.stray_turn, l.node,
+                                                      l.blend, a.cycles, a.ply_fade});
   float across = a.slope * l.lengthened, along = -(l.slope + l.bend * a.height_mm) - l.sideways * across;
   SurfaceSample s;
   s.cover = cover;
@@ -363,42 +388,52 @@ SurfaceSample SurfaceSampler::finish(System system, const Across& a, const Along
 }
 
 void SurfaceSampler::row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
-  const Across& even_row = rows_[static_cast<size_t>(y - y0_)];
+  beside.clear();
+  platform::with_widest_vectors([&] { sample_row(y, out, beside); });
+}
+
+void SurfaceSampler::sample_row(int y, std::span<SurfaceSample> out, std::vector<Beside>& beside) {
+  const size_t at_row = static_cast<size_t>(y - y0_);
+  const Slot& row_slot = row_slots_[at_row];
   const float s_mm = (static_cast<float>(y) + 0.5f) * dy_mm_;
   const CentreStep even = centre_step(cloth_, System::kWarp, s_mm);
   const auto end_step = [&](int end) { return moved_step(cloth_, System::kWarp, end, s_mm, even); };
   for (size_t e = 0; e < warp_along_.size(); ++e)
     warp_along_[e] =
         along(System::kWarp, first_end_ + static_cast<int>(e), end_step(first_end_ + static_cast<int>(e)), s_mm);
-  beside.clear();
+  // Uneven threads have another section at each position along them.
+  for (size_t t = 0; t < warp_sections_.size(); ++t) {
+    const int end = warp_sizes_.first_thread + static_cast<int>(t);
+    warp_sections_[t] = warp_sizes_.at(end, end_step(end));
+  }
+  const auto end_section = [&](int end) -> const Section& {
+    return warp_sections_[static_cast<size_t>(end - warp_sizes_.first_thread)];
+  };
+  Across uneven_column, uneven_row;
   for (size_t i = 0; i < out.size(); ++i) {
-    // Uneven threads have another width at each position along them.
-    const Across column = uneven_[0] ? across_at(System::kWarp, x0_ + static_cast<int>(i), columns_[i].lowest,
-                                                 [&](int t) { return warp_sizes_.at(t, end_step(t)); })
-                                     : columns_[i];
-    const float x_mm = (static_cast<float>(x0_ + static_cast<int>(i)) + 0.5f) * dx_mm_;
-    const auto pick_step = [&](int pick) { return moved_step(cloth_, System::kWeft, pick, x_mm, column_steps_[i]); };
-    const Across across_row = uneven_[1] ? across_at(System::kWeft, y, even_row.lowest,
-                                                     [&](int t) { return weft_sizes_.at(t, pick_step(t)); })
-                                         : even_row;
+    const auto pick_section = [&](int pick) -> const Section& { return sections_of_pick(pick)[i]; };
+    if (uneven_[0]) set_across(uneven_column, System::kWarp, column_slots_[i], end_section);
+    if (uneven_[1]) set_across(uneven_row, System::kWeft, row_slot, pick_section);
+    Across& column = uneven_[0] ? uneven_column : columns_[i];
+    Across& across_row = uneven_[1] ? uneven_row : rows_[at_row];
     const Along& end = warp_along_[static_cast<size_t>(column.thread - first_end_)];
     const Along& pick = along_pick(across_row.thread)[i];
+    const auto shown = [&](bool of_warp, float cover) {
+      if (of_warp && uneven_[0]) add_pattern(column, System::kWarp, column_slots_[i], end_section);
+      if (!of_warp && uneven_[1]) add_pattern(across_row, System::kWeft, row_slot, pick_section);
+      return of_warp ? finish(System::kWarp, column, end, cover) : finish(System::kWeft, across_row, pick, cover);
+    };
     // Coverage of each system: where both are present, one is on top.
     const float both = column.cover * across_row.cover;
     const bool over =
         end.centre_mm + column.height_mm * end.lengthened >= pick.centre_mm + across_row.height_mm * pick.lengthened;
     const float warp = column.cover - (over ? 0.0f : both), weft = across_row.cover - (over ? both : 0.0f);
-    if (warp + weft <= 0.0f) {
-      const bool near_warp = column.beyond_mm <= across_row.beyond_mm;
-      out[i] = near_warp ? finish(System::kWarp, column, end, 0) : finish(System::kWeft, across_row, pick, 0);
-      out[i].height_mm = floor_mm_, out[i].slope = {};
-      continue;
-    }
-    const bool warp_first = warp >= weft;
-    out[i] = warp_first ? finish(System::kWarp, column, end, warp) : finish(System::kWeft, across_row, pick, weft);
-    if (std::min(warp, weft) > kMinCover)
-      beside.push_back({static_cast<int>(i), warp_first ? finish(System::kWeft, across_row, pick, weft)
-                                                        : finish(System::kWarp, column, end, warp)});
+    const bool open = warp + weft <= 0.0f;
+    const bool warp_first = open ? column.beyond_mm <= across_row.beyond_mm : warp >= weft;
+    out[i] = shown(warp_first, open ? 0.0f : std::max(warp, weft));
+    if (open) out[i].height_mm = floor_mm_, out[i].slope = {};
+    else if (std::min(warp, weft) > kMinCover)
+      beside.push_back({static_cast<int>(i), shown(!warp_first, std::min(warp, weft))});
   }
 }
 

@@ -230,15 +230,6 @@ glm::vec3 flattened(const glm::vec3& normal, const glm::vec2& relief) {
   return glm::normalize(glm::vec3(glm::vec2(normal) * relief, normal.z));
 }
 
-glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
-  const Axes axes = axes_over(normal);
-  const float x = glm::dot(fibre, axes.t), y = glm::dot(fibre, axes.b);
-  const float length2 = std::max(x * x + y * y, 1e-12f);
-  const float along2 = lobes.along_width * lobes.along_width / length2;
-  const float across2 = lobes.across_width * lobes.across_width / length2;
-  return {along2 * x * x + across2 * y * y, (along2 - across2) * x * y, along2 * y * y + across2 * x * x};
-}
-
 glm::vec2 grain_of(const glm::vec3& fibre) {
   const glm::vec2 squares{fibre.x * fibre.x, fibre.y * fibre.y};
   return squares / std::max(squares.x + squares.y, 1e-12f);

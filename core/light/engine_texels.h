@@ -2,7 +2,9 @@
 // A cloth's face as an engine samples its textures: encoded values averaged over a pixel's footprint, with the facets
 // kept separate so that a fit can change the width of their lobes.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -15,8 +17,31 @@ namespace weftlight::light {
 using cloth::Cloth, cloth::Maps;
 using design::Lobes;
 
-/// Covariance (xx, xy, yy) of the micro-slopes of a yarn's facets about their normal, on the axes of the texture.
-glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes);
+/// Covariance of the micro-slopes of a yarn's facets about their normal, on the axes of the texture. By component,
+/// since compilers vectorise no loop with a glm::vec3. along2, across2: squared widths of its lobe; (nx, ny, nz): the
+/// normal, (fx, fy, fz): the fibre.
+struct FacetCovariance {
+  float xx = 0, xy = 0, yy = 0;
+};
+inline FacetCovariance facet_covariance(float nx, float ny, float nz, float fx, float fy, float fz, float along2,
+                                        float across2) {
+  // The tangent frame of the normal: t along the texture's x, seen from above.
+  const float sx = 1.0f - nx * nx, sy = 0.0f - ny * nx, sz = 0.0f - nz * nx, size2 = sx * sx + sy * sy + sz * sz;
+  const bool upright = size2 > 1e-12f;
+  const float over = 1.0f / std::sqrt(size2), ux = sx * over, uy = sy * over, uz = sz * over;
+  const float tx = upright ? ux : 0.0f, ty = upright ? uy : 0.0f, tz = upright ? uz : -1.0f;
+  const float bx = ny * tz - ty * nz, by = nz * tx - tz * nx, bz = nx * ty - tx * ny;
+  const float x = fx * tx + fy * ty + fz * tz, y = fx * bx + fy * by + fz * bz;
+  const float length2 = std::max(x * x + y * y, 1e-12f), along = along2 / length2, across = across2 / length2;
+  return {along * x * x + across * y * y, (along - across) * x * y, along * y * y + across * x * x};
+}
+/// Covariance as xx, xy, yy.
+inline glm::vec3 facet_covariance(const glm::vec3& normal, const glm::vec3& fibre, const Lobes& lobes) {
+  const auto [xx, xy, yy] =
+      facet_covariance(normal.x, normal.y, normal.z, fibre.x, fibre.y, fibre.z, lobes.along_width * lobes.along_width,
+                       lobes.across_width * lobes.across_width);
+  return {xx, xy, yy};
+}
 /// Squared x and y of a fibre's direction; sum 1.
 glm::vec2 grain_of(const glm::vec3& fibre);
 /// All facets in a pixel's footprint as one lobe.

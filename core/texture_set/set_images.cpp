@@ -255,6 +255,8 @@ base::Result<void> keep_constant(SetImages& set, const ImageRow& row, TextureSiz
   return write_image(path, image, row.type, channel_names(row));
 }
 
+constexpr size_t kBandsPerCore = 4;  // at a time
+
 /// Writes the images of the table and collects the mip levels.
 base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureSize size, Face face, RawMips& mips,
                               MipImages& own) {
@@ -273,8 +275,8 @@ base::Result<void> write_rows(SetImages& set, const FaceSource& source, TextureS
     const auto not_done = std::ranges::find_if(done, [](const base::Result<void>& r) { return !r; });
     return not_done == done.end() ? base::Result<void>() : *not_done;
   };
-  // First one band per core, then one image per core, which adds the bands in order.
-  const size_t max_bands = static_cast<size_t>(core_count());
+  // First a few bands per core, since they take unequal time, then one image per core, which adds the bands in order.
+  const size_t max_bands = static_cast<size_t>(core_count()) * kBandsPerCore;
   std::vector<PackedBand> bands;
   for (int y = 0; y < size.height; y += source.band() * static_cast<int>(bands.size())) {
     bands.resize(std::min(max_bands, static_cast<size_t>((size.height - y) / source.band())));

@@ -7,12 +7,15 @@
 #include "texture_set/surface_texels.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "base/loops.h"
 #include "light/engine_fit.h"
+#include "light/engine_texels.h"
+#include "platform/vectors.h"
 
 namespace weftlight::texture_set {
 
@@ -66,33 +69,86 @@ std::vector<YarnFacts> yarn_facts(const std::vector<Yarn>& yarns) {
   return out;
 }
 
-SurfaceTexel sample(const Cloth& cloth, const std::vector<YarnFacts>& yarns, const Maps& maps, int x, int y) {
-  const uint8_t system = maps.system.at(x, y);
-  const uint32_t thread = maps.thread.at(x, y);
-  const ThreadBody& body = (system == 0 ? cloth.ends : cloth.picks)[thread];
-  const auto& [lobes, tint] = yarns[static_cast<size_t>(body.yarn)];
-  const Linear dye = maps.colour.at(x, y);
-  const Linear colour = scaled(dye, maps.groove.at(x, y));
-  SurfaceTexel out;
-  out.base =
-      lobes.metallic ? Linear{colour.r * tint.r, colour.g * tint.g, colour.b * tint.b} : scaled(colour, lobes.body);
-  // Light meets less dye in a single fibre, so the colour is the square root of the dye.
-  out.sheen = scaled({std::sqrt(dye.r), std::sqrt(dye.g), std::sqrt(dye.b)}, lobes.fuzz);
-  out.transmitted = lobes.metallic ? Linear{} : scaled(out.base, lobes.transmission);
-  out.coverage = maps.coverage.at(x, y);
-  out.height_mm = maps.height_mm.at(x, y);
-  out.occlusion = maps.occlusion.at(x, y);
-  out.metal = lobes.metallic ? 1.0f : 0.0f;
-  out.sheen_roughness = lobes.fuzz_width;
-  const Slope slope = maps.slope.at(x, y);
-  const Direction fibre = maps.tangent.at(x, y);
-  out.normal = unit({slope.x, slope.y, 1}, {0, 0, 1});
-  out.fibre = {fibre.x, fibre.y, fibre.z};
-  out.slope_cov = facet_covariance(out.normal, out.fibre, lobes);
-  out.thread = thread;
-  out.system = system;
-  return out;
-}
+/// Texels of a row of the maps, whose normals, lobes and roots are computed at once for all of them, by vectors.
+class MapRow {
+ public:
+  MapRow(const Cloth& cloth, const std::vector<YarnFacts>& yarns, const Maps& maps)
+      : cloth_(cloth), yarns_(yarns), maps_(maps), blocks_(static_cast<size_t>(maps.colour.width) / kBlock + 1) {}
+
+  void go_to(int y) {
+    y_ = y;
+    for (int x = 0; x < maps_.colour.width; ++x) {
+      const Lobes& lobes = facts_at(x).lobes;
+      Block& block = blocks_[static_cast<size_t>(x) / kBlock];
+      block.along2[static_cast<size_t>(x) % kBlock] = lobes.along_width * lobes.along_width;
+      block.across2[static_cast<size_t>(x) % kBlock] = lobes.across_width * lobes.across_width;
+    }
+    platform::with_widest_vectors([&] {
+      for (size_t b = 0, first = 0; b < blocks_.size(); ++b, first += kBlock)
+        measure(blocks_[b], std::min(static_cast<size_t>(maps_.colour.width) - first, kBlock),
+                maps_.slope.row(y_) + first, maps_.tangent.row(y_) + first, maps_.colour.row(y_) + first);
+    });
+  }
+
+  SurfaceTexel at(int x) const {
+    const auto& [lobes, tint] = facts_at(x);
+    const Block& block = blocks_[static_cast<size_t>(x) / kBlock];
+    const size_t i = static_cast<size_t>(x) % kBlock;
+    const Linear colour = scaled(maps_.colour.at(x, y_), maps_.groove.at(x, y_));
+    const Direction fibre = maps_.tangent.at(x, y_);
+    SurfaceTexel out;
+    out.base =
+        lobes.metallic ? Linear{colour.r * tint.r, colour.g * tint.g, colour.b * tint.b} : scaled(colour, lobes.body);
+    // Light meets less dye in a single fibre, so the colour is the square root of the dye.
+    out.sheen = scaled({block.r[i], block.g[i], block.b[i]}, lobes.fuzz);
+    out.transmitted = lobes.metallic ? Linear{} : scaled(out.base, lobes.transmission);
+    out.coverage = maps_.coverage.at(x, y_);
+    out.height_mm = maps_.height_mm.at(x, y_);
+    out.occlusion = maps_.occlusion.at(x, y_);
+    out.metal = lobes.metallic ? 1.0f : 0.0f;
+    out.sheen_roughness = lobes.fuzz_width;
+    out.normal = {block.x[i], block.y[i], block.z[i]};
+    out.fibre = {fibre.x, fibre.y, fibre.z};
+    out.slope_cov = {block.xx[i], block.xy[i], block.yy[i]};
+    out.thread = maps_.thread.at(x, y_);
+    out.system = maps_.system.at(x, y_);
+    return out;
+  }
+
+ private:
+  static constexpr size_t kBlock = 64;
+  using Values = std::array<float, kBlock>;
+  struct Block {
+    Values along2, across2;  // squared widths of the lobe
+    Values x, y, z;          // normal
+    Values xx, xy, yy;       // covariance of the lobe
+    Values r, g, b;          // roots of the dye
+  };
+
+  const YarnFacts& facts_at(int x) const {
+    const ThreadBody& body = (maps_.system.at(x, y_) == 0 ? cloth_.ends : cloth_.picks)[maps_.thread.at(x, y_)];
+    return yarns_[static_cast<size_t>(body.yarn)];
+  }
+  static void measure(Block& __restrict out, size_t count, const Slope* __restrict slope,
+                      const Direction* __restrict fibre, const Linear* __restrict dye) {
+    for (size_t i = 0; i < count; ++i) {
+      const float sx = slope[i].x, sy = slope[i].y, length = std::sqrt(sx * sx + sy * sy + 1.0f);
+      const float x = sx / length, y = sy / length, z = 1.0f / length;
+      const auto [xx, xy, yy] =
+          facet_covariance(x, y, z, fibre[i].x, fibre[i].y, fibre[i].z, out.along2[i], out.across2[i]);
+      out.x[i] = x, out.y[i] = y, out.z[i] = z;
+      out.xx[i] = xx, out.xy[i] = xy, out.yy[i] = yy;
+    }
+    for (size_t i = 0; i < count; ++i)
+      out.r[i] = std::sqrt(dye[i].r), out.g[i] = std::sqrt(dye[i].g), out.b[i] = std::sqrt(dye[i].b);
+  }
+
+  const Cloth& cloth_;
+  const std::vector<YarnFacts>& yarns_;
+  const Maps& maps_;
+  int y_ = 0;
+  std::vector<Block> blocks_;
+};
 
 float alpha_of(float variance) { return std::min(std::sqrt(2.0f * std::max(variance, 0.0f)), 1.0f); }
 
@@ -172,15 +228,13 @@ SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int 
   SurfaceTexels out{maps.width_mm, maps.depth_mm, Plane<SurfaceTexel>(width, height)};
   const std::vector<YarnFacts> yarns = yarn_facts(cloth.yarns);
   for_each_job(height, threads, [&](int y) {
+    std::vector<MapRow> rows(static_cast<size_t>(block_y), MapRow(cloth, yarns, maps));
+    for (int j = 0; j < block_y; ++j) rows[static_cast<size_t>(j)].go_to(y * block_y + j);
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
     for (int x = 0; x < width; ++x) {
-      if (parts.size() == 1) {
-        out.texels.at(x, y) = sample(cloth, yarns, maps, x, y);
-        continue;
-      }
       size_t n = 0;
-      for (int j = 0; j < block_y; ++j) {
-        for (int i = 0; i < block_x; ++i) parts[n++] = sample(cloth, yarns, maps, x * block_x + i, y * block_y + j);
+      for (const MapRow& row : rows) {
+        for (int i = 0; i < block_x; ++i) parts[n++] = row.at(x * block_x + i);
       }
       out.texels.at(x, y) = merged(parts);
     }

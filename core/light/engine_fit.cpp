@@ -23,7 +23,7 @@ using formulas::EngineMaterial;
 using formulas::EngineParts;
 
 constexpr int kRounds = 3;  // rounds of least squares, for the coupling between the parts
-constexpr int kTintRounds = 4;
+constexpr int kTintRounds = 8;
 constexpr size_t kSearchedTexels = 64;  // for the descent
 constexpr size_t kLeastPairs = 256;  // of a core: for fewer, the directions in each pixel's frame are much of the work
 constexpr float kMinBase = 0.25f, kMaxBase = 8, kMaxSheen = 40;  // factors of the colours
@@ -48,6 +48,7 @@ constexpr float kHue = 0.005f;         // pull of colour factors to their mean: 
 // 0 as at its bound.
 constexpr float kSheenHold = 0.02f;
 constexpr float kNeighbourLoss = 1.02f;  // error that a neighbour's widths may have over that of the best
+constexpr float kMostShone = 0.9f;       // reflectance at normal view times its factor for a flat view
 constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
 constexpr std::array<float, 3> kChannelWeight{0.3f, 0.5f, 0.2f};
 
@@ -84,20 +85,34 @@ struct PairRadiance {
   glm::vec3 body{0}, gloss{0}, grazing{0}, fuzz{0};
 };
 
+/// Factor of the reflectance for each pair.
+std::vector<float> shine_of(const EngineDirections& directions, const EngineModel& model, const EngineFit& fit) {
+  std::vector<float> out;
+  out.reserve(directions.pairs.size());
+  for (const EnginePair& p : directions.pairs)
+    out.push_back(fit.tint.shine_at(directions.views[p.view]) *
+                  (model.light_tinted ? fit.tint.shine_at(directions.lights[p.light]) : 1));
+  return out;
+}
+
 /// Adds what the pixels send to the pairs [first, last).
 void add_pixels(std::vector<PairRadiance>& out, const std::vector<Shaded>& pixels, const EngineDirections& directions,
                 const EngineModel& model, const EngineFit& fit, size_t first, size_t last) {
   std::vector<glm::vec3> wi(directions.lights.size()), wo(directions.views.size());
+  const std::vector<float> shine = shine_of(directions, model, fit);
   for (const Shaded& t : pixels) {
+    EngineMaterial m = t.material;
     for (size_t i = 0; i < wi.size(); ++i) wi[i] = formulas::lobe_local(t.frame, directions.lights[i]);
     for (size_t i = 0; i < wo.size(); ++i) wo[i] = formulas::lobe_local(t.frame, directions.views[i]);
     for (size_t i = first; i < last; ++i) {
       const EnginePair& pair = directions.pairs[i];
-      const EngineParts p = formulas::engine_parts(t.material, model.sheen, wi[pair.light], wo[pair.view]);
+      m.f0 = t.material.f0 * shine[i];
+      if (model.grazing) m.f90 = t.material.f90 * shine[i];
+      const EngineParts p = formulas::engine_parts(m, model.sheen, wi[pair.light], wo[pair.view]);
       out[i].body += p.body * (p.kept * t.weight) / fit.base;
       out[i].fuzz += p.fuzz * t.weight / glm::max(fit.sheen, kLeastSheen);
-      out[i].gloss += p.gloss * (p.kept * t.weight);
-      out[i].grazing += p.grazing * (p.kept * t.weight);
+      out[i].gloss += p.gloss * (shine[i] * p.kept * t.weight);
+      out[i].grazing += p.grazing * ((model.grazing ? shine[i] : 1) * p.kept * t.weight);
     }
   }
 }
@@ -114,8 +129,8 @@ std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const Engin
     add_pixels(out, pixels, directions, model, fit, out.size() * k / parts, out.size() * (k + 1) / parts);
   });
   for (size_t i = 0; i < out.size(); ++i) {
-    out[i].body *= fit.tint.at(directions.views[directions.pairs[i].view]);
-    if (model.light_tinted) out[i].body *= fit.tint.at(directions.lights[directions.pairs[i].light]);
+    out[i].body *= fit.tint.base_at(directions.views[directions.pairs[i].view]);
+    if (model.light_tinted) out[i].body *= fit.tint.base_at(directions.lights[directions.pairs[i].light]);
   }
   return out;
 }
@@ -264,10 +279,41 @@ struct Problem {
   const EngineFit* near = nullptr;  // a neighbour's fit that this one keeps to where it can
 };
 
-/// Best factors for the given lobe widths and sheen roughness.
-void solve(EngineFit& fit, const Problem& p, int rounds) {
+/// What the tint can do for one view.
+TintedMean tinted_mean(const EngineFit& fit, const Problem& p, const EngineView& view,
+                       const std::vector<PairRadiance>& radiance) {
+  TintedMean out;
+  const glm::vec4 slant = ViewTint::slant(p.directions.views[view.view]);
+  for (size_t i = view.first; i < view.first + view.count; ++i) {
+    const EnginePair& pair = p.directions.pairs[i];
+    const PairRadiance& r = radiance[i];
+    const glm::vec3 body = pair.fraction * r.body * fit.base;
+    const glm::vec3 gloss = pair.fraction * (r.gloss * fit.f0 + (p.model.grazing ? r.grazing * fit.f90 : glm::vec3(0)));
+    out.wanted += pair.fraction * pair.wanted, out.whole += pair.fraction * whole(r, fit), out.body += body;
+    const glm::vec4 by = p.model.light_tinted ? slant + ViewTint::slant(p.directions.lights[pair.light]) : slant;
+    for (int k = 0; k < 4; ++k) out.body_by[static_cast<size_t>(k)] += body * by[k];
+    for (int k = 0; k < 2; ++k) out.gloss_by[static_cast<size_t>(k)] += gloss * by[k];
+  }
+  const float brightest = std::max({out.wanted.r, out.wanted.g, out.wanted.b, 1e-4f});
+  const glm::vec3 size = glm::max(out.wanted, glm::vec3(kDarkChannel * brightest));
+  out.weight = view.weight * glm::vec3(kChannelWeight[0], kChannelWeight[1], kChannelWeight[2]) / (size * size);
+  return out;
+}
+
+/// Moves base colour, tint and the highlight's growth with the view to what the means of views lack.
+void tint(EngineFit& fit, const Problem& p, const std::vector<PairRadiance>& radiance) {
+  std::vector<TintedMean> means;
+  for (const EngineView& view : p.directions.means) means.push_back(tinted_mean(fit, p, view, radiance));
+  const float most_f0 = std::max({fit.f0.r, fit.f0.g, fit.f0.b, formulas::kEngineF0});
+  move_tint(fit.base, fit.tint, std::log(kMostShone / most_f0), means);
+  fit.base = glm::clamp(fit.base, kMinBase, kMaxBase);
+}
+
+/// Best factors for the given lobe widths, sheen roughness and tint; with `tinting` the tint is moved as well.
+void solve(EngineFit& fit, const Problem& p, int rounds, bool tinting = false) {
   for (int round = 0; round < rounds; ++round) {
-    Normal normal = normal_of(p.directions, texel_radiance(p.texels, p.directions, p.model, fit), p.layout);
+    const std::vector<PairRadiance> radiance = texel_radiance(p.texels, p.directions, p.model, fit);
+    Normal normal = normal_of(p.directions, radiance, p.layout);
     for (size_t c = 0; p.near != nullptr && c < (p.layout.hued ? 3u : 1u); ++c)
       normal.hold(kSheen + c, p.near->sheen[static_cast<int>(c)], kSheenHold);
     Unknowns x{fit.base.r, fit.base.g, fit.base.b,  fit.f0.r,    fit.f0.g,
@@ -279,45 +325,7 @@ void solve(EngineFit& fit, const Problem& p, int rounds) {
     };
     fit.base = three(kBase, true), fit.f0 = three(kF0, p.layout.tinted), fit.sheen = three(kSheen, p.layout.hued);
     fit.f90 = x[kF90];
-  }
-}
-
-/// Moves base colour and its tint by the view to what the means of views lack, by least squares in logarithms.
-void tint(EngineFit& fit, const Problem& p) {
-  constexpr float kMostChange = 1.2f, kMostTint = 3, kRidge = 0.01f;  // logarithms
-  const std::vector<PairRadiance> radiance = texel_radiance(p.texels, p.directions, p.model, fit);
-  for (int c = 0; c < 3; ++c) {
-    glm::mat3 a(0);
-    glm::vec3 b(0);
-    for (const EngineView& view : p.directions.means) {
-      float wanted = 0, body = 0, rest = 0, brightest = 1e-4f;
-      for (int k = 0; k < 3; ++k) {
-        float sum = 0;
-        for (size_t i = view.first; i < view.first + view.count; ++i)
-          sum += p.directions.pairs[i].fraction * p.directions.pairs[i].wanted[k];
-        brightest = std::max(brightest, sum);
-        if (k == c) wanted = sum;
-      }
-      glm::vec2 slants(0);  // of the lights, weighted by their body light
-      for (size_t i = view.first; i < view.first + view.count; ++i) {
-        const EnginePair& pair = p.directions.pairs[i];
-        const float part = pair.fraction, of_body = (radiance[i].body * fit.base)[c];
-        body += part * of_body, rest += part * (whole(radiance[i], fit)[c] - of_body);
-        if (p.model.light_tinted) slants += part * of_body * ViewTint::slant(p.directions.lights[pair.light]);
-      }
-      if (body <= 1e-6f) continue;
-      const glm::vec3 row(1, ViewTint::slant(p.directions.views[view.view]) + slants / body);
-      const float change = std::log(std::max((wanted - rest) / body, std::exp(-kMostChange)));
-      const float part = body / std::max(wanted, kDarkChannel * brightest), weight = view.weight * part * part;
-      a += weight * glm::outerProduct(row, row), b += weight * std::min(change, kMostChange) * row;
-    }
-    const float ridge = kRidge * a[0][0];
-    a[1][1] += ridge, a[2][2] += ridge;
-    if (!(glm::determinant(a) > 0)) continue;
-    const glm::vec3 moved = glm::inverse(a) * b;
-    fit.base[c] = std::clamp(fit.base[c] * std::exp(moved.x), kMinBase, kMaxBase);
-    fit.tint.weft[c] = std::clamp(fit.tint.weft[c] + moved.y, -kMostTint, kMostTint);
-    fit.tint.warp[c] = std::clamp(fit.tint.warp[c] + moved.z, -kMostTint, kMostTint);
+    if (tinting) tint(fit, p, radiance);
   }
 }
 
@@ -367,10 +375,18 @@ bool improve(EngineFit& best, const Problem& p, size_t which, float by) {
   return true;
 }
 
+/// With the tint that belongs to its widths.
+void tinted(EngineFit& fit, const Problem& p, int rounds) {
+  if (!p.model.view_tinted) return;
+  solve(fit, p, rounds, true);
+  solve(fit, p, 1);
+}
+
 EngineFit descend(EngineFit best, const Problem& p, float first_step, float last_step) {
   const size_t count = searched(best, p).size();
   float step = first_step;
   while (step > last_step) {
+    tinted(best, p, 1);
     for (bool better = true; better;) {
       better = false;
       for (size_t which = 0; which < count; ++which)
@@ -384,7 +400,7 @@ EngineFit descend(EngineFit best, const Problem& p, float first_step, float last
 /// With the colours that belong to its widths.
 EngineFit finished(EngineFit fit, const Problem& p) {
   solve(fit, p, kRounds);
-  for (int round = 0; p.model.view_tinted && round < kTintRounds; ++round) tint(fit, p), solve(fit, p, 1);
+  tinted(fit, p, kTintRounds);
   return fit;
 }
 
@@ -421,7 +437,6 @@ EngineFit from_starts(const Problem& p) {
 /// From the neighbour's fit, in small steps.
 EngineFit from_neighbour(const Problem& p) {
   EngineFit start = *p.near;
-  start.tint = {};
   for (const Searched& at : searched(start, p)) *at.value = std::clamp(*at.value, at.least, at.most);
   solve(start, p, kRounds);
   return descend(start, p, 2 * kLastStep, kLastStep);

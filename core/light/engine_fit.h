@@ -9,6 +9,7 @@
 
 #include "light/cloth_response.h"
 #include "light/engine_texels.h"
+#include "light/engine_tint.h"
 #include "light/formulas.h"
 
 namespace weftlight::light {
@@ -31,22 +32,13 @@ struct EngineModel {
   // The engine averages the light of texels instead of texels: widths of the highlight and relief of the normals are
   // fitted for each texel.
   bool each_texel = false;
-  bool view_tinted = false;   // the base colour can change with the view
+  bool view_tinted = false;   // base colour and reflectance can change with the view
   bool light_tinted = false;  // and with the light, in the same way: reciprocal
 };
 
 /// Of glTF, which method `engine` shows.
 inline constexpr EngineModel kGltfModel{
     .sheen = formulas::kSheenCharlie, .most_f0 = 1, .grazing = true, .anisotropic = true, .tinted = true, .planes = 20};
-
-/// A factor of the base colour by the view: cloth shows more of one system of threads at a slant along the other, which
-/// no engine knows. Logarithms for a flat view along the weft (x) and along the warp (y); they come in by 1 - cosine.
-struct ViewTint {
-  glm::vec3 weft{0}, warp{0};
-  /// x^2 and y^2 over 1 + z of the unit vector to the viewer: together 1 - z.
-  static glm::vec2 slant(const glm::vec3& view) { return glm::vec2(view.x * view.x, view.y * view.y) / (1 + view.z); }
-  glm::vec3 at(const glm::vec3& view) const { return glm::exp(weft * slant(view).x + warp * slant(view).y); }
-};
 
 struct EngineFit {
   glm::vec3 base{1};  // factors of the base colour

@@ -140,7 +140,12 @@ json fit_json(const FaceSource& face) {
           {"reflectance", {{"normal", numbers(f.f0)}, {"grazing", f.f90}}},
           {"highlight", {{"along", f.lobe.fibre.x}, {"across", f.lobe.fibre.y}, {"weft", f.lobe.weft}}},
           {"relief", {f.relief.x, f.relief.y}},
-          {"view_tint", {{"weft", numbers(f.tint.weft)}, {"warp", numbers(f.tint.warp)}}},
+          {"view_tint",
+           {{"weft", numbers(f.tint.weft)},
+            {"warp", numbers(f.tint.warp)},
+            {"late_weft", numbers(f.tint.late_weft)},
+            {"late_warp", numbers(f.tint.late_warp)},
+            {"shine", {f.tint.shine.x, f.tint.shine.y}}}},
           {"sheen", numbers(f.sheen)},
           {"sheen_roughness", f.sheen_roughness},
           {"rms_error", f.error},
@@ -160,7 +165,7 @@ std::string set_json(const SetImages& images, const SetFacts& set, const Texture
   const SurfaceTexels& s = set.front.small();
   const Cloth& cloth = set.front.cloth();
   json root{{"format", "weftlight texture set"},
-            {"format_version", 2},
+            {"format_version", 3},
             {"program", "weftlight " + options.program_version},
             {"source", identity.source},
             {"draft", identity.draft},

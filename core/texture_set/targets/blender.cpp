@@ -68,10 +68,13 @@ def number(value):
     return node.outputs[0]
 
 def vector(operation, first, second=None):
-    """Each a socket or a number."""
+    """The first a socket or (r, g, b), the second a socket or a number."""
     node = nodes.new("ShaderNodeVectorMath")
     node.operation = operation
-    links.new(first, node.inputs[0])
+    if isinstance(first, tuple):
+        node.inputs[0].default_value = first
+    else:
+        links.new(first, node.inputs[0])
     socket = node.inputs["Scale"] if operation == "SCALE" else node.inputs[1]
     if isinstance(second, float):
         socket.default_value = second
@@ -90,18 +93,29 @@ def math(operation, first, second=None):
             links.new(given, socket)
     return node.outputs[0]
 
-def by_view(colour, weft, warp):
-    """The colour times exp((weft x^2 + warp y^2) / (1 + z)) of the view: a slant shows more of one system of threads."""
+def slants():
+    """Of the view along the weft and along the warp: x^2 / (1 + z) and y^2 / (1 + z), then both times 1 - z."""
     geometry, along = nodes.new("ShaderNodeNewGeometry"), nodes.new("ShaderNodeTangent")
     along.direction_type = "UV_MAP"
     x = vector("DOT_PRODUCT", geometry.outputs["Incoming"], along.outputs["Tangent"])
     z = vector("DOT_PRODUCT", geometry.outputs["Incoming"], geometry.outputs["Normal"])
+    flat = math("SUBTRACT", 1, z)
     along_weft = math("DIVIDE", math("MULTIPLY", x, x), math("ADD", z, 1))
-    along_warp = math("MAXIMUM", math("SUBTRACT", math("SUBTRACT", 1, z), along_weft), 0)
+    along_warp = math("MAXIMUM", math("SUBTRACT", flat, along_weft), 0)
+    return along_weft, along_warp, math("MULTIPLY", along_weft, flat), math("MULTIPLY", along_warp, flat)
+
+def growth(slanted, logarithms):
+    """The factor of a view: exp of its slants times these logarithms, as many as there are."""
+    power = 0
+    for slant, logarithm in zip(slanted, logarithms):
+        power = math("ADD", math("MULTIPLY", slant, logarithm), power)
+    return math("POWER", 2.718281828, power)
+
+def by_view(colour, slanted, tint):
+    """The colour times a factor: a slant shows more of one system of threads."""
     factor = nodes.new("ShaderNodeCombineXYZ")
-    for socket, of_weft, of_warp in zip(factor.inputs, weft, warp):
-        power = math("ADD", math("MULTIPLY", along_weft, of_weft), math("MULTIPLY", along_warp, of_warp))
-        links.new(math("POWER", 2.718281828, power), socket)
+    for socket, logarithms in zip(factor.inputs, zip(*tint)):
+        links.new(growth(slanted, logarithms), socket)
     return times(colour, factor.outputs[0])
 
 def normal_map(suffix):
@@ -179,6 +193,12 @@ base::Result<void> write_script(const SetFacts& set, const BlenderRenderer& rend
 }
 
 }  // namespace
+
+std::string python_tint(const light::ViewTint& tint) {
+  const auto text = [](float v) { return number(static_cast<double>(v)); };
+  return "(" + python_colour(tint.weft) + ", " + python_colour(tint.warp) + ", " + python_colour(tint.late_weft) +
+         ", " + python_colour(tint.late_warp) + "), (" + text(tint.shine.x) + ", " + text(tint.shine.y) + ")";
+}
 
 std::string python_colour(const glm::vec3& colour) {
   const auto text = [](float v) { return number(static_cast<double>(v)); };

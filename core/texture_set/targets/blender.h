@@ -24,6 +24,8 @@ struct BlenderRenderer {
 
 /// A tuple of three numbers.
 std::string python_colour(const glm::vec3& colour);
+/// The logarithms of a tint, as growth() in the script takes them: of the colour, then of the reflectance.
+std::string python_tint(const light::ViewTint& tint);
 
 base::Result<void> write_blender_material(const SetFacts& set, const BlenderRenderer& renderer);
 

@@ -30,20 +30,21 @@ constexpr ImageRow kImages[] = {
 // Version 4.0 reduces the diffuse part by the specular reflectance, and renamed sockets.
 constexpr const char* kFacts =
     R"(OLDER = bpy.app.version < (4, 0, 0)  # their diffuse part is brighter
-# Factor on the colour, Specular, and logarithms of by_view() for the weft and the warp.
+# Factor on the colour, Specular, and logarithms of growth() by slants(): of the colour, then of Specular.
 FACES = {"": ({OLDER_FRONT}) if OLDER else ({FRONT}),
          "_back": ({OLDER_BACK}) if OLDER else ({BACK})})";
 
 constexpr const char* kFace = R"(def face(side):
-    tint, specular, weft, warp = FACES[side]
+    shift, specular, tint, shine = FACES[side]
+    slanted = slants()
     shader = nodes.new("ShaderNodeBsdfPrincipled")
     colour = times(image(side + "_basecolor.png", True), image(side + "_occlusion.png"))
     if OLDER:
-        shift = nodes.new("ShaderNodeCombineRGB")
-        for socket, part in zip(shift.inputs, tint):
+        node = nodes.new("ShaderNodeCombineRGB")
+        for socket, part in zip(node.inputs, shift):
             socket.default_value = part
-        colour = times(colour, shift.outputs["Image"])
-    feed(shader, by_view(colour, weft, warp), "Base Color")
+        colour = times(colour, node.outputs["Image"])
+    feed(shader, by_view(colour, slanted, tint), "Base Color")
     if "{BLEND}" != "OPAQUE":
         feed(shader, image(side + "_alpha.png"), "Alpha")
     feed(shader, image(side + "_roughness.png"), "Roughness")
@@ -51,7 +52,7 @@ constexpr const char* kFace = R"(def face(side):
     feed(shader, image(side + "_anisotropic.png"), "Anisotropic")
     feed(shader, normal_map(side + "_normal.png"), "Normal")
     feed(shader, normal_map(side + "_tangent.png"), "Tangent")
-    feed(shader, number(specular), "Specular IOR Level", "Specular")
+    feed(shader, math("MULTIPLY", growth(slanted, shine), specular), "Specular IOR Level", "Specular")
     if THROUGH == 0:
         return shader.outputs["BSDF"]
     # Transmission through the threads, from a light behind them.
@@ -70,7 +71,7 @@ constexpr EngineModel model_over(int body) {
           .most_f0 = 0.5f,
           .grazing = false,
           .anisotropic = true,
-          .planes = 20,
+          .planes = 60,
           .each_texel = true,
           .view_tinted = true};
 }
@@ -78,7 +79,7 @@ constexpr EngineModel model_over(int body) {
 /// The numbers of a face for a fit, as Python text; the images have the colours of the face's own.
 std::string face_of(const FaceSource& face, const EngineFit& fit) {
   return python_colour(fit.base / face.fit().base) + ", " + number(static_cast<double>(fit.specular())) + ", " +
-         python_colour(fit.tint.weft) + ", " + python_colour(fit.tint.warp);
+         python_tint(fit.tint);
 }
 
 base::Result<void> write_material(const SetFacts& set) {

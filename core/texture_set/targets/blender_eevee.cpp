@@ -38,7 +38,8 @@ constexpr ImageRow kImages[] = {
 constexpr int kLobes = 9;  // as noisy with 16 samples as 5 with 64, at half the cost
 
 constexpr const char* kFacts =
-    R"(# Reflectance at normal view and at grazing, linear; logarithms of by_view() for the weft and the warp.
+    R"(# Reflectance at normal view and at grazing, linear; logarithms of growth() by slants(): of the colour, then of both
+# reflectances.
 FACES = {"": ({FRONT}), "_back": ({BACK})}
 LOBES = {LOBES}  # round highlights side by side
 GLOSSY = "ShaderNodeBsdfGlossy" if hasattr(bpy.types, "ShaderNodeBsdfGlossy") else "ShaderNodeBsdfAnisotropic"  # 4: renamed)";
@@ -96,8 +97,11 @@ def highlights(side, at_normal, at_grazing, normal):
 def face(side):
     colour = times(image(side + "_basecolor.png", True), image(side + "_occlusion.png"))
     metal, normal = image(side + "_metallic.png"), normal_map(side + "_normal.png")
-    at_normal, at_grazing, weft, warp = FACES[side]
-    body, tinted = nodes.new("ShaderNodeBsdfDiffuse"), by_view(colour, weft, warp)
+    at_normal, at_grazing, tint, shine = FACES[side]
+    slanted = slants()
+    body, tinted = nodes.new("ShaderNodeBsdfDiffuse"), by_view(colour, slanted, tint)
+    shone = growth(slanted, shine)
+    at_normal, at_grazing = vector("SCALE", at_normal, shone), vector("SCALE", at_grazing, shone)
     links.new(between(metal, tinted, (0, 0, 0)), body.inputs["Color"])
     links.new(normal, body.inputs["Normal"])
     parts = [body, *highlights(side, between(metal, at_normal, tinted), between(metal, at_grazing, (1, 1, 1)), normal)]
@@ -116,7 +120,7 @@ def face(side):
 /// The numbers of a face as Python text.
 std::string face_of(const FaceSource& face) {
   return python_colour(face.fit().f0) + ", " + python_colour(glm::vec3(face.fit().f90)) + ", " +
-         python_colour(face.fit().tint.weft) + ", " + python_colour(face.fit().tint.warp);
+         python_tint(face.fit().tint);
 }
 
 base::Result<void> write_material(const SetFacts& set) {
@@ -141,7 +145,7 @@ const ExportTarget targets::kEevee{
               .grazing = true,
               .anisotropic = true,
               .tinted = true,
-              .planes = 20,
+              .planes = 80,
               .view_tinted = true},
     .highlight = "anisotropic GGX of nine round ones, whose normals lean by chance; added to the diffuse part",
     .sheen = "none",

@@ -49,13 +49,20 @@ varying vec3 normal_reflectance;
 varying float grazing_reflectance;
 varying vec3 tint_weft;
 varying vec3 tint_warp;
+varying vec3 late_tint_weft;
+varying vec3 late_tint_warp;
+varying vec2 shine_growth;
 
-// Factor of the colour for a direction to the viewer or to a light: at a slant along one system of threads, more is seen
-// and lit of the other.
-vec3 tint(vec3 towards) {
+// Slant of a direction to the viewer or to a light along weft and warp; together 1 - cosine, which is z.
+vec3 slant(vec3 towards) {
 	float x = dot(towards, along_weft);
 	float z = clamp(dot(towards, outwards), 0.0, 1.0);
-	return exp((tint_weft * x * x + tint_warp * max(1.0 - z * z - x * x, 0.0)) / (1.0 + z));
+	return vec3(vec2(x * x, max(1.0 - z * z - x * x, 0.0)) / (1.0 + z), 1.0 - z);
+}
+
+// Factor of the colour for a slant: along one system of threads, more is seen and lit of the other.
+vec3 tint(vec3 s) {
+	return exp((tint_weft + late_tint_weft * s.z) * s.x + (tint_warp + late_tint_warp * s.z) * s.y);
 }
 
 // The Compatibility renderer has encoded colours here, and decodes ALBEDO afterwards.
@@ -89,7 +96,7 @@ vec3 encoded(vec3 color) {
 	alpha_of_axes = vec2(mix(narrow, 1.0, flow.b * flow.b), narrow);
 
 	NORMAL = normal;
-	vec3 seen = tint(VIEW);
+	vec3 seen = tint(slant(VIEW));
 	ALBEDO = OUTPUT_IS_SRGB ? encoded(min(decoded(albedo.rgb) * seen, vec3(1.0))) : min(albedo.rgb * seen, vec3(1.0));
 	AO = orm.r;
 	ROUGHNESS = sqrt(sqrt(alpha_of_axes.x * alpha_of_axes.y));
@@ -116,10 +123,12 @@ void light() {
 		float q = dot(h.xy / wide_narrow, h.xy / wide_narrow) + h.z * h.z;
 		float shine = 0.5 / (wide_narrow.x * wide_narrow.y * q * q * max(nl * length(v) + nv * length(l), 1e-6));
 		float k = pow(1.0 - clamp(dot(VIEW, middle), 0.0, 1.0), 5.0);
-		vec3 reflectance = clamp(mix(normal_reflectance, vec3(grazing_reflectance), k), 0.0, 1.0);
-		vec3 lit = tint(LIGHT);
+		vec3 lit_slant = slant(LIGHT);
+		vec3 lit = tint(lit_slant);
+		float shone = exp(dot(shine_growth, slant(VIEW).xy + lit_slant.xy));
+		vec3 reflectance = mix(normal_reflectance, vec3(grazing_reflectance), k) * shone;
 		vec3 metal = mix(ALBEDO, vec3(1.0), k) * lit;
-		DIFFUSE_LIGHT += arriving * nl * lit * (1.0 - reflectance);
+		DIFFUSE_LIGHT += arriving * nl * lit * max(1.0 - reflectance, 0.0);
 		SPECULAR_LIGHT += arriving * nl * shine * mix(reflectance, metal, METALLIC) * SPECULAR_AMOUNT;
 	}
 }
@@ -147,8 +156,11 @@ uniform sampler2D {SIDE}_normal : hint_normal, filter_linear_mipmap_anisotropic,
 uniform sampler2D {SIDE}_flowmap : filter_linear_mipmap_anisotropic, repeat_enable;
 uniform vec3 {SIDE}_normal_reflectance = vec3(0.04);
 uniform float {SIDE}_grazing_reflectance = 1.0;
-uniform vec3 {SIDE}_tint_weft = vec3(0.0);  // logarithms, for a flat direction along the weft
+uniform vec3 {SIDE}_tint_weft = vec3(0.0);  // logarithms, for a flat direction along the weft; by 1 - cosine
 uniform vec3 {SIDE}_tint_warp = vec3(0.0);
+uniform vec3 {SIDE}_late_tint_weft = vec3(0.0);  // by its square
+uniform vec3 {SIDE}_late_tint_warp = vec3(0.0);
+uniform vec2 {SIDE}_shine_growth = vec2(0.0);  // of the reflectance, along weft and warp
 )";
 
 constexpr const char* kFetch = R"(		albedo = texture({SIDE}_albedo, at);
@@ -159,6 +171,9 @@ constexpr const char* kFetch = R"(		albedo = texture({SIDE}_albedo, at);
 		grazing_reflectance = {SIDE}_grazing_reflectance;
 		tint_weft = {SIDE}_tint_weft;
 		tint_warp = {SIDE}_tint_warp;
+		late_tint_weft = {SIDE}_late_tint_weft;
+		late_tint_warp = {SIDE}_late_tint_warp;
+		shine_growth = {SIDE}_shine_growth;
 )";
 
 constexpr const char* kMaterial = R"([gd_resource type="ShaderMaterial" load_steps=10 format=3]
@@ -219,7 +234,10 @@ std::string parameters_of(const SetFacts& set, Face face) {
     out += first + row.suffix + " = ExtResource(\"" + side_of(face) + row.suffix + "\")\n";
   return out + first + "_normal_reflectance = " + vector3(fit.f0) + "\n" + first +
          "_grazing_reflectance = " + number(static_cast<double>(fit.f90)) + "\n" + first +
-         "_tint_weft = " + vector3(fit.tint.weft) + "\n" + first + "_tint_warp = " + vector3(fit.tint.warp) + "\n";
+         "_tint_weft = " + vector3(fit.tint.weft) + "\n" + first + "_tint_warp = " + vector3(fit.tint.warp) + "\n" +
+         first + "_late_tint_weft = " + vector3(fit.tint.late_weft) + "\n" + first +
+         "_late_tint_warp = " + vector3(fit.tint.late_warp) + "\n" + first + "_shine_growth = Vector2(" +
+         number(static_cast<double>(fit.tint.shine.x)) + ", " + number(static_cast<double>(fit.tint.shine.y)) + ")\n";
 }
 
 base::Result<void> write_material(const SetFacts& set) {
@@ -249,7 +267,7 @@ const ExportTarget targets::kGodot{
               .grazing = true,
               .anisotropic = true,
               .tinted = true,
-              .planes = 20,
+              .planes = 40,
               .view_tinted = true,
               .light_tinted = true},
     .highlight = "anisotropic GGX, its own shader",

@@ -50,25 +50,25 @@ struct KnownMisses {
   PlaneMisses gltf, cycles, eevee, godot;
 };
 const std::map<std::string, KnownMisses> kPlaneMisses = {
-    {"chambray", {{0.13f, 0.39f}, {0.11f, 0.08f}, {0.09f, 0.11f}, {0.05f, 0.11f}}},
-    {"chintz", {{0.09f, 0.24f}, {0.04f, 0.13f}, {0.09f, 0.23f}, {0.08f, 0.23f}}},
-    {"cotton_denim", {{0.07f, 0.05f}, {0.10f, 0.12f}, {0.10f, 0.14f}, {0.08f, 0.14f}}},
-    {"cotton_twill", {{0.08f, 0.05f}, {0.06f, 0.11f}, {0.13f, 0.13f}, {0.05f, 0.07f}}},
-    {"damask", {{0.09f, 0.17f}, {0.04f, 0.05f}, {0.06f, 0.03f}, {0.07f, 0.10f}}},
-    {"denim", {{0.10f, 0.02f}, {0.06f, 0.08f}, {0.06f, 0.05f}, {0.04f, 0.07f}}},
-    {"flannel", {{0.01f, 0.02f}, {0.02f, 0.02f}, {0.01f, 0.01f}, {0.02f, 0.01f}}},
-    {"gabardine", {{0.08f, 0.13f}, {0.09f, 0.15f}, {0.07f, 0.14f}, {0.08f, 0.14f}}},
-    {"linen", {{0.04f, 0.05f}, {0.06f, 0.01f}, {0.04f, 0.00f}, {0.07f, 0.04f}}},
-    {"linen_plain", {{0.03f, 0.04f}, {0.03f, 0.03f}, {0.03f, 0.03f}, {0.03f, 0.04f}}},
-    {"organza", {{0.02f, 0.05f}, {0.09f, 0.10f}, {0.03f, 0.07f}, {0.03f, 0.06f}}},
-    {"ottoman", {{0.28f, 0.30f}, {0.05f, 0.04f}, {0.13f, 0.13f}, {0.11f, 0.02f}}},
-    {"oxford", {{0.12f, 0.34f}, {0.14f, 0.08f}, {0.08f, 0.11f}, {0.06f, 0.11f}}},
-    {"polyester_satin_charmeuse", {{0.44f, 0.40f}, {0.29f, 0.21f}, {0.37f, 0.34f}, {0.18f, 0.22f}}},
-    {"shot_taffeta", {{0.16f, 0.17f}, {0.13f, 0.17f}, {0.12f, 0.21f}, {0.09f, 0.20f}}},
-    {"silk_charmeuse", {{0.25f, 0.36f}, {0.10f, 0.31f}, {0.23f, 0.37f}, {0.06f, 0.32f}}},
-    {"silk_crepe_de_chine", {{0.22f, 0.12f}, {0.09f, 0.04f}, {0.19f, 0.07f}, {0.19f, 0.10f}}},
-    {"silk_satin", {{0.11f, 0.10f}, {0.22f, 0.26f}, {0.11f, 0.11f}, {0.11f, 0.12f}}},
-    {"tweed", {{0.13f, 0.23f}, {0.08f, 0.05f}, {0.03f, 0.04f}, {0.04f, 0.04f}}}};
+    {"chambray", {{0.13f, 0.39f}, {0.04f, 0.04f}, {0.08f, 0.11f}, {0.10f, 0.17f}}},
+    {"chintz", {{0.09f, 0.24f}, {0.05f, 0.05f}, {0.05f, 0.04f}, {0.05f, 0.02f}}},
+    {"cotton_denim", {{0.07f, 0.05f}, {0.05f, 0.06f}, {0.05f, 0.03f}, {0.04f, 0.05f}}},
+    {"cotton_twill", {{0.08f, 0.05f}, {0.04f, 0.04f}, {0.07f, 0.01f}, {0.04f, 0.03f}}},
+    {"damask", {{0.09f, 0.17f}, {0.03f, 0.01f}, {0.05f, 0.01f}, {0.04f, 0.01f}}},
+    {"denim", {{0.10f, 0.02f}, {0.04f, 0.05f}, {0.04f, 0.01f}, {0.03f, 0.01f}}},
+    {"flannel", {{0.01f, 0.02f}, {0.01f, 0.01f}, {0.01f, 0.01f}, {0.01f, 0.01f}}},
+    {"gabardine", {{0.08f, 0.13f}, {0.06f, 0.06f}, {0.06f, 0.04f}, {0.04f, 0.04f}}},
+    {"linen", {{0.04f, 0.05f}, {0.02f, 0.01f}, {0.02f, 0.00f}, {0.03f, 0.01f}}},
+    {"linen_plain", {{0.03f, 0.04f}, {0.01f, 0.01f}, {0.02f, 0.01f}, {0.01f, 0.01f}}},
+    {"organza", {{0.02f, 0.05f}, {0.03f, 0.03f}, {0.02f, 0.02f}, {0.03f, 0.03f}}},
+    {"ottoman", {{0.28f, 0.30f}, {0.05f, 0.02f}, {0.11f, 0.04f}, {0.05f, 0.05f}}},
+    {"oxford", {{0.12f, 0.34f}, {0.07f, 0.05f}, {0.03f, 0.06f}, {0.03f, 0.06f}}},
+    {"polyester_satin_charmeuse", {{0.44f, 0.40f}, {0.16f, 0.11f}, {0.18f, 0.11f}, {0.08f, 0.10f}}},
+    {"shot_taffeta", {{0.16f, 0.17f}, {0.08f, 0.20f}, {0.08f, 0.15f}, {0.06f, 0.14f}}},
+    {"silk_charmeuse", {{0.25f, 0.36f}, {0.05f, 0.14f}, {0.05f, 0.09f}, {0.04f, 0.11f}}},
+    {"silk_crepe_de_chine", {{0.22f, 0.12f}, {0.08f, 0.04f}, {0.14f, 0.03f}, {0.15f, 0.02f}}},
+    {"silk_satin", {{0.11f, 0.10f}, {0.15f, 0.09f}, {0.07f, 0.01f}, {0.05f, 0.01f}}},
+    {"tweed", {{0.13f, 0.23f}, {0.02f, 0.02f}, {0.03f, 0.01f}, {0.01f, 0.01f}}}};
 
 PlaneMisses misses_for(const ExportTarget& target, const Design& cloth) {
   TextureSetOptions options;
@@ -144,24 +144,34 @@ TEST(ShippedCloth, OrganzaHasAHighlight) {
   EXPECT_EQ(mirrored, 2);
 }
 
-// Red over blue of all views at an elevation: the warp is blue, the weft red. In the cloth it falls to 0.43 of what it
-// is at normal view.
+/// Red over blue of all views at an elevation, in the cloth and in the engine.
+std::pair<float, float> hues_at(const FaceSource& face, float view_deg) {
+  glm::vec3 cloth(0), engine(0);
+  for (const EngineCheck& c : face.checks()) {
+    const float deg = std::acos(std::min(c.view.z, 1.0f)) * 57.29578f;
+    if (std::abs(deg - view_deg) < 2) cloth += c.cloth, engine += c.engine;
+  }
+  return {cloth.r / cloth.b, engine.r / engine.b};
+}
+
+// The warp is blue, the weft red: red over blue falls to 0.39 of what it is at normal view. With one term of the view
+// it was 0.70 at 43 degrees, in the cloth 0.85.
 TEST(ShippedCloth, ShotTaffetaChangesHueWithTheView) {
-  for (const auto& [target, most] : {std::pair(&targets::kGltf, 0.9f), std::pair(&targets::kBlender, 0.5f),
-                                     std::pair(&targets::kEevee, 0.5f), std::pair(&targets::kGodot, 0.5f)}) {
+  for (const ExportTarget* target : {&targets::kGltf, &targets::kBlender, &targets::kEevee, &targets::kGodot}) {
     TextureSetOptions options;
     options.target = target;
     const FaceSource face =
         face_at(shipped(WEFTLIGHT_SOURCE_DIR "/presets/cloths/shot_taffeta.wif"), Face::kFront, options, 64);
-    const auto hue = [&face](float from_deg, float to_deg) {
-      glm::vec3 sum(0);
-      for (const light::EngineCheck& c : face.checks()) {
-        const float deg = std::acos(std::min(c.view.z, 1.0f)) * 57.29578f;
-        if (deg >= from_deg && deg <= to_deg) sum += c.engine;
-      }
-      return sum.r / sum.b;
-    };
-    EXPECT_LT(hue(70, 80), most * hue(0, 1)) << target->id;
+    const auto [cloth, engine] = hues_at(face, 0);
+    if (target == &targets::kGltf) {
+      EXPECT_LT(hues_at(face, 79).second, 0.9f * engine);
+      continue;
+    }
+    for (const float deg : {43.0f, 59.0f, 71.0f, 79.0f}) {
+      const auto [of_cloth, of_engine] = hues_at(face, deg);
+      EXPECT_NEAR((of_engine / engine) / (of_cloth / cloth), 1, deg < 65 ? 0.11f : 0.2f)
+          << target->id << " at " << deg << " degrees";
+    }
   }
 }
 

@@ -144,7 +144,7 @@ FORMULA vec3 unhidden_reflectance(YarnLobes y) { return y.body + mean_fresnel(y)
 //   alone = reflected_alone(mean fraction that places reflect of hidden directions, seen from straight above)
 //
 // so that the mean over all places is the response without either (core/light/cloth_response.h); at a slant, where one sees
-// less of the grooves and what they send, a light cloth is darker by up to a tenth, as traced.
+// less of the grooves and what they send, a light cloth is darker by up to a tenth, as traced; the response knows that, too.
 // Based on: Koenderink, van Doorn 1983 (interreflection in a uniform concavity).
 // Differs: directions that are hidden show one radiance, that of a few yarns around.
 

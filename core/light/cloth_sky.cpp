@@ -241,6 +241,10 @@ void SkyMeasurer::measure(size_t view, const glm::vec3& v, const std::array<floa
   near_sky.z = glm::dot(glm::vec2(more), along), near_sky.w = more.z;
 }
 
+/// How much of what threads reflect of hidden directions a slanted view loses with them. Fitted to threads that are
+/// traced with light between them; half of kGrooveLight of shaders/methods.glsl.
+constexpr float kLostAtASlant = 0.42f;
+
 /// What threads reflect of hidden directions, towards a view.
 float SkyMeasurer::sent(size_t view) const {
   float sum = 0;
@@ -279,9 +283,9 @@ void measure_sky(ClothResponse& response, const Cloth& cloth, const std::vector<
   constexpr size_t kTop = kResponseViews - kViewAzimuths;
   std::array<float, kResponseViews> sent;
   for (size_t v = 0; v < kResponseViews; ++v) sent[v] = measurer.sent(v);
-  const auto alone = [](float hidden) { return formulas::reflected_alone(glm::vec3(hidden)).x; };
-  const float above = alone(std::accumulate(sent.begin() + kTop, sent.end(), 0.0f) / kViewAzimuths);
-  for (size_t v = 0; v < kTop; ++v) scale_view(response, v, above / alone(sent[v]));
+  const float above = std::accumulate(sent.begin() + kTop, sent.end(), 0.0f) / kViewAzimuths;
+  for (size_t v = 0; v < kTop; ++v)
+    scale_view(response, v, (1 + kLostAtASlant * sent[v]) / (1 + kLostAtASlant * above));
 }
 
 }  // namespace weftlight::light

@@ -292,7 +292,7 @@ TintedMean tinted_mean(const EngineFit& fit, const Problem& p, const EngineView&
     out.wanted += pair.fraction * pair.wanted, out.whole += pair.fraction * whole(r, fit), out.body += body;
     const glm::vec4 by = p.model.light_tinted ? slant + ViewTint::slant(p.directions.lights[pair.light]) : slant;
     for (int k = 0; k < 4; ++k) out.body_by[static_cast<size_t>(k)] += body * by[k];
-    for (int k = 0; k < 2; ++k) out.gloss_by[static_cast<size_t>(k)] += gloss * by[k];
+    for (int k = 0; k < 2; ++k) out.gloss_by[static_cast<size_t>(k)] += gloss * by[k + 2];
   }
   const float brightest = std::max({out.wanted.r, out.wanted.g, out.wanted.b, 1e-4f});
   const glm::vec3 size = glm::max(out.wanted, glm::vec3(kDarkChannel * brightest));

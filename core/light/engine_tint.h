@@ -13,7 +13,7 @@ namespace weftlight::light {
 struct ViewTint {
   glm::vec3 weft{0}, warp{0};            // of the base colour, by 1 - cosine
   glm::vec3 late_weft{0}, late_warp{0};  // and by its square, which comes in later
-  glm::vec2 shine{0};                    // of the reflectance of the dielectric, along weft and warp, by 1 - cosine
+  glm::vec2 shine{0};                    // of the reflectance of the dielectric, along weft and warp, by the square
   /// Of the unit vector to the viewer: x^2 and y^2 over 1 + z, together 1 - z; both times 1 - z.
   static glm::vec4 slant(const glm::vec3& view) {
     const glm::vec2 flat = glm::vec2(view.x * view.x, view.y * view.y) / (1 + view.z);
@@ -23,7 +23,10 @@ struct ViewTint {
     const glm::vec4 s = slant(view);
     return glm::exp(weft * s.x + warp * s.y + late_weft * s.z + late_warp * s.w);
   }
-  float shine_at(const glm::vec3& view) const { return std::exp(glm::dot(shine, glm::vec2(slant(view)))); }
+  float shine_at(const glm::vec3& view) const {
+    const glm::vec4 s = slant(view);
+    return std::exp(shine.x * s.z + shine.y * s.w);
+  }
 };
 
 /// The mean light of one view: what is wanted, what the material reflects, and what of that moves with each number of

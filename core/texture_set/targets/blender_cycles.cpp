@@ -52,7 +52,7 @@ constexpr const char* kFace = R"(def face(side):
     feed(shader, image(side + "_anisotropic.png"), "Anisotropic")
     feed(shader, normal_map(side + "_normal.png"), "Normal")
     feed(shader, normal_map(side + "_tangent.png"), "Tangent")
-    feed(shader, math("MULTIPLY", growth(slanted, shine), specular), "Specular IOR Level", "Specular")
+    feed(shader, math("MULTIPLY", growth(slanted[2:], shine), specular), "Specular IOR Level", "Specular")
     if THROUGH == 0:
         return shader.outputs["BSDF"]
     # Transmission through the threads, from a light behind them.

@@ -100,7 +100,7 @@ def face(side):
     at_normal, at_grazing, tint, shine = FACES[side]
     slanted = slants()
     body, tinted = nodes.new("ShaderNodeBsdfDiffuse"), by_view(colour, slanted, tint)
-    shone = growth(slanted, shine)
+    shone = growth(slanted[2:], shine)
     at_normal, at_grazing = vector("SCALE", at_normal, shone), vector("SCALE", at_grazing, shone)
     links.new(between(metal, tinted, (0, 0, 0)), body.inputs["Color"])
     links.new(normal, body.inputs["Normal"])
@@ -145,7 +145,7 @@ const ExportTarget targets::kEevee{
               .grazing = true,
               .anisotropic = true,
               .tinted = true,
-              .planes = 80,
+              .planes = 20,
               .view_tinted = true},
     .highlight = "anisotropic GGX of nine round ones, whose normals lean by chance; added to the diffuse part",
     .sheen = "none",

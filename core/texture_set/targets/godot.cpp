@@ -125,7 +125,8 @@ void light() {
 		float k = pow(1.0 - clamp(dot(VIEW, middle), 0.0, 1.0), 5.0);
 		vec3 lit_slant = slant(LIGHT);
 		vec3 lit = tint(lit_slant);
-		float shone = exp(dot(shine_growth, slant(VIEW).xy + lit_slant.xy));
+		vec3 seen_slant = slant(VIEW);
+		float shone = exp(dot(shine_growth, seen_slant.xy * seen_slant.z + lit_slant.xy * lit_slant.z));
 		vec3 reflectance = mix(normal_reflectance, vec3(grazing_reflectance), k) * shone;
 		vec3 metal = mix(ALBEDO, vec3(1.0), k) * lit;
 		DIFFUSE_LIGHT += arriving * nl * lit * max(1.0 - reflectance, 0.0);
@@ -160,7 +161,7 @@ uniform vec3 {SIDE}_tint_weft = vec3(0.0);  // logarithms, for a flat direction 
 uniform vec3 {SIDE}_tint_warp = vec3(0.0);
 uniform vec3 {SIDE}_late_tint_weft = vec3(0.0);  // by its square
 uniform vec3 {SIDE}_late_tint_warp = vec3(0.0);
-uniform vec2 {SIDE}_shine_growth = vec2(0.0);  // of the reflectance, along weft and warp
+uniform vec2 {SIDE}_shine_growth = vec2(0.0);  // of the reflectance, along weft and warp, by that square
 )";
 
 constexpr const char* kFetch = R"(		albedo = texture({SIDE}_albedo, at);

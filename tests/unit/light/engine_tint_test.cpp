@@ -31,7 +31,7 @@ std::vector<TintedMean> means_of(const Material& cloth, const Material& engine) 
       mean.weight = 1.0f / (mean.wanted * mean.wanted);
       const glm::vec4 slant = ViewTint::slant(view);
       for (int k = 0; k < 4; ++k) mean.body_by[static_cast<size_t>(k)] = body * slant[k];
-      for (int k = 0; k < 2; ++k) mean.gloss_by[static_cast<size_t>(k)] = gloss * slant[k];
+      for (int k = 0; k < 2; ++k) mean.gloss_by[static_cast<size_t>(k)] = gloss * slant[k + 2];
       out.push_back(mean);
     }
   }

@@ -110,7 +110,8 @@ py::array_t<float> response_of(const Design& design, const std::vector<double>& 
   const std::vector<FlatDirections> directions = directions_of(plane, views, lights);
   const std::vector<glm::vec3> radiances = long_call(progress, [&](const base::TaskProgress& task) {
     const Cloth cloth = face_cloth(design, drawdown(design.draft), face, Period::kRepeat);
-    return reference ? value_of(traced_radiance(cloth, directions, {spp, 0}, task)) : evaluated_radiance(cloth, directions);
+    return reference ? value_of(traced_radiance(cloth, directions, {spp, 0}, task))
+                     : evaluated_radiance(cloth, directions);
   });
   py::array_t<float> out(
       {static_cast<py::ssize_t>(views.size()), static_cast<py::ssize_t>(lights.size()), py::ssize_t{3}});

@@ -310,7 +310,7 @@ Design ottoman() {
        weft = spun("Cotton", "Corded cotton", "Ne 5/6", 1.5f, 130, 6);
   warp.flattening = 0.5f, weft.flattening = 1;
   d = set_at(with_yarns(std::move(d), warp, weft), 66, 4.8f);
-  return titled(lit(worn(std::move(d), "cushion", 6, 30, 0.755f), -20, 28), "Ottoman",
+  return titled(lit(worn(std::move(d), "cushion", 6, 30, 0.78f), -20, 28), "Ottoman",
                 {"Corded: a close silk warp covers thick cotton picks, 66 by 4.8 a centimetre."});
 }
 

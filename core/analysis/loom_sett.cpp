@@ -27,7 +27,7 @@ int whole(double per_cm, double otherwise, Units units) {
 }
 
 double wraps(const Design& design, System system) {
-  return wraps_per_cm(static_cast<float>(mean_thread(design, system).diameter_mm));
+  return wraps_per_cm(static_cast<float>(mean_thread(design, system).spun_mm));
 }
 
 }  // namespace

@@ -79,11 +79,14 @@ MeanThread mean_thread(const Design& design, System system, std::optional<int> y
     const design::Yarn& of = design.yarns[static_cast<size_t>(threads.yarn[i])];
     const float own = threads.thickness_mm[i];
     ++mean.threads;
-    mean.diameter_mm += static_cast<double>(own >= 0 ? own : of.diameter_mm);
+    const float thickness = own >= 0 ? own : of.diameter_mm;
+    mean.diameter_mm += static_cast<double>(thickness);
+    mean.spun_mm += design::spun_diameter_mm(of, thickness);
     mean.tex += static_cast<double>(own >= 0 ? tex_of(of, own) : tex_of(of));
   }
   mean.diameter_mm /= std::max(mean.threads, 1);
   mean.tex /= std::max(mean.threads, 1);
+  mean.spun_mm /= std::max(mean.threads, 1);
   return mean;
 }
 

@@ -45,6 +45,7 @@ inline constexpr int64_t kMaxClothThreads = int64_t{1} << 40;
 struct MeanThread {
   int threads = 0;
   double diameter_mm = 0, tex = 0;
+  double spun_mm = 0;  // diameter before it was woven and washed, by its count
 };
 MeanThread mean_thread(const Design& design, System system, std::optional<int> yarn = {});
 

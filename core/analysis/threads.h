@@ -28,7 +28,7 @@ struct Interlacing {
 };
 Interlacing interlacing(const BitMatrix& cells);
 
-/// Threads per cm side by side without pressure (wraps): 10 / diameter.
+/// Threads per cm side by side without pressure (wraps): 10 / diameter, that of the thread before it is woven.
 double wraps_per_cm(float diameter_mm);
 /// Threads per cm of the loom for a firm cloth. Based on: T. R. Ashenhurst, A Treatise on Textile Calculations and
 /// the Structure of Fabrics, 1884: a repeat of T threads with i interlacings has room for wraps T / (T + i).

@@ -186,6 +186,12 @@ double packing_fraction(const Yarn& yarn) {
   return yarn.diameter_mm > 0 ? static_cast<double>(tex_of(yarn)) / solid_tex(yarn, yarn.diameter_mm) : 0;
 }
 
+double spun_diameter_mm(const Yarn& yarn, float thickness_mm) {
+  if (yarn.section == CrossSection::kFlat) return static_cast<double>(thickness_mm);
+  const Substance& fibre = substance_of(yarn);
+  return diameter_from_tex_mm(static_cast<double>(tex_of(yarn, thickness_mm)), fibre.density, fibre.packing);
+}
+
 Yarn with_thickness(Yarn yarn, float diameter_mm) {
   if (yarn.tex > 0) yarn.tex = std::round(100 * tex_of(yarn, diameter_mm)) / 100;
   yarn.diameter_mm = diameter_mm;

@@ -55,6 +55,9 @@ float tex_of(const Yarn& yarn, float thickness_mm);
 /// Fraction of the thread's volume that is fibre: 0.6 for cotton, 0.2 for a lofty woollen; 0 without thickness. The
 /// densest packing of round fibres is 0.91.
 double packing_fraction(const Yarn& yarn);
+/// Diameter of a thread of the given thickness in the cloth before it is woven, by its count and the packing of such
+/// yarns as they are spun: a soft yarn opens when it is washed, and its sett is chosen before. A film keeps its own.
+double spun_diameter_mm(const Yarn& yarn, float thickness_mm);
 /// Another thickness of the same yarn; a set count changes with the cross-section.
 Yarn with_thickness(Yarn yarn, float diameter_mm);
 /// The yarn with a written count, "Ne 8/2" or "30 tex" (count.h), and its thickness scaled accordingly. "": unsets the

@@ -3,20 +3,23 @@
 // Diameter: of a round thread of the count named below, d = 2 sqrt(tex / (1000 pi rho phi)) mm, with the
 //   density rho of the fibre and the packing phi, the fraction of the thread that is fibre. rho, g/cm3: cotton 1.52,
 //   flax 1.50, silk 1.34, wool 1.31, viscose 1.52, polyester 1.39 (W. E. Morton and J. W. S. Hearle, Physical
-//   Properties of Textile Fibres, ch. 5). phi: spun yarn 0.5 (worsted) to 0.65 (hard twisted), filament 0.6; woollen
-//   0.4, by rank, between worsted and the 0.2 of a tweed's yarn in the finished cloth.
+//   Properties of Textile Fibres, ch. 5). phi in the washed cloth: cotton, wool and spun polyester 0.4 to 0.5, where
+//   spun yarn has 0.5 to 0.6 (fibre.cpp), linen 0.55 of 0.65, gassed and filament 0.6 and more, as spun; by the cover
+//   of the shipped cloths (presets/cloths), whose yarns have 0.37 (combed cotton) to 0.6, and so that washed plain
+//   weave of cotton at a firm sett has pinholes and no net of gaps; by eye.
 // Turns: of the last twist, from the angle alpha that the fibres lie at on the surface,
-//   T = 1000 tan(alpha) / (pi d). Spun cotton and polyester 20-25 degrees (combed 20: longer fibres hold with less),
-//   worsted about 18, woollen 16, linen about 16, spun silk about 14, filament with a producer's twist under 5
-//   (J. W. S. Hearle, P. Grosberg, S. Backer, Structural Mechanics of Fibers, Yarns, and Fabrics, 1969, on twist
-//   factors). Tram, the reeled silk for weft, is thrown with 80 to 180 turns a metre.
+//   T = 1000 tan(alpha) / (pi d) with d as spun. Spun cotton and polyester 20-25 degrees (combed 20: longer fibres hold
+//   with less), worsted about 18, woollen 16, linen about 16, spun silk about 14, filament with a producer's twist
+//   under 5 (J. W. S. Hearle, P. Grosberg, S. Backer, Structural Mechanics of Fibers, Yarns, and Fabrics, 1969, on
+//   twist factors). Tram, the reeled silk for weft, is thrown with 80 to 180 turns a metre.
 // Plies: two for what weavers buy as a plied warp, one for the rest.
 // Grooves: width of the fibre bundles between them, some fibres wide. Fibres: cotton 12-20, flax
 //   ultimates 15-20 in technical fibres of 50-100, silk 10-13, wool 20-25, filaments 12-18 um (Morton and Hearle,
 //   ch. 3). Deep where bundles stay separate (linen), shallow in smooth filament.
 // Hairiness: rank of the Uster hairiness of such yarns, woollen over worsted over carded cotton over spun polyester
 //   over combed cotton over gassed cotton; filament has almost no free fibre ends. Spun silk is gassed.
-// Flattening: after weaving and pressing: Peirce 1937 found 0.6-0.8 in cotton; low twist spreads more.
+// Flattening: after weaving, washing and pressing, where threads touch; by the shipped cloths. Peirce 1937 found 0.6
+//   to 0.8 in grey cotton; low twist spreads more.
 // Unevenness: medians of such yarns in the Uster Statistics, that of the singles over the square root of the plies;
 //   filament 1, reeled silk 4 (the cocoon's thread tapers, and is joined).
 // Index of refraction: mean of the two of the fibre: cotton 1.578/1.532, flax 1.596/1.528, silk 1.591/1.538, wool
@@ -61,17 +64,17 @@ namespace {
 /// The usual ones. Files, their recognition and the measured cloths go by their numbers.
 std::array<Yarn, kFibres> make_presets() {
   return {{
-      // Ne 8/2 ring-spun, 148 tex, phi 0.6; 22 degrees.
+      // Ne 8/2 ring-spun, 148 tex, phi 0.46; 22 degrees.
       {
           .name = mark("Cotton"),
-          .diameter_mm = 0.45f,
+          .diameter_mm = 0.52f,
           .twist = Twist::kS,
           .turns_per_m = 285,
           .plies = 2,
           .fibre_um = 60,
           .groove_depth = 0.45f,
           .hairiness = 0.35f,
-          .flattening = 0.70f,
+          .flattening = 0.50f,
           .unevenness = 11,
           .lobes =
               {
@@ -100,7 +103,7 @@ std::array<Yarn, kFibres> make_presets() {
           .fibre_um = 40,
           .groove_depth = 0.35f,
           .hairiness = 0.10f,
-          .flattening = 0.75f,
+          .flattening = 0.54f,
           .unevenness = 9,
           .lobes =
               {
@@ -129,7 +132,7 @@ std::array<Yarn, kFibres> make_presets() {
           .fibre_um = 90,
           .groove_depth = 0.55f,
           .hairiness = 0.22f,
-          .flattening = 0.75f,
+          .flattening = 0.60f,
           .unevenness = 18,
           .lobes =
               {
@@ -158,7 +161,7 @@ std::array<Yarn, kFibres> make_presets() {
           .fibre_um = 28,
           .groove_depth = 0.25f,
           .hairiness = 0.06f,
-          .flattening = 0.65f,
+          .flattening = 0.55f,
           .unevenness = 10,
           .lobes =
               {
@@ -175,19 +178,19 @@ std::array<Yarn, kFibres> make_presets() {
               },
           .tex = 66.7f,
       },
-      // Nm 28/2 worsted, 71 tex, phi 0.5; 18 degrees.
+      // Nm 28/2 worsted, 71 tex, phi 0.43; 18 degrees.
       {
           .name = mark("Wool"),
           .fibre = Fibre::kWool,
           .section = CrossSection::kRound,
-          .diameter_mm = 0.37f,
+          .diameter_mm = 0.40f,
           .twist = Twist::kS,
           .turns_per_m = 280,
           .plies = 2,
           .fibre_um = 70,
           .groove_depth = 0.40f,
           .hairiness = 0.65f,
-          .flattening = 0.75f,
+          .flattening = 0.60f,
           .unevenness = 13,
           .lobes =
               {
@@ -216,7 +219,7 @@ std::array<Yarn, kFibres> make_presets() {
           .fibre_um = 26,
           .groove_depth = 0.18f,
           .hairiness = 0.04f,
-          .flattening = 0.60f,
+          .flattening = 0.50f,
           .unevenness = 1,
           .lobes =
               {
@@ -245,7 +248,7 @@ std::array<Yarn, kFibres> make_presets() {
           .fibre_um = 24,
           .groove_depth = 0.12f,
           .hairiness = 0.02f,
-          .flattening = 0.60f,
+          .flattening = 0.50f,
           .unevenness = 1,
           .lobes =
               {
@@ -300,17 +303,17 @@ std::array<Yarn, 4> make_other_yarns() {
   Lobes combed = ready_yarn(Fibre::kCotton).lobes;  // its fibres are those of carded
   combed.fuzz = 0.085f;
   return {{
-      // Ne 20/2 combed, ring-spun, 59 tex, phi 0.6; 20 degrees.
+      // Ne 20/2 combed, ring-spun, 59 tex, phi 0.45; 20 degrees.
       {
           .name = mark("Combed cotton"),
-          .diameter_mm = 0.29f,
+          .diameter_mm = 0.33f,
           .twist = Twist::kS,
           .turns_per_m = 400,
           .plies = 2,
           .fibre_um = 36,
           .groove_depth = 0.40f,
           .hairiness = 0.25f,
-          .flattening = 0.70f,
+          .flattening = 0.50f,
           .unevenness = 8.5f,
           .lobes = combed,
           .tex = 59.05f,
@@ -327,7 +330,7 @@ std::array<Yarn, 4> make_other_yarns() {
           .fibre_um = 22,
           .groove_depth = 0.15f,
           .hairiness = 0.02f,
-          .flattening = 0.60f,
+          .flattening = 0.50f,
           .unevenness = 4,
           .lobes =
               {
@@ -356,7 +359,7 @@ std::array<Yarn, 4> make_other_yarns() {
           .fibre_um = 60,
           .groove_depth = 0.25f,
           .hairiness = 0.90f,
-          .flattening = 0.70f,
+          .flattening = 0.60f,
           .unevenness = 14,
           .lobes =
               {
@@ -373,19 +376,19 @@ std::array<Yarn, 4> make_other_yarns() {
               },
           .tex = 250,
       },
-      // Ne 30/2 ring-spun of cut fibre, 39 tex, phi 0.6; 20 degrees.
+      // Ne 30/2 ring-spun of cut fibre, 39 tex, phi 0.46; 20 degrees.
       {
           .name = mark("Spun polyester"),
           .fibre = Fibre::kPolyester,
           .section = CrossSection::kRound,
-          .diameter_mm = 0.25f,
+          .diameter_mm = 0.28f,
           .twist = Twist::kS,
           .turns_per_m = 463,
           .plies = 2,
           .fibre_um = 32,
           .groove_depth = 0.40f,
           .hairiness = 0.28f,
-          .flattening = 0.70f,
+          .flattening = 0.55f,
           .unevenness = 9,
           .lobes =
               {

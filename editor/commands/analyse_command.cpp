@@ -27,8 +27,8 @@ using analysis::ClothMeasures, analysis::Comparison, analysis::Difference, analy
     analysis::compare, analysis::interlacing, analysis::long_floats, analysis::longest_floats, analysis::loom_use,
     analysis::mean_thread, analysis::thread_list, analysis::weave_layers, analysis::wraps_per_cm;
 using base::arg, base::fill, base::tr, base::tr_n;
-using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat, design::tex_of,
-    design::warp_up_fraction;
+using design::Design, design::Repeat, design::Yarn, design::design_repeat, design::structure_repeat,
+    design::spun_diameter_mm, design::tex_of, design::warp_up_fraction;
 using draft::BitMatrix, draft::Face, draft::LoomSize, draft::System, draft::drawdown, draft::fewest_for;
 
 namespace {
@@ -175,9 +175,9 @@ void print_loom(const DraftAnalysis& f) {
 }
 
 /// The sett that threads of one size alone would have.
-void print_wraps(const std::string& yarn, double tex, double diameter_mm, double firm_sett, Units units) {
+void print_wraps(const std::string& yarn, double tex, double spun_mm, double firm_sett, Units units) {
   const bool imperial = units == Units::kImperial;
-  const double wraps = wraps_per_cm(static_cast<float>(diameter_mm));
+  const double wraps = wraps_per_cm(static_cast<float>(spun_mm));
   print_row(tr("  from wraps"),
             fill(imperial ? tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per inch, {sett}")
                           : tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per cm, {sett}"),
@@ -191,10 +191,11 @@ void print_wraps_of(const Design& design, int yarn, double firm_sett, Units unit
   const Yarn& of = design.yarns[static_cast<size_t>(yarn)];
   const MeanThread warp = mean_thread(design, System::kWarp, yarn), weft = mean_thread(design, System::kWeft, yarn);
   const auto print = [&](const std::string& name, const MeanThread& thread) {
-    print_wraps(name, thread.tex, thread.diameter_mm, firm_sett, units);
+    print_wraps(name, thread.tex, thread.spun_mm, firm_sett, units);
   };
   if (warp.threads == 0 && weft.threads == 0)
-    return print_wraps(of.name, static_cast<double>(tex_of(of)), static_cast<double>(of.diameter_mm), firm_sett, units);
+    return print_wraps(of.name, static_cast<double>(tex_of(of)), spun_diameter_mm(of, of.diameter_mm), firm_sett,
+                       units);
   if (warp.threads == 0 || weft.threads == 0 || std::abs(warp.diameter_mm - weft.diameter_mm) < kSame_mm)
     return print(of.name, warp.threads > 0 ? warp : weft);
   print(fill(tr("{yarn} in the warp"), arg("yarn", of.name)), warp);

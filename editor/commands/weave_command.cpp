@@ -9,6 +9,7 @@
 #include "commands/closest_word.h"
 #include "commands/commands.h"
 #include "design/edits.h"
+#include "design/yarn_presets.h"
 #include "weaves/table.h"
 
 namespace weftlight::commands {
@@ -16,7 +17,7 @@ namespace weftlight::commands {
 using analysis::Units, analysis::firm_sett, analysis::with_loom_sett;
 using base::arg, base::fill, base::tr, base::write_file_atomically;
 using weaves::GeneratedWeave, weaves::ParameterKind, weaves::WeaveKind, weaves::WeaveParameter, weaves::WeaveValues,
-    weaves::cut_repeat_note, weaves::find_weave, weaves::new_draft, weaves::weave_kinds;
+    weaves::cut_repeat_note, weaves::find_weave, weaves::new_draft, weaves::weave_kinds, weaves::with_ground_yarn;
 using wif::write_new_wif;
 
 namespace {
@@ -111,6 +112,7 @@ int weave_command(const WeaveOptions& options) {
   if (!read_values(*kind, options.set, values)) return kUsage;
   if (const auto made = check_values(*kind, values); !made) return refuse(problem_of(made));
   GeneratedWeave generated = new_draft(*kind, values, {options.ends, options.picks});
+  generated.design = with_ground_yarn(std::move(generated.design), design::ready_yarn(design::Fibre::kCotton));
   const analysis::LoomSett sett = firm_sett(generated.design, Units::kMetric);
   generated.design = with_loom_sett(std::move(generated.design), sett, Units::kMetric);
   generated.design.title = kind->name;

@@ -27,7 +27,7 @@ void analyse(const PanelContext& c, AnalysisState& s) {
   s.loom = loom_use(c.design.draft);
   s.fewest = fewest_for(c.cells);
   s.firm_sett = firm_sett_per_cm(c.cells, s.layers, 1);
-  s.wraps = wraps_per_cm(static_cast<float>(mean_thread(c.design, System::kWarp).diameter_mm));
+  s.wraps = wraps_per_cm(static_cast<float>(mean_thread(c.design, System::kWarp).spun_mm));
   s.measures = cloth_measures(c.design);
 }
 

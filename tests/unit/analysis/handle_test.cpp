@@ -22,7 +22,7 @@ namespace {
 Design shirting() {
   Design d = straight_twill(8, 8);
   Yarn yarn = yarn_presets()[0];
-  yarn.plies = 1, yarn.turns_per_m = 800, yarn.flattening = 0.7f;
+  yarn.plies = 1, yarn.turns_per_m = 800, yarn.flattening = 0.7f, yarn.diameter_mm = 0.45f;
   d.yarns = {*with_count(yarn, "20 tex")};
   for (Threads* t : {&d.draft.warp, &d.draft.weft})
     t->spacing_mm.assign(t->color.size(), 0.25f), t->thickness_mm.assign(t->color.size(), kFromYarn);

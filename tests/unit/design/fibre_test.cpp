@@ -218,7 +218,7 @@ TEST(Fibre, CountsOfThePresets) {
     const double tex = tex_from_text(count).value_or(0);
     EXPECT_NEAR(static_cast<double>(tex_of(*spun)) / tex, 1, 1e-3) << name;
     EXPECT_NEAR(static_cast<double>(ready.tex) / tex, 1, 3e-3) << name;
-    EXPECT_NEAR(packing_fraction(ready), name == std::string("Woollen yarn") ? 0.4 : 0.61, 0.12) << name;
+    EXPECT_NEAR(packing_fraction(ready), name == std::string("Woollen yarn") ? 0.4 : 0.55, 0.12) << name;
   }
   EXPECT_FALSE(with_count(yarn_preset("Cotton"), "thick"));
   EXPECT_EQ(with_count(yarn_preset("Cotton"), "Ne 8/2")->lobes, yarn_preset("Cotton").lobes);

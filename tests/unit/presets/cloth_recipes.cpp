@@ -30,7 +30,7 @@ constexpr float kBoiledOff = 0.76f;  // weight after degumming over that of raw 
 /// The preset spun to a count, with the given thickness in the finished cloth (washing and milling open yarns, contact
 /// between threads closes them); `turns` per metre, of the singles.
 Yarn spun(const char* preset, const char* name, const char* count, float diameter_mm, float turns, int plies = 1) {
-  Yarn yarn = yarn_preset(preset);
+  Yarn yarn = as_spun(preset);
   yarn.name = std::string(name) + " " + count;
   yarn.diameter_mm = diameter_mm;
   yarn.tex = static_cast<float>(std::round(100 * tex_from_text(count).value_or(30)) / 100);

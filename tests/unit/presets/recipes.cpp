@@ -23,7 +23,16 @@ using weaves::Lean, weaves::Recipe, weaves::glen_check, weaves::herringbone, wea
 
 namespace {
 
-const Yarn& yarn(const char* name) { return yarn_preset(name); }
+/// Thickness and roundness before the cloth was washed.
+struct AsSpun {
+  std::string_view name;
+  float diameter_mm, flattening;
+};
+constexpr AsSpun kAsSpun[]{{"Cotton", 0.45f, 0.7f}, {"Combed cotton", 0.29f, 0.7f}, {"Mercerised cotton", 0.39f, 0.75f},
+                           {"Linen", 0.52f, 0.75f}, {"Silk", 0.33f, 0.65f},         {"Wool", 0.37f, 0.75f},
+                           {"Viscose", 0.22f, 0.6f}};
+
+Yarn yarn(const char* name) { return as_spun(name); }
 
 // Yarns first, then the sett they need.
 Design in_yarns(Design design, const Yarn& warp, const Yarn& weft, float openness = 1) {
@@ -297,6 +306,13 @@ std::string file_name(std::string name) {
 }
 
 }  // namespace
+
+Yarn as_spun(const char* name) {
+  Yarn yarn = yarn_preset(name);
+  for (const AsSpun& was : kAsSpun)
+    if (yarn.name == was.name) yarn.diameter_mm = was.diameter_mm, yarn.flattening = was.flattening;
+  return yarn;
+}
 
 std::vector<PresetRecipe> preset_recipes() {
   std::vector<PresetRecipe> all = {

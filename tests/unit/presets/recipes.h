@@ -13,6 +13,10 @@ namespace weftlight::wif {
 using design::Design;
 using draft::Rgb;
 
+/// The ready yarn as thick and as round as it is spun: the shipped drafts are set close, so that their threads keep it;
+/// the cloths have their own thickness.
+design::Yarn as_spun(const char* name);
+
 struct PresetRecipe {
   std::string path;  // in presets/
   Design design;

@@ -123,13 +123,13 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
 // that fill the room: those of the thread nearest to it at the middle plane. No thread where one sees through from
 // straight above, too.
 ThreadHit nearest_thread(ThreadGrid g, vec2 at) {
-#if !defined(CLOSED_CLOTH)
-  ThreadHit above = thread_below(g, at, vec2(0.0));
-  if (above.system < 0) return above;
-#endif
   Crossing c = crossing_near(g, at);
   vec3 p = vec3(at, 0.0);
-  return hit_of(c, p, near_distances(c, p));
+  ThreadHit hit = hit_of(c, p, near_distances(c, p));
+#if !defined(CLOSED_CLOTH)
+  if (!lies_under(c.warp, at.x, at.y) && !lies_under(c.weft, at.y, at.x)) hit.system = -1;
+#endif
+  return hit;
 }
 
 // One sample at `at`, of size dx by dy, all on the middle plane in mm; l: to a point of the light. Masking and
@@ -165,7 +165,9 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, v
   // may occlude itself, too, so the ray starts a little above it.
   bool side = l.z < 0.0 && dot(p.normal, l) > 0.0;
   vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
-  bool blocked = a.key.r + a.key.g + a.key.b > 0.0 && (faces.nap < 1.0 || l.z <= 0.0)
+  // In the shade of folds no ray is needed: there x.key is 0.
+  vec3 unhidden = x.key * a.key;
+  bool blocked = unhidden.r + unhidden.g + unhidden.b > 0.0 && (faces.nap < 1.0 || l.z <= 0.0)
               && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread);
   // A nap scatters the light into the shadows between the threads: all have the mean.
   a.key *= mix(blocked ? 0.0 : 1.0, faces.lit, l.z > 0.0 ? faces.nap : 0.0);

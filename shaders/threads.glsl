@@ -109,6 +109,11 @@ FORMULA float strand_distance(Strand s, float across, float along, float z) {
   return (section_norm(p.x * p.x, p.y * p.y, s.squareness) - 1.0f) * s.half_height;
 }
 
+// Whether a vertical line through a position meets the thread.
+FORMULA bool lies_under(Strand s, float across, float along) {
+  return abs((across - strand_centre(s, along)) * strand_thin(s, along).x) <= 1.0f;
+}
+
 // Highest point of the thread over a position, refined in `steps` from that of a straight one; far below if it is not
 // there.
 FORMULA float strand_top(Strand s, float across, float along, int steps) {

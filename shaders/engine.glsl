@@ -115,7 +115,16 @@ FORMULA float leaning_cosine(vec3 h, vec3 wo, float ax, float ay) {
   return dot(normalize(vec3(lean, 0.0f, 1.0f)), wo);
 }
 
-FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
+// Light from or to w that the sheen keeps from the body, as a fraction for a sheen of 1.
+FORMULA float sheen_albedo(EngineMaterial m, int sheen, vec3 w) {
+  float mu = clamp(w.z, 1.0e-3f, 1.0f);
+  if (sheen == kSheenCharlie) return charlie_albedo(mu, m.sheen_roughness);
+  if (sheen == kSheenZeltner) return zeltner_albedo(mu, clamp(m.sheen_roughness, 0.01f, 1.0f));
+  return 0.0f;
+}
+
+// sheen_wi, sheen_wo: sheen_albedo() of the directions.
+FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo, float sheen_wi, float sheen_wo) {
   EngineParts p;
   p.body = vec3(0.0f);
   p.gloss = vec3(0.0f);
@@ -151,10 +160,10 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
   float most = max(max(m.sheen.x, m.sheen.y), m.sheen.z);
   if (sheen == kSheenCharlie) {
     p.fuzz = m.sheen * (charlie_sheen(h.z, nl, nv, m.sheen_roughness) * nl);
-    p.kept = 1.0f - most * max(charlie_albedo(nv, m.sheen_roughness), charlie_albedo(nl, m.sheen_roughness));
+    p.kept = 1.0f - most * max(sheen_wo, sheen_wi);
   } else if (sheen == kSheenZeltner) {
     p.fuzz = m.sheen * (zeltner_sheen(wi, wo, clamp(m.sheen_roughness, 0.01f, 1.0f)) * nl);
-    p.kept = 1.0f - most * zeltner_albedo(nv, clamp(m.sheen_roughness, 0.01f, 1.0f));
+    p.kept = 1.0f - most * sheen_wo;
   } else if (sheen == kSheenInverseGgx) {
     p.fuzz = m.sheen * (inverse_ggx_sheen(h.z, nl, nv, sqrt(sqrt(ax * ay))) * nl);
     p.kept = 1.0f;
@@ -162,6 +171,10 @@ FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) 
     p.fuzz = m.sheen * (k5 * (1.0f - m.metal) * nl);
   }
   return p;
+}
+
+FORMULA EngineParts engine_parts(EngineMaterial m, int sheen, vec3 wi, vec3 wo) {
+  return engine_parts(m, sheen, wi, wo, sheen_albedo(m, sheen, wi), sheen_albedo(m, sheen, wo));
 }
 
 // Of an even sky, what GGX of a roughness reflects with a reflectance of 1 at normal view (x) and at grazing view (y).

@@ -18,16 +18,17 @@ class ImageRows {
   /// texels, down to 1 x 1. Of the finest level a row of tiles is in memory, the others are as a whole.
   static base::Result<std::unique_ptr<ImageRows>> open_mipmapped(const std::string& path, int width, int height,
                                                                  const std::vector<std::string>& names);
-  ~ImageRows();
+  virtual ~ImageRows() = default;
+  ImageRows(const ImageRows&) = delete;
+  ImageRows& operator=(const ImageRows&) = delete;
   /// Writes the next rows of a level; they have its width and the channels of the image.
-  base::Result<void> add(const Image& band, int level = 0);
+  virtual base::Result<void> add(const Image& band, int level) = 0;
+  base::Result<void> add(const Image& band) { return add(band, 0); }
   /// Call it after the last row. On the disk it is when it is put in place (platform/durable_file.h).
-  base::Result<void> close();
+  virtual base::Result<void> close() = 0;
 
- private:
-  struct File;
-  explicit ImageRows(std::unique_ptr<File> file);
-  std::unique_ptr<File> file_;
+ protected:
+  ImageRows() = default;
 };
 
 }  // namespace weftlight::files

@@ -99,16 +99,20 @@ std::vector<float> shine_of(const EngineDirections& directions, const EngineMode
 void add_pixels(std::vector<PairRadiance>& out, const std::vector<Shaded>& pixels, const EngineDirections& directions,
                 const EngineModel& model, const EngineFit& fit, size_t first, size_t last) {
   std::vector<glm::vec3> wi(directions.lights.size()), wo(directions.views.size());
+  std::vector<float> sheen_wi(wi.size()), sheen_wo(wo.size());
   const std::vector<float> shine = shine_of(directions, model, fit);
   for (const Shaded& t : pixels) {
     EngineMaterial m = t.material;
     for (size_t i = 0; i < wi.size(); ++i) wi[i] = formulas::lobe_local(t.frame, directions.lights[i]);
     for (size_t i = 0; i < wo.size(); ++i) wo[i] = formulas::lobe_local(t.frame, directions.views[i]);
+    for (size_t i = 0; i < wi.size(); ++i) sheen_wi[i] = formulas::sheen_albedo(m, model.sheen, wi[i]);
+    for (size_t i = 0; i < wo.size(); ++i) sheen_wo[i] = formulas::sheen_albedo(m, model.sheen, wo[i]);
     for (size_t i = first; i < last; ++i) {
       const EnginePair& pair = directions.pairs[i];
       m.f0 = t.material.f0 * shine[i];
       if (model.grazing) m.f90 = t.material.f90 * shine[i];
-      const EngineParts p = formulas::engine_parts(m, model.sheen, wi[pair.light], wo[pair.view]);
+      const EngineParts p = formulas::engine_parts(m, model.sheen, wi[pair.light], wo[pair.view], sheen_wi[pair.light],
+                                                   sheen_wo[pair.view]);
       out[i].body += p.body * (p.kept * t.weight) / fit.base;
       out[i].fuzz += p.fuzz * t.weight / glm::max(fit.sheen, kLeastSheen);
       out[i].gloss += p.gloss * (shine[i] * p.kept * t.weight);
@@ -387,11 +391,9 @@ EngineFit descend(EngineFit best, const Problem& p, float first_step, float last
   float step = first_step;
   while (step > last_step) {
     tinted(best, p, 1);
-    for (bool better = true; better;) {
-      better = false;
-      for (size_t which = 0; which < count; ++which)
-        better |= improve(best, p, which, -step) || improve(best, p, which, step);
-    }
+    // Until none has helped since the last one that did.
+    for (size_t which = 0, failed = 0; failed < count; which = (which + 1) % count)
+      failed = improve(best, p, which, -step) || improve(best, p, which, step) ? 0 : failed + 1;
     step /= 2;
   }
   return best;

@@ -19,6 +19,7 @@ namespace {
 // Pixels of the sheet.
 constexpr int kTile = 300, kGap = 24, kLabel = 34, kHead = 96, kMargin = 40;
 constexpr int kCell = kTile + kLabel + kGap, kBig = 2 * kTile + kGap, kBigHeight = 2 * kCell - kGap - kLabel;
+constexpr int kMostTaps = 8;  // of a pixel of the swatch, per side
 constexpr std::array<float, 3> kPaper{0.965f, 0.961f, 0.949f}, kInk{0.16f, 0.16f, 0.17f}, kFaint{0.45f, 0.45f, 0.45f};
 
 std::vector<float> ink(const std::array<float, 3>& c) { return {c.begin(), c.end()}; }
@@ -133,16 +134,24 @@ Image lit_swatch(const SurfaceTexels& surface, int width, int height, float repe
   const float mm = repeats_across * surface.width_mm / static_cast<float>(width);  // size of a pixel of the swatch
   const float step_x = mm / surface.width_mm * static_cast<float>(w),
               step_y = mm / surface.depth_mm * static_cast<float>(h);
-  const int taps = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y))), 2, 8);
+  const int taps = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y))), 2, kMostTaps);
+  // Of pixel k along a side, the texel of a tap.
+  const auto tapped = [taps](int k, int tap, float step, int texels) {
+    const float at = (static_cast<float>(k) + (static_cast<float>(tap) + 0.5f) / static_cast<float>(taps)) * step;
+    return static_cast<int>(at) % texels;
+  };
+  std::vector<int> columns;
+  for (int x = 0; x < width; ++x)
+    for (int i = 0; i < taps; ++i) columns.push_back(tapped(width - 1 - x, i, step_x, w));
   for_each_job(height, [&](int y) {
+    std::array<const Linear*, kMostTaps> rows{};
+    for (int j = 0; j < taps; ++j) rows[static_cast<size_t>(j)] = radiance.row(tapped(y, j, step_y, h));
     for (int x = 0; x < width; ++x) {
+      const int* const across = &columns[static_cast<size_t>(x) * static_cast<size_t>(taps)];
       Linear sum;
       for (int j = 0; j < taps; ++j) {
         for (int i = 0; i < taps; ++i) {
-          const float fx =
-              (static_cast<float>(width - 1 - x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(taps)) * step_x;
-          const float fy = (static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps)) * step_y;
-          const Linear& c = radiance.at(static_cast<int>(fx) % w, static_cast<int>(fy) % h);
+          const Linear& c = rows[static_cast<size_t>(j)][across[i]];
           sum.r += c.r, sum.g += c.g, sum.b += c.b;
         }
       }

@@ -230,6 +230,8 @@ SurfaceTexels make_surface(const Cloth& cloth, const Maps& maps, int width, int 
   for_each_job(height, threads, [&](int y) {
     std::vector<MapRow> rows(static_cast<size_t>(block_y), MapRow(cloth, yarns, maps));
     for (int j = 0; j < block_y; ++j) rows[static_cast<size_t>(j)].go_to(y * block_y + j);
+    for (int x = 0; block_x * block_y == 1 && x < width; ++x) out.texels.at(x, y) = rows.front().at(x);
+    if (block_x * block_y == 1) return;
     std::vector<SurfaceTexel> parts(static_cast<size_t>(block_x) * static_cast<size_t>(block_y));
     for (int x = 0; x < width; ++x) {
       size_t n = 0;

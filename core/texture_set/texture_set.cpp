@@ -285,11 +285,17 @@ FinestFits left_for_levels(const FaceSource& front, const FaceSource& back, cons
   return {options.target, front.fit(), back.fit()};
 }
 
-/// The front, while the image library is loaded on another core.
+/// Whether images of the set need the image library, which a PNG does not.
+bool needs_library(const ExportTarget& target) {
+  const auto is_png = [](const ImageRow& row) { return std::string_view(row.extension) == ".png"; };
+  return target.raw || !std::ranges::all_of(target.images, is_png);
+}
+
+/// The front, while the image library is loaded on another core if it is needed.
 FaceSource first_face(const Design& design, const BitMatrix& cells, const TextureSetOptions& options,
                       const std::optional<EngineFit>& near, const MeasuredLight& light) {
   std::optional<FaceSource> front;
-  base::for_each_job(2, [&](int job) {
+  base::for_each_job(needs_library(*options.target) ? 2 : 1, [&](int job) {
     if (job == 0) front.emplace(face_of(design, cells, Face::kFront, options, near, light));
     else files::load_pictures();
   });

@@ -1,4 +1,5 @@
-// Pictures through the library weftlight_pictures (picture_calls.h), which is loaded with the first of them.
+// Pictures through the library weftlight_pictures (picture_calls.h), which is loaded with the first of them. A PNG is
+// written without it.
 
 #include <atomic>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "files/environment.h"
 #include "files/image_rows.h"
 #include "files/picture_calls.h"
+#include "files/png_rows.h"
 #include "files/scaled.h"
 #include "platform/shared_library.h"
 
@@ -40,45 +42,23 @@ Result<const PictureCalls*> calls() {
 
 void load_pictures() { static_cast<void>(calls()); }
 
-struct ImageRows::File {
-  File() = default;
-  ~File() {
-    if (rows != nullptr) (*calls())->end_rows(rows);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  void* rows = nullptr;  // of the library
-};
-
-ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
-ImageRows::~ImageRows() = default;
-
 Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int width, int height, int channels,
                                                    PixelType type, const Names& names) {
+  if (is_png(path)) return open_png(path, width, height, channels, type);
   const auto library = calls();
   if (!library) return failed(library);
-  auto file = std::make_unique<File>();  // before there are rows, which an end of memory would lose
-  const Result<void*> rows = (*library)->open_rows(path, width, height, channels, type, names);
-  if (!rows) return failed(rows);
-  file->rows = *rows;
-  return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+  return (*library)->open_rows(path, width, height, channels, type, names);
 }
 
 Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& path, int width, int height,
                                                              const Names& names) {
   const auto library = calls();
   if (!library) return failed(library);
-  auto file = std::make_unique<File>();
-  const Result<void*> rows = (*library)->open_mipmapped_rows(path, width, height, names);
-  if (!rows) return failed(rows);
-  file->rows = *rows;
-  return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+  return (*library)->open_mipmapped_rows(path, width, height, names);
 }
 
-Result<void> ImageRows::add(const Image& band, int level) { return (*calls())->add_rows(file_->rows, band, level); }
-Result<void> ImageRows::close() { return (*calls())->close_rows(file_->rows); }
-
 Result<void> write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
+  if (is_png(path)) return write_png(path, image, type);
   const auto library = calls();
   if (!library) return failed(library);
   return (*library)->write_image(path, image, type, channels);
@@ -94,15 +74,6 @@ Result<Image> read_image(const std::string& path, int level) {
   const auto library = calls();
   if (!library) return failed(library);
   return (*library)->read_image(path, level);
-}
-
-std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
-  const auto library = calls();
-  return library ? (*library)->encode_png(image, type) : std::vector<unsigned char>();
-}
-
-void draw_text(Image& image, int x, int y, int size, const std::string& text, const std::vector<float>& colour) {
-  if (const auto library = calls()) (*library)->draw_text(image, x, y, size, text, colour);
 }
 
 Image scaled(Image image, int width, int height) {

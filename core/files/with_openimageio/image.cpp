@@ -1,40 +1,29 @@
 // Images through OpenImageIO. Alpha stays unassociated in both directions (OpenImageIO would otherwise premultiply),
 // and no colour-space chunk is written: the caller defines what a texel means.
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
-#include "base/file_names.h"
 #include "base/text.h"
 #include "base/whole_files.h"
 #include "files/files.h"
 #include "files/image_rows.h"
 #include "files/image_shape.h"
+#include "files/png_rows.h"
 
 namespace weftlight::files {
 
-using base::ErrorKind, base::Result, base::arg, base::cause_of, base::failure, base::fill, base::tr,
-    base::write_file_atomically, base::write_through;
+using base::ErrorKind, base::Result, base::arg, base::failure, base::fill, base::tr, base::write_through;
 
 namespace {
 
 constexpr int kMaxChannels = 256;
 constexpr int64_t kMaxValues = int64_t{1} << 29;  // 2 GiB of floats
 constexpr float kMaxHalf = 65504.0f;
-// zlib level of PNG. 2048^2 RGBA8: level 1 takes 0.5 s; level 6, OpenImageIO's default, 1.9 s for files 10% smaller.
-constexpr int kPngLevel = 1;
-// The filter "up". For maps of 2048^2, libpng's choice among five filters takes twice the time for files of the same
-// size (normal map: 112 against 64 ms, 1560 against 1573 KB).
-constexpr int kPngFilterUp = 32;
-
 /// Rounds 0..1 to the whole range of T; NaN becomes 0.
 template <class T>
 std::vector<T> quantised(const std::vector<float>& values) {
@@ -77,8 +66,6 @@ constexpr const char* kNoDate = "2000:01:01 00:00:00";
 OIIO::ImageSpec spec_for(const Image& image, PixelType type, const Names& names = {}) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, type_desc(type));
   spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", kPngLevel);
-  spec.attribute("png:filter", kPngFilterUp);
   if (!names.empty()) {
     spec.channelnames = names;
     const auto alpha = std::find(names.begin(), names.end(), "A");
@@ -126,35 +113,6 @@ Result<void> write_to(const std::string& path, const Image& image, PixelType typ
   if (!closed) return failure(ErrorKind::kOutput, out->geterror());
   return {};
 }
-
-/// A PNG is written by this program, since OpenImageIO does not notice a full disk.
-bool is_png(const std::string& path) { return base::extension_of(path) == ".png"; }
-
-/// A file that records whether everything was written, which OpenImageIO does not notice.
-class DiskFile : public OIIO::Filesystem::IOProxy {
- public:
-  explicit DiskFile(const std::string& path)
-      : IOProxy(path, IOProxy::Write), file_(std::fopen(path.c_str(), "wb")), whole_(file_ != nullptr) {}
-  ~DiskFile() override { close(); }
-  const char* proxytype() const override { return "disk"; }
-  void close() override {
-    if (!file_) return;
-    whole_ = std::fclose(file_) == 0 && whole_;
-    file_ = nullptr;
-  }
-  int64_t tell() override { return file_ ? std::ftell(file_) : 0; }
-  bool seek(int64_t offset) override { return file_ && std::fseek(file_, offset, SEEK_SET) == 0; }
-  size_t write(const void* data, size_t size) override {
-    const size_t written = file_ ? std::fwrite(data, 1, size, file_) : 0;
-    whole_ = whole_ && written == size;
-    return size;  // an error would make the encoders throw or stop; it is reported at the end
-  }
-  bool whole() const { return whole_; }
-
- private:
-  std::FILE* file_;
-  bool whole_;
-};
 
 /// Bytes of the shortest file with such an image. Memory is taken for what the header says; a short file cannot mean
 /// it.
@@ -218,9 +176,14 @@ std::vector<Level> levels_of(int width, int height) {
 
 void load_pictures() {}  // they are part of the program
 
-struct ImageRows::File {
+/// The rows of an .exr, or of another file of OpenImageIO's.
+struct PictureRows : ImageRows {
+  PictureRows() = default;
+  using ImageRows::add;
+  Result<void> add(const Image& band, int level) override;
+  Result<void> close() override;
+
   std::string path;
-  std::unique_ptr<DiskFile> disk;  // PNG only
   std::unique_ptr<OIIO::ImageOutput> out;
   int channels = 0;
   PixelType type = PixelType::kU8;
@@ -244,25 +207,9 @@ struct ImageRows::File {
   bool add_to_level(size_t k, const Image& band);
   bool write_full_tiles();
   bool write_coarser_levels();
-
-  /// libpng prints an error on the console if a file ends before its first texels are written, which are buffered at
-  /// first. Noise rows flush that buffer.
-  void flush_unfinished() const {
-    constexpr size_t kOut = size_t{1} << 18;  // bytes of noise that are enough
-    if (!out || !disk || levels.empty() || levels[0].next >= levels[0].height) return;
-    const int next = levels[0].next, height = levels[0].height;
-    std::vector<uint16_t> row(static_cast<size_t>(levels[0].width) * static_cast<size_t>(channels));
-    const bool bytes_each = type == PixelType::kU8;
-    const size_t bytes = row.size() * (bytes_each ? 1 : 2);
-    uint32_t noise = 1;
-    for (int y = next; y < height && static_cast<size_t>(y - next) * bytes < kOut; ++y) {
-      for (uint16_t& v : row) v = static_cast<uint16_t>((noise = noise * 1664525u + 1013904223u) >> 16);
-      out->write_scanlines(y, y + 1, 0, bytes_each ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, row.data());
-    }
-  }
 };
 
-bool ImageRows::File::add_scanlines(int first, const Image& band) const {
+bool PictureRows::add_scanlines(int first, const Image& band) const {
   const int end = first + band.height;
   switch (type) {
     case PixelType::kU8:
@@ -277,7 +224,7 @@ bool ImageRows::File::add_scanlines(int first, const Image& band) const {
   return false;
 }
 
-bool ImageRows::File::add_to_level(size_t k, const Image& band) {
+bool PictureRows::add_to_level(size_t k, const Image& band) {
   Level& level = levels[k];
   const std::vector<float> values = within_half(band.texels);
   if (k == 0) {
@@ -290,7 +237,7 @@ bool ImageRows::File::add_to_level(size_t k, const Image& band) {
                                     level.halves.data() + before, static_cast<int>(values.size()));
 }
 
-bool ImageRows::File::write_full_tiles() {
+bool PictureRows::write_full_tiles() {
   const Level& finest = levels.front();
   const size_t row = static_cast<size_t>(finest.width) * static_cast<size_t>(channels);
   const int held = static_cast<int>(tiles.size() / row), first = finest.next - held;
@@ -302,7 +249,7 @@ bool ImageRows::File::write_full_tiles() {
   return written;
 }
 
-bool ImageRows::File::write_coarser_levels() {
+bool PictureRows::write_coarser_levels() {
   for (size_t k = 1; k < levels.size(); ++k) {
     if (!out->open(path, spec_of(levels[k]), OIIO::ImageOutput::AppendMIPLevel) ||
         !out->write_image(OIIO::TypeDesc::HALF, levels[k].halves.data()))
@@ -312,27 +259,36 @@ bool ImageRows::File::write_coarser_levels() {
   return true;
 }
 
-ImageRows::ImageRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
+Result<void> PictureRows::add(const Image& band, int level) {
+  const auto k = static_cast<size_t>(level);
+  if (k >= levels.size()) return failure(ErrorKind::kOutput, tr("a band does not fit the image"), path);
+  Level& to = levels[k];
+  if (band.width != to.width || band.channels != channels || to.next + band.height > to.height)
+    return failure(ErrorKind::kOutput, tr("a band does not fit the image"), path);
+  const int first = std::exchange(to.next, to.next + band.height);
+  if (has_tiles ? add_to_level(k, band) : add_scanlines(first, band)) return {};
+  return failure(ErrorKind::kOutput, out->geterror(), path);
+}
 
-ImageRows::~ImageRows() {
-  try {
-    if (file_) file_->flush_unfinished();
-  } catch (...) {  // no memory for it
-  }
+Result<void> PictureRows::close() {
+  const bool complete = std::ranges::all_of(levels, [](const Level& l) { return l.next == l.height; });
+  if (!complete) return failure(ErrorKind::kOutput, tr("rows of the image are missing"), path);
+  if (write_coarser_levels() && out->close()) return {};
+  return failure(ErrorKind::kOutput, out->geterror(), path);
 }
 
 Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int width, int height, int channels,
                                                    PixelType type, const Names& names) {
-  auto file = std::make_unique<File>();
-  file->path = path, file->channels = channels, file->type = type;
+  if (is_png(path)) return open_png(path, width, height, channels, type);
   try {
+    auto file = std::make_unique<PictureRows>();
+    file->path = path, file->channels = channels, file->type = type;
     file->levels = {{width, height, 0, {}}};
-    if (is_png(path)) file->disk = std::make_unique<DiskFile>(path);
-    file->out = OIIO::ImageOutput::create(path, file->disk.get());
+    file->out = OIIO::ImageOutput::create(path);
     const bool exr = file->out && std::string_view(file->out->format_name()) == "openexr";
     OIIO::ImageSpec spec = spec_for({width, height, channels, {}}, type, exr ? names : Names{});
     if (exr) spec.attribute("compression", "piz"), spec.attribute("DateTime", kNoDate);
-    if (file->out && file->out->open(path, spec)) return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+    if (file->out && file->out->open(path, spec)) return file;
     return failure(ErrorKind::kOutput, file->out ? file->out->geterror() : OIIO::geterror(), path);
   } catch (...) {
     return base::thrown(ErrorKind::kOutput, path);
@@ -341,54 +297,24 @@ Result<std::unique_ptr<ImageRows>> ImageRows::open(const std::string& path, int 
 
 Result<std::unique_ptr<ImageRows>> ImageRows::open_mipmapped(const std::string& path, int width, int height,
                                                              const Names& names) {
-  auto file = std::make_unique<File>();
-  file->path = path, file->channels = static_cast<int>(names.size()), file->type = PixelType::kHalf;
-  file->has_tiles = true, file->names = names;
   try {
+    auto file = std::make_unique<PictureRows>();
+    file->path = path, file->channels = static_cast<int>(names.size()), file->type = PixelType::kHalf;
+    file->has_tiles = true, file->names = names;
     file->levels = levels_of(width, height);
     file->out = OIIO::ImageOutput::create(path);
-    if (file->out && file->out->open(path, file->spec_of(file->levels.front())))
-      return std::unique_ptr<ImageRows>(new ImageRows(std::move(file)));
+    if (file->out && file->out->open(path, file->spec_of(file->levels.front()))) return file;
     return failure(ErrorKind::kOutput, file->out ? file->out->geterror() : OIIO::geterror(), path);
   } catch (...) {
     return base::thrown(ErrorKind::kOutput, path);
   }
 }
 
-Result<void> ImageRows::add(const Image& band, int level) {
-  File& f = *file_;
-  const auto k = static_cast<size_t>(level);
-  if (k >= f.levels.size()) return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
-  Level& to = f.levels[k];
-  if (band.width != to.width || band.channels != f.channels || to.next + band.height > to.height)
-    return failure(ErrorKind::kOutput, tr("a band does not fit the image"), f.path);
-  const int first = std::exchange(to.next, to.next + band.height);
-  if (f.has_tiles ? f.add_to_level(k, band) : f.add_scanlines(first, band)) return {};
-  return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
-}
-
-Result<void> ImageRows::close() {
-  File& f = *file_;
-  const bool complete = std::ranges::all_of(f.levels, [](const Level& l) { return l.next == l.height; });
-  if (!complete) return failure(ErrorKind::kOutput, tr("rows of the image are missing"), f.path);
-  if (!f.write_coarser_levels()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
-  if (!f.out->close()) return failure(ErrorKind::kOutput, f.out->geterror(), f.path);
-  if (!f.disk) return {};
-  f.disk->close();
-  if (f.disk->whole()) return {};
-  return failure(ErrorKind::kOutput,
-                 fill(tr("cannot be written: {cause}"), arg("cause", cause_of(errno ? errno : ENOSPC))), f.path);
-}
-
 Result<void> write_image(const std::string& path, const Image& image, PixelType type, const Names& channels) {
+  if (is_png(path)) return write_png(path, image, type);
   if (Result<void> shape = check_shape(image, kMaxChannels, kMaxValues, path); !shape) return shape;
   if (!channels.empty() && channels.size() != static_cast<size_t>(image.channels))
     return failure(ErrorKind::kOutput, tr("some channels have no name"), path);
-  if (is_png(path)) {
-    const std::vector<unsigned char> bytes = encode_png(image, type);
-    if (bytes.empty()) return failure(ErrorKind::kOutput, tr("cannot be encoded"), path);
-    return write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  }
   return write_through(path, [&](const std::string& temporary) { return write_to(temporary, image, type, channels); });
 }
 
@@ -412,17 +338,6 @@ Result<Image> read_image(const std::string& path, int level) {
   } catch (...) {
     return base::thrown(ErrorKind::kInput, path);
   }
-}
-
-std::vector<unsigned char> encode_png(const Image& image, PixelType type) {
-  if (!check_shape(image, kMaxChannels, kMaxValues, {})) return {};
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("memory.png", &memory);
-  if (!out || !out->open("memory.png", spec_for(image, type))) return {};
-  const bool whole = write_texels(*out, image, type == PixelType::kU8 ? type : PixelType::kU16);
-  if (!out->close() || !whole) return {};
-  return bytes;
 }
 
 }  // namespace weftlight::files

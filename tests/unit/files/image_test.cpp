@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 #include "../scratch.h"
 #include "base/loops.h"
 #include "base/whole_files.h"
 #include "files/files.h"
+#include "files/image_rows.h"
 
 namespace weftlight::files {
 
@@ -89,6 +92,80 @@ TEST(Image, EncodesPngInMemory) {
   const base::Result<Image> back = read_image(scratch / "memory.png");
   ASSERT_TRUE(back) << problem_of(back);
   for (size_t i = 0; i < image.texels.size(); ++i) ASSERT_NEAR(back->texels[i], image.texels[i], 1e-6f);
+}
+
+/// Without a pattern that would pack well.
+Image noise(int width, int height, int channels) {
+  Image image{width, height, channels, {}};
+  uint32_t state = 1;
+  for (int i = 0; i < width * height * channels; ++i)
+    image.texels.push_back(static_cast<float>((state = state * 1664525u + 1013904223u) >> 16) / 65535.0f);
+  return image;
+}
+
+/// Rows [first, first + count) of it.
+Image band_of(const Image& image, int first, int count) {
+  const auto row = static_cast<ptrdiff_t>(image.width) * image.channels;
+  return {image.width,
+          count,
+          image.channels,
+          {image.texels.begin() + first * row, image.texels.begin() + (first + count) * row}};
+}
+
+TEST(PngRows, BandsGiveTheBytesOfTheWhole) {
+  const Scratch scratch("bands");
+  for (const PixelType type : {PixelType::kU8, PixelType::kU16}) {
+    const Image image = noise(100, 90, 3);  // of several chunks
+    const auto rows = ImageRows::open(scratch / "bands.png", 100, 90, 3, type, {});
+    ASSERT_TRUE(rows) << problem_of(rows);
+    for (const auto [first, count] : {std::pair(0, 1), std::pair(1, 64), std::pair(65, 25)})
+      ASSERT_EQ(problem_of((*rows)->add(band_of(image, first, count))), "");
+    ASSERT_EQ(problem_of((*rows)->close()), "");
+    const std::vector<unsigned char> whole = encode_png(image, type);
+    EXPECT_EQ(base::read_file(scratch / "bands.png"), std::string(whole.begin(), whole.end()));
+    const base::Result<Image> back = read_image(scratch / "bands.png");
+    ASSERT_TRUE(back) << problem_of(back);
+    const float step = type == PixelType::kU8 ? 1.0f / 255 : 1.0f / 65535;
+    for (size_t i = 0; i < image.texels.size(); ++i) ASSERT_NEAR(back->texels[i], image.texels[i], 0.51f * step);
+  }
+}
+
+TEST(PngRows, WrongAndMissingRowsAreErrors) {
+  const Scratch scratch("rows");
+  const auto rows = ImageRows::open(scratch / "rows.png", 4, 4, 3, PixelType::kU8, {});
+  ASSERT_TRUE(rows) << problem_of(rows);
+  EXPECT_NE(problem_of((*rows)->add(ramp(5, 1, 3))), "");
+  EXPECT_NE(problem_of((*rows)->add(ramp(4, 1, 4))), "");
+  EXPECT_NE(problem_of((*rows)->add(ramp(4, 5, 3))), "");
+  EXPECT_EQ(problem_of((*rows)->add(ramp(4, 3, 3))), "");
+  EXPECT_NE(problem_of((*rows)->close()), "");
+  EXPECT_FALSE(ImageRows::open(scratch / "no/such/folder.png", 4, 4, 3, PixelType::kU8, {}));
+  EXPECT_FALSE(ImageRows::open(scratch / "many.png", 4, 4, 5, PixelType::kU8, {}));
+}
+
+TEST(PngRows, AFullDiskIsAnError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no device that is always full";
+  const Scratch scratch("full");
+  std::filesystem::create_symlink("/dev/full", scratch / "full.png");
+  const auto rows = ImageRows::open(scratch / "full.png", 256, 256, 4, PixelType::kU8, {});
+  ASSERT_TRUE(rows) << problem_of(rows);
+  const base::Result<void> added = (*rows)->add(noise(256, 256, 4));
+  const base::Result<void> closed = added ? (*rows)->close() : added;
+  EXPECT_NE(problem_of(closed).find("the disk is full"), std::string::npos) << problem_of(closed);
+}
+
+TEST(Text, IsInkOnTheBaseLine) {
+  Image image{200, 60, 3, std::vector<float>(size_t{200} * 60 * 3, 1.0f)};
+  draw_text(image, 10, 40, 30, "H", {0.0f, 0.5f, 1.0f});
+  int inked = 0, below = 0;
+  for (size_t i = 0; i < image.texels.size(); i += 3) {
+    EXPECT_EQ(image.texels[i + 2], 1.0f);
+    EXPECT_NEAR(1 - image.texels[i + 1], 0.5f * (1 - image.texels[i]), 1e-6f);
+    if (image.texels[i] < 1) ++inked, below += i >= size_t{41} * 200 * 3;
+  }
+  EXPECT_GT(inked, 50);
+  EXPECT_EQ(below, 0);
+  draw_text(image, -20, 70, 30, "beyond every edge, to the right as well", {0, 0, 0});
 }
 
 TEST(Image, InvalidImagesAreErrors) {

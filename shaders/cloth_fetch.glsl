@@ -216,9 +216,13 @@ VisibleSystems visible_systems(int face, vec3 v) {
   return VisibleSystems(vec2(s.x, 1.0 - s.x), s.zw, s.y);
 }
 
+// Coverage along w of cloth with `coverage` at normal view.
+float cover_along(float coverage, vec3 w) {
+  if (cloth.open < 0.5) return 1.0;
+  return coverage_by_view(min(coverage, 1.0), vec2(cloth.gap_u_mm, cloth.gap_v_mm), cloth.rim_mm, w);
+}
+
 // Coverage of the pixel by threads, for the prefiltered methods.
 float cover_of(Side side, Lights x, Footprint f) {
-  if (cloth.open < 0.5) return 1.0;
-  float coverage = min(fetch_color(side, f, 0).a + fetch_color(side, f, 1).a, 1.0);
-  return coverage_by_view(coverage, vec2(cloth.gap_u_mm, cloth.gap_v_mm), cloth.rim_mm, x.v);
+  return cover_along(fetch_color(side, f, 0).a + fetch_color(side, f, 1).a, x.v);
 }

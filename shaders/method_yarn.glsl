@@ -60,6 +60,7 @@ struct FaceLayout {
   float nap;     // 0 to 1: fibres that lie over the threads in all directions
   float under;   // fraction of the light that reaches the threads under those drawn one by one
   float lit;     // fraction of the key light that reaches threads under a nap; 0 without one
+  float open;    // fraction of the key light that reaches the fibres: from behind, what the gaps let through
 };
 
 FaceLayout face_layout(Side side, ThreadGrid g, Footprint f, vec3 l) {
@@ -71,6 +72,8 @@ FaceLayout face_layout(Side side, ThreadGrid g, Footprint f, vec3 l) {
   a.drawn = flyaway_fraction(a.fuzz) > 0.0 ? face_flyaways_drawn(f.yarns) : 0.0;
   a.nap = nap_of(a.fuzz);
   a.lit = a.nap > 0.0 ? thread_visibility(side, f, l).x : 0.0;
+  float cover = cloth.systems[side.face * 2].coverage + cloth.systems[side.face * 2 + 1].coverage;
+  a.open = mix(1.0 - cover_along(cover, l), 1.0, clamp(1.0 + 10.0 * l.z, 0.0, 1.0));   // without a seam where l is level
   a.cells = max(floor(g.period / face_cell(a.fuzz, a.depth, g.spacing)), vec2(1.0));
   a.size = g.period / a.cells;
   a.under = face_flyaways_pass(a.fuzz, kFlyawayLength * a.depth, a.size, a.drawn);
@@ -107,7 +110,7 @@ vec4 face_flyaways(Side side, Lights x, ThreadGrid g, FaceLayout a, vec2 middle,
           vec3 body = root.rgb * (brightness.x + brightness.y * f.height);
           vec3 clear = sqrt(body * sqrt(body));   // between that of a fibre and of the yarn, which surrounds it
           vec3 along = normalize(vec3(f.way + vec2(-f.way.y, f.way.x) * found.y, 0.3 * f.bend));
-          vec3 lit = x.key * flyaway_key(clear, body, along, vec3(0.0, 0.0, 1.0), x.l, x.v)
+          vec3 lit = x.key * a.open * flyaway_key(clear, body, along, vec3(0.0, 0.0, 1.0), x.l, x.v)
                    + flyaway_sky(clear, body) * sky_diffuse(side.n) * side.sky;
           float cover = found.x * a.drawn * (1.0 - sum.a);
           sum += vec4(lit * (kFaceLight * cover), cover);
@@ -161,14 +164,12 @@ void add_sample(inout YarnSums sums, ThreadGrid g, Lights x, FaceLayout faces, v
   Reflected a = facet_radiance(lobes, n, 1.0, p.axis + p.around * detail.fibre_tan, vec3(0.0), x.l, x.v);
   float light = texel.groove * detail_gain(pattern, detail, relief);
   a.key *= light * ply_light(frame_at, pattern, detail, length_mm, l);
-  // Light from behind first passes through this thread; every other one occludes it. On an overhanging side the thread
-  // may occlude itself, too, so the ray starts a little above it.
-  bool side = l.z < 0.0 && dot(p.normal, l) > 0.0;
-  vec3 from = side ? hit.at + p.normal * (0.02 * g.top) : hit.at;
-  // In the shade of folds no ray is needed: there x.key is 0.
+  // Light from behind first passes through this thread, or falls on its overhanging side; every other one occludes it.
+  // The ray starts on the surface: where threads touch, a point above it lies in the neighbour. In the shade of folds
+  // no ray is needed: there x.key is 0.
   vec3 unhidden = x.key * a.key;
   bool blocked = unhidden.r + unhidden.g + unhidden.b > 0.0 && (faces.nap < 1.0 || l.z <= 0.0)
-              && threads_block(g, from, l, kLightCells, side ? -1 : hit.system, thread);
+              && threads_block(g, hit.at, l, kLightCells, hit.system, thread);
   // A nap scatters the light into the shadows between the threads: all have the mean.
   a.key *= mix(blocked ? 0.0 : 1.0, faces.lit, l.z > 0.0 ? faces.nap : 0.0);
   sums.key += a.key;

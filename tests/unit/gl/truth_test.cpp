@@ -2,10 +2,12 @@
 
 #include <map>
 
+#include "base/resources.h"
 #include "draft/drawdown.h"
 #include "gate.h"
 #include "reference/picture.h"
 #include "render_data/face_cloth.h"
+#include "wif/wif.h"
 
 namespace weftlight::gl {
 
@@ -29,23 +31,32 @@ class Truth : public Gate {
   void SetUp() override {
     Gate::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    lay(1);
+    lay_both(1);
+  }
+  /// Lays out the design as lay() does, drawn and traced.
+  void lay_both(float fill) {
+    lay(fill);
+    trace_threads();
+  }
+  void trace_threads() {
     const BitMatrix cells = drawdown(design.draft);
     auto built = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {});
     ASSERT_TRUE(built) << problem_of(built);
     tubes = std::move(*built);
   }
   /// As patch(), traced.
-  Image traced(float yarns, int pixels, int rays_a_pixel, const Pair& pair) {
+  Image traced(float yarns, int pixels, int rays_a_pixel, const Pair& pair, glm::vec2 corner_mm = {0, 0}) {
     Surroundings around;
     around.light_towards = pair.light;
     around.light_irradiance = FlatPatch().light_irradiance;
-    return traced(yarns, pixels, rays_a_pixel, pair.view, around);
+    return traced(yarns, pixels, rays_a_pixel, pair.view, around, corner_mm);
   }
-  Image traced(float yarns, int pixels, int rays_a_pixel, const glm::vec3& view, const Surroundings& around) {
+  Image traced(float yarns, int pixels, int rays_a_pixel, const glm::vec3& view, const Surroundings& around,
+               glm::vec2 corner_mm = {0, 0}) {
     FlatPicture p;
     p.fibre_detail = true;
     p.width = p.height = pixels, p.spp = rays_a_pixel;
+    p.corner_mm = corner_mm;
     p.step_x_mm = {yarns * kSpacing, 0}, p.step_y_mm = {0, yarns * kSpacing};
     p.view = view, p.around = around;
     p.bounces = 3, p.colours = Colours::kOfTheCloth;
@@ -131,6 +142,38 @@ TEST_F(Truth, LightFromBehindIsThatOfTheTracedThreads) {
   }
 }
 
+// Fibres that stand over the face lie in the shadow of the cloth.
+TEST_F(Truth, NearTheThreadsLightFromBehindIsThatOfTheTracedThreads) {
+  for (const glm::vec3& view : {towards(0, 1.57f), towards(-1.3f, 0.52f)}) {
+    for (const auto& [yarns, holds] : {std::pair{0.0625f, 0.3}, {0.25f, 0.45}}) {
+      const int pixels = static_cast<int>(4 / yarns);
+      const Pair behind{towards(0.6f, -0.87f), view};
+      const Image truth = traced(yarns, pixels, 12800 / pixels, behind);
+      const Image ours = drawn(Method::kYarn, yarns, pixels, behind);
+      EXPECT_LT(relative_rms(truth, ours), holds) << yarns << " view " << view.z;
+      EXPECT_NEAR(mean(ours) / mean(truth), 1, 0.15) << yarns << " view " << view.z;
+    }
+  }
+}
+
+// Where threads touch, a point beside the side of one lies in its neighbour: a shadow ray from there found no light.
+// Traced, so many threads have few facets, and the slit that the light comes through is wider.
+TEST_F(Truth, LightFromBehindFallsThroughASlitBetweenThreadsThatTouch) {
+  const wif::WifRead read = wif::read_wif(base::read_file(base::presets_dir() + "/cloths/denim.wif").value_or(""));
+  ASSERT_TRUE(read.file);
+  design = read.file->design;
+  upload_maps(design);
+  trace_threads();
+  const float spacing = full_updates.back().packed.mean_spacing_mm;
+  const glm::vec2 corner = glm::vec2(1.3f, 2.08f) * spacing;
+  const Pair behind{towards(0.6f, -0.87f), towards(0, 1.57f)};
+  const float yarns = 0.012f * spacing / kSpacing;
+  const double traced_light = mean(traced(yarns, 48, 64, behind, corner));
+  const double ratio = mean(patch(Method::kYarn, yarns, 48, corner, behind.light, behind.view)) / traced_light;
+  EXPECT_GT(ratio, 0.55);
+  EXPECT_LT(ratio, 1.1);
+}
+
 TEST_F(Truth, YarnDrawsTheTracedThreads) {
   const Pair pairs[] = {{towards(0.6f, 0.87f), towards(0, 1.57f)},
                         {towards(2.1f, 0.6f), towards(0.2f, 0.6f)},
@@ -159,11 +202,7 @@ TEST_F(Truth, YarnGivesEachThreadItsOwnLobes) {
   design.draft.warp.yarn.assign(static_cast<size_t>(design.draft.ends()), 0);
   for (size_t i = 0; i < design.draft.warp.yarn.size(); i += 2)
     design.draft.warp.yarn[i] = static_cast<int>(design.yarns.size()) - 1;
-  lay(1);
-  const BitMatrix cells = drawdown(design.draft);
-  auto built = TubeScene::build(lay_out(design, cells, Face::kFront, choose_period(design, cells)), {});
-  ASSERT_TRUE(built) << problem_of(built);
-  tubes = std::move(*built);
+  lay_both(1);
   const Pair straight{towards(0.1f, 1.3f), towards(0, 1.57f)};
   const Image truth = traced(0.125f, 32, 200, straight);
   const double ours = relative_rms(truth, drawn(Method::kYarn, 0.125f, 32, straight));

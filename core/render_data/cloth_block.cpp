@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/threads.h"
 #include "light/engine_texels.h"
 #include "light/yarn_lobes.h"
 
@@ -75,6 +76,11 @@ float mean_height_mm(const std::vector<ThreadBody>& threads) {
   return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
 }
 
+float mean_float(const cloth::BitMatrix& up) {
+  const analysis::Interlacing changes = analysis::interlacing(up);
+  return static_cast<float>(2 / std::max(changes.warp + changes.weft, 1e-3));
+}
+
 }  // namespace
 
 float mean_spacing_mm(const Cloth& cloth) { return thread_spacing_mm(cloth); }
@@ -89,7 +95,7 @@ interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
     add_means(&data.systems[face * 2], faces[face]->maps);
   }
   data.width_mm = front.cloth.width_mm, data.depth_mm = front.cloth.depth_mm;
-  data.spacing_mm = mean_spacing_mm(front.cloth);
+  data.spacing_mm = mean_spacing_mm(front.cloth), data.mean_float = mean_float(front.cloth.up);
   data.azimuths = static_cast<float>(front.maps.azimuths);
   data.gap_u_mm = mean_gap_mm(front.cloth.ends), data.gap_v_mm = mean_gap_mm(front.cloth.picks);
   data.rim_mm = 0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks));

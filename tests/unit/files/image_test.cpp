@@ -118,7 +118,7 @@ TEST(PngRows, BandsGiveTheBytesOfTheWhole) {
     const Image image = noise(100, 90, 3);  // of several chunks
     const auto rows = ImageRows::open(scratch / "bands.png", 100, 90, 3, type, {});
     ASSERT_TRUE(rows) << problem_of(rows);
-    for (const auto [first, count] : {std::pair(0, 1), std::pair(1, 64), std::pair(65, 25)})
+    for (const auto& [first, count] : {std::pair(0, 1), std::pair(1, 64), std::pair(65, 25)})
       ASSERT_EQ(problem_of((*rows)->add(band_of(image, first, count))), "");
     ASSERT_EQ(problem_of((*rows)->close()), "");
     const std::vector<unsigned char> whole = encode_png(image, type);

@@ -168,6 +168,18 @@ TEST_F(Gate, NoMoireWhereUnfilteredShadingHasIt) {
   }
 }
 
+// Of two colours, plain weave is a chequer whose period is 2 yarns, close to that of the pixels.
+TEST_F(Gate, PlainWeaveOfTwoColoursHasNoMoireBesideItsPeriod) {
+  design = twill(2, 1, {0.93f, 0.9f, 0.84f}, {0.16f, 0.25f, 0.42f});
+  design.look.method = Method::kRepeat;
+  lay(1);
+  for (const float yarns : {1.7f, 2.1f, 2.6f}) {
+    const double ours = spread(luminances(patch(Method::kRepeat, yarns, 48)));
+    figure("contrast of moire in a chequer at " + text(yarns) + " yarns a pixel", 0, ours);
+    EXPECT_LT(ours, 0.02) << yarns;
+  }
+}
+
 TEST_F(Gate, PanDoesNotFlickerWhereUnfilteredShadingDoes) {
   lay(1);
   const Image fine = fine_period();

@@ -8,10 +8,14 @@
 #include <filesystem>
 #include <string>
 
+#include "analysis/loom_sett.h"
 #include "base/whole_files.h"
 #include "cloth/maps.h"
 #include "cloth/thickness.h"
+#include "design/yarn_presets.h"
 #include "paths.h"
+#include "weaves/table.h"
+#include "weaves/weaves.h"
 #include "wif/wif.h"
 
 namespace weftlight::wif {
@@ -84,6 +88,17 @@ TEST(ShippedCloths, CoverAsPeirceHasIt) {
     RecordProperty(name, std::to_string(wanted) + " " + std::to_string(ours));
     EXPECT_NEAR(ours, wanted, 0.01) << name;
   }
+}
+
+TEST(NewDrafts, OfCottonAtTheFirmSettAreClosed) {
+  const weaves::WeaveKind* plain = weaves::find_weave("plain");
+  ASSERT_TRUE(plain);
+  Design design = weaves::new_draft(*plain, weaves::complete_values(*plain, {}), {16, 16}).design;
+  design = weaves::with_ground_yarn(std::move(design), design::ready_yarn(design::Fibre::kCotton));
+  const analysis::LoomSett sett = analysis::firm_sett(design, analysis::Units::kImperial);
+  EXPECT_EQ(sett.ends, 28) << "half of the wraps of 8/2 cotton, as it is wound";
+  EXPECT_GT(baked_cover(analysis::with_loom_sett(design, sett, analysis::Units::kImperial)), 0.95)
+      << "washed, it has pinholes";
 }
 
 TEST(ShippedCloths, OpenClothStaysOpen) {

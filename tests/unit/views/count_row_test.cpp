@@ -16,10 +16,10 @@ namespace {
 
 TEST(CountRow, HasTheUnitsOfTheTradeAndTheSourceOfTheCount) {
   const Yarn cotton = *with_count(yarn_preset("Cotton"), "Ne 40");
-  EXPECT_EQ(count_in_words(cotton), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\n47% of the yarn is fibre");
+  EXPECT_EQ(count_in_words(cotton), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\n46% of the yarn is fibre");
   Yarn yarn = cotton;
   yarn.diameter_mm *= 2;
-  EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\n12% of the yarn is fibre");
+  EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\n11% of the yarn is fibre");
   yarn.diameter_mm /= 4;
   EXPECT_EQ(count_in_words(yarn), "14.8 tex; Ne 40.0, Nm 67.7, 133 den\ntoo much fibre for this thickness");
   yarn = *with_count(cotton, "");

@@ -131,7 +131,7 @@ struct ClothData {
   float front_sky;  // mean sky visibility among the threads
   float back_sky;
   float even_yarns;  // yarns a pixel from which on the period's colour is uniform
-  float mean_float;  // threads that a thread passes between two changes of face, 1 in plain weave
+  float half_period;  // of the weave and its colours, in yarns: 1 in plain weave; 16 if it is longer
   EngineData engine[2];  // front, back
 };
 

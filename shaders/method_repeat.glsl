@@ -70,7 +70,7 @@ LocalSystem fetch_local(Side s, Footprint f, int which, vec2 at) {
   float row = min(0.25 * abs(log2(max(squares, 1e-6))), 1.0);   // 1 where the pixel is four times as long as wide
   vec2 aside = shorter * (0.25 - 0.25 * row);
   int system = s.face * 2 + which;
-  float level = f.level - 1.0 - row + clamp(log2(max(f.yarns, 1e-3) / cloth.mean_float), 0.0, 1.0);
+  float level = f.level - 1.0 - row + clamp(log2(max(f.yarns, 1e-3) / cloth.half_period), 0.0, 1.0);
   for (int i = 0; i < 4; ++i) {
     float half_side = i < 2 ? -0.25 : 0.25;
     float turn = i == 0 || i == 2 ? -1.0 : 1.0;

@@ -284,7 +284,7 @@ void add_color(Colors& colors, const YarnColor& color) {
 }  // namespace
 
 base::Result<YarnLibrary> read_yarn_library(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (!is_utf8(text))
     return failure(base::ErrorKind::kInput, tr("is not in UTF-8; save it as UTF-8 text in the program that wrote it"));
   YarnLibrary out;

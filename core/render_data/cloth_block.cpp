@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/threads.h"
+#include "draft/bit_matrix.h"
 #include "light/engine_texels.h"
 #include "light/yarn_lobes.h"
 
 namespace weftlight::render_data {
 
-using cloth::Direction, cloth::Linear, cloth::ThreadBody;
+using cloth::BitMatrix, cloth::Direction, cloth::Linear, cloth::ThreadBody;
 using light::mean_yarn, light::thread_spacing_mm;
 
 namespace {
@@ -76,9 +76,25 @@ float mean_height_mm(const std::vector<ThreadBody>& threads) {
   return threads.empty() ? 0 : sum / static_cast<float>(threads.size());
 }
 
-float mean_float(const cloth::BitMatrix& up) {
-  const analysis::Interlacing changes = analysis::interlacing(up);
-  return static_cast<float>(2 / std::max(changes.warp + changes.weft, 1e-3));
+/// Whether every thread is as the one `period` threads on: of one yarn and colour, on top of the same threads.
+bool repeats(const std::vector<ThreadBody>& threads, const BitMatrix& rows, int period) {
+  for (int i = 0; i + period < rows.rows(); ++i) {
+    const ThreadBody &one = threads[static_cast<size_t>(i)], &other = threads[static_cast<size_t>(i + period)];
+    if (one.yarn != other.yarn || !(one.colour == other.colour)) return false;
+    if (draft::differences(rows.row(i), rows.row(i + period)) > 0) return false;
+  }
+  return true;
+}
+
+/// By the first threads of a large cloth.
+float half_period(const Cloth& cloth) {
+  constexpr int kLongest = 32, kThreads = 256;
+  BitMatrix picks = cloth.up;
+  picks.resize(std::min(picks.rows(), kThreads), std::min(picks.cols(), kThreads));
+  const BitMatrix ends = draft::transposed(picks);
+  int period = 1;
+  while (period < kLongest && !(repeats(cloth.picks, picks, period) && repeats(cloth.ends, ends, period))) ++period;
+  return 0.5f * static_cast<float>(period);
 }
 
 }  // namespace
@@ -95,7 +111,7 @@ interop::ClothData cloth_block(const FaceInput& front, const FaceInput& back) {
     add_means(&data.systems[face * 2], faces[face]->maps);
   }
   data.width_mm = front.cloth.width_mm, data.depth_mm = front.cloth.depth_mm;
-  data.spacing_mm = mean_spacing_mm(front.cloth), data.mean_float = mean_float(front.cloth.up);
+  data.spacing_mm = mean_spacing_mm(front.cloth), data.half_period = half_period(front.cloth);
   data.azimuths = static_cast<float>(front.maps.azimuths);
   data.gap_u_mm = mean_gap_mm(front.cloth.ends), data.gap_v_mm = mean_gap_mm(front.cloth.picks);
   data.rim_mm = 0.5f * (mean_height_mm(front.cloth.ends) + mean_height_mm(front.cloth.picks));

@@ -174,5 +174,13 @@ TEST(YarnLibrary, IsSearchedByWords) {
   for (const char* typed : {"silk", "tuna red"}) EXPECT_FALSE(matches(tuna(), typed)) << typed;
 }
 
+TEST(YarnLibrary, TwoByteOrderMarksDoNotBecomeText) {
+  const auto read = read_yarn_library("\xEF\xBB\xBF\xEF\xBB\xBFWools\n[Yarn]\nName=Tuna\nCount=Nm 2/12\nFibre=Wool\n");
+  ASSERT_TRUE(read);
+  const auto again = read_yarn_library(yarn_library_text(*read));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->head, read->head);
+}
+
 }  // namespace
 }  // namespace weftlight::design

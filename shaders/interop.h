@@ -130,8 +130,8 @@ struct ClothData {
   float open;       // 1 if the cloth has gaps
   float front_sky;  // mean sky visibility among the threads
   float back_sky;
-  float even_yarns;  // yarns a pixel from which on the period's colour is uniform
-  float half_period;  // of the weave and its colours, in yarns: 1 in plain weave; 16 if it is longer
+  float even_yarns;      // yarns a pixel from which on the period's colour is uniform
+  float half_period;     // of the weave and its colours, in yarns: 1 in plain weave; 16 if it is longer
   EngineData engine[2];  // front, back
 };
 

@@ -23,7 +23,8 @@ struct Image {
 enum class PixelType { kU8, kU16, kHalf, kFloat };
 
 /// Loads the image library ahead of the first picture that is read, or written as something else than PNG, which would
-/// wait half a second for it (files/at_runtime). Reports nothing: if the library is missing, that picture's own call says so.
+/// wait half a second for it (files/at_runtime). Reports nothing: if the library is missing, that picture's own call
+/// says so.
 void load_pictures();
 
 /// Writes .png, .exr, .tif or .jpg by extension, atomically. 8- and 16-bit values are stored as given (0..1): the

@@ -13,7 +13,7 @@ exceptions=(
   core/base/json.h           # the one door to nlohmann's JSON
 )
 # Libraries whose headers end in .h or stand in a folder; the C++ library's do neither.
-libraries='CLI/|GLFW/|OpenImageIO/|backends/imgui_|cairo|embree[34]/|epoxy/|GLES3/|fmt/|glm/|imgui|meshoptimizer\.h|nlopt\.h|nlohmann/json_fwd\.hpp|pybind11/|tbb/|tiny_gltf\.h|stb_image\.h|stb_truetype\.h|zlib\.h|Eigen/|tl/'
+libraries='CLI/|GLFW/|OpenImageIO/|backends/imgui_|cairo|embree[34]/|epoxy/|GLES3/|fmt/|ft2build\.h|glm/|imgui|meshoptimizer\.h|nlopt\.h|nlohmann/json_fwd\.hpp|pybind11/|tbb/|tiny_gltf\.h|stb_image\.h|zlib\.h|Eigen/|tl/'
 systems='__(linux|unix|APPLE|MACH|GNUC|GLIBC|GLIBCXX|clang|CYGWIN|MINGW32|ANDROID|EMSCRIPTEN|x86_64|i386|aarch64|FreeBSD)_*|_WIN(32|64)|_MSC_VER|_POSIX_[A-Z_]*|_GNU_SOURCE'
 calls='getenv|secure_getenv|setenv|unsetenv|putenv|environ|isatty|fileno|fdopen|popen|fseeko|ftello|localtime_r|gmtime_r|clock_gettime|sigaction|fsync|getpid|fork|mmap|realpath|mkdtemp|mkstemp|strerror_r'
 extensions='__attribute__|__declspec|__builtin_[a-z]|\[\[(gnu|clang|msvc)::|\b_mm(256|512)?_[a-z]+_(ps|pd|epi|si)|^[[:space:]]*#[[:space:]]*pragma[[:space:]]+(GCC|clang|omp)\b'

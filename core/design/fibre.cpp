@@ -78,9 +78,8 @@ Lobes reshaped(Lobes lobes, const Shape& from, const Shape& to) {
   return clamped(lobes);
 }
 
-/// The ready yarn of this fibre in this cross-section.
-Yarn ready_in_section(Fibre fibre, CrossSection section) {
-  Yarn yarn = ready_yarn(fibre);
+/// A yarn of this cross-section.
+Yarn in_section(Yarn yarn, CrossSection section) {
   if (section != yarn.section) yarn.lobes = reshaped(yarn.lobes, shape_of(yarn.section), shape_of(section));
   yarn.section = section;
   return yarn;
@@ -91,17 +90,36 @@ struct NearestSection {
   float distance = kFar;  // dissimilarity
 };
 
+/// What ready yarns had before their lobes followed from their fibres: files from then may name no fibre.
+struct EarlierLobes {
+  Fibre fibre;
+  float across_width, inner;
+};
+constexpr EarlierLobes kEarlierLobes[]{{Fibre::kSilk, 0.89f, 0.09f},
+                                       {Fibre::kWool, 0.6f, 0.1f},
+                                       {Fibre::kViscose, 0.6f, 0.1f},
+                                       {Fibre::kPolyester, 0.69f, 0.02f}};
+
 NearestSection nearest_section(const Yarn& yarn, Fibre fibre) {
   NearestSection nearest;
-  for (int s = 0; s < kCrossSections; ++s) {
-    const auto section = static_cast<CrossSection>(s);
-    const float distance = dissimilarity(yarn, ready_in_section(fibre, section));
-    if (distance < nearest.distance) nearest = {section, distance};
+  const auto try_lobes = [&](Yarn ready) {
+    for (int s = 0; s < kCrossSections; ++s) {
+      const auto section = static_cast<CrossSection>(s);
+      const float distance = dissimilarity(yarn, in_section(ready, section));
+      if (distance < nearest.distance) nearest = {section, distance};
+    }
+  };
+  try_lobes(ready_yarn(fibre));
+  for (const EarlierLobes& earlier : kEarlierLobes) {
+    if (earlier.fibre != fibre) continue;
+    Yarn ready = ready_yarn(fibre);
+    ready.lobes.across_width = earlier.across_width, ready.lobes.inner = earlier.inner;
+    try_lobes(std::move(ready));
   }
   return nearest;
 }
 
-Yarn usual(const Yarn& yarn) { return ready_in_section(yarn.fibre, yarn.section); }
+Yarn usual(const Yarn& yarn) { return in_section(ready_yarn(yarn.fibre), yarn.section); }
 
 }  // namespace
 

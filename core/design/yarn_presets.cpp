@@ -24,23 +24,22 @@
 //   filament 1, reeled silk 4 (the cocoon's thread tapers, and is joined).
 // Index of refraction: mean of the two of the fibre: cotton 1.578/1.532, flax 1.596/1.528, silk 1.591/1.538, wool
 //   1.556/1.547, viscose 1.539/1.519, polyester 1.725/1.537 (Morton and Hearle, ch. 24).
-// Lobes of cotton, linen, silk and polyester filament: widths, layers, inner part and fuzz were fitted to measured
-//   cloths (tests/measured, docs/measured.md): cotton to denim and twill, linen to a plain weave, silk to charmeuse,
-//   polyester to satin charmeuse. They lie near the tangents of the widths that I. Sadeghi, O. Bisker, J. De Deken,
-//   H. W. Jensen, A Practical Microcylinder Appearance Model for Cloth Rendering, 2013, give for threads: linen 12
-//   (surface) and 24 (volume), silk 5 and 10, polyester satin 2.5 and 5 degrees.
-// Lobes of mercerised cotton, wool and viscose: by rank. Mercerising swells cotton round and smooth; viscose is
-//   filament like silk; wool has scales.
-// Lobes of combed cotton, reeled silk and spun polyester: from their fibres, and from no cloth. `weftlight lobes
-//   --fit-lustre` was run on each and on the usual yarns, and the lobes of the usual yarn were changed in the ratio of
-//   the two fits: along, across and layers of reeled silk 0.076, 0.434, 6.3, of spun 0.087, 0.535, 6.6. Spun polyester,
-//   traced as untidy as cotton, 0.104, 0.440, 8.1, was put between filament, 0.081, 0.478, 16, and cotton, 0.163,
-//   0.380, 5.5, by the logarithm of each number. Combed cotton, 0.166, 0.373, 5.5, has the lobes of carded: it differs
-//   by its hair.
-// Lobes of woollen: by rank, between worsted and the yarn of tweed. Its fibres lie across each other, which traced
+// Lobes of silk, wool, viscose and polyester: from their fibres (docs/decisions/lobes-follow-from-fibres.md), by
+//   `weftlight lobes --fit-lustre` on presets/yarns, which took silk from 0.54 octaves off its own fibres to 0.34, wool
+//   0.87 to 0.45, viscose 0.50 to 0.33, polyester filament 0.43 to 0.34, spun 0.45 to 0.35. They lie near the tangents
+//   of the widths that I. Sadeghi, O. Bisker, J. De Deken, H. W. Jensen, A Practical Microcylinder Appearance Model for
+//   Cloth Rendering, 2013, give for threads: silk 5 degrees (surface) and 10 (volume), polyester satin 2.5 and 5.
+//   Layers of polyester filament were 15.3: 12 leave room for flat sides. Reeled silk is smoother than spun; its
+//   numbers are of a fit in which both were 0.076 and 0.087 wide.
+// Lobes of cotton and linen: widths, layers, inner part and fuzz were fitted to measured cloths (tests/measured,
+//   docs/measured.md): cotton to denim and twill, linen to a plain weave. Combed cotton has the lobes of carded: it
+//   differs by its hair. Mercerised cotton: by rank, for mercerising swells cotton round and smooth.
+// Lobes of woollen: by rank, duller than worsted. Its fibres lie across each other, by some 15 degrees, which traced
 //   fibres do not: theirs are as parallel as in worsted.
-// Fuzz of these four: that of the usual yarn, in the ratio of their hairiness.
-// Transmission: by eye, in the order of the fibres' lustre; delustred fibre scatters most inside.
+// Fuzz of combed cotton, reeled silk, woollen and spun polyester: that of the usual yarn, in the ratio of their
+//   hairiness.
+// Transmission: by eye, in the order of the fibres' lustre; delustred fibre scatters most inside. As a fraction of the
+//   diffuse part it rose where that fell, so that as much light passes.
 // Metallic: aluminium under a clear lacquer on a slit film of about 1/69 inch (the common count), wound or
 //   laid flat: a ribbon, specular along its length, no body. The index is that of the lacquer.
 
@@ -167,14 +166,14 @@ std::array<Yarn, kFibres> make_presets() {
               {
                   .specular = 0.95f,
                   .ior = 1.56f,
-                  .along_width = 0.087f,
-                  .across_width = 0.89f,
-                  .layers = 4.5f,
-                  .inner = 0.09f,
-                  .body = 0.9f,
+                  .along_width = 0.085f,
+                  .across_width = 0.56f,
+                  .layers = 6.3f,
+                  .inner = 0.40f,
+                  .body = 0.58f,
                   .fuzz = 0.012f,
                   .fuzz_width = 0.40f,
-                  .transmission = 0.14f,
+                  .transmission = 0.22f,
               },
           .tex = 66.7f,
       },
@@ -196,14 +195,14 @@ std::array<Yarn, kFibres> make_presets() {
               {
                   .specular = 0.7f,
                   .ior = 1.55f,
-                  .along_width = 0.42f,
-                  .across_width = 0.60f,
-                  .layers = 2,
-                  .inner = 0.10f,
-                  .body = 1.0f,
+                  .along_width = 0.121f,
+                  .across_width = 0.214f,
+                  .layers = 4.7f,
+                  .inner = 0.837f,
+                  .body = 0.75f,
                   .fuzz = 0.35f,
                   .fuzz_width = 0.65f,
-                  .transmission = 0.10f,
+                  .transmission = 0.13f,
               },
           .tex = 71.4f,
       },
@@ -225,14 +224,14 @@ std::array<Yarn, kFibres> make_presets() {
               {
                   .specular = 1.0f,
                   .ior = 1.53f,
-                  .along_width = 0.10f,
-                  .across_width = 0.60f,
-                  .layers = 4,
-                  .inner = 0.10f,
-                  .body = 0.9f,
+                  .along_width = 0.133f,
+                  .across_width = 0.436f,
+                  .layers = 6.4f,
+                  .inner = 0.45f,
+                  .body = 0.51f,
                   .fuzz = 0.02f,
                   .fuzz_width = 0.40f,
-                  .transmission = 0.20f,
+                  .transmission = 0.35f,
               },
           .tex = 33.3f,
       },
@@ -254,14 +253,14 @@ std::array<Yarn, kFibres> make_presets() {
               {
                   .specular = 0.95f,
                   .ior = 1.63f,
-                  .along_width = 0.06f,
-                  .across_width = 0.69f,
-                  .layers = 8,
-                  .inner = 0.02f,
-                  .body = 0.9f,
+                  .along_width = 0.061f,
+                  .across_width = 0.40f,
+                  .layers = 12,
+                  .inner = 0.40f,
+                  .body = 0.49f,
                   .fuzz = 0.004f,
                   .fuzz_width = 0.35f,
-                  .transmission = 0.12f,
+                  .transmission = 0.22f,
               },
           .tex = 16.7f,
       },
@@ -337,13 +336,13 @@ std::array<Yarn, 4> make_other_yarns() {
                   .specular = 0.95f,
                   .ior = 1.56f,
                   .along_width = 0.076f,
-                  .across_width = 0.72f,
-                  .layers = 4.3f,
-                  .inner = 0.09f,
-                  .body = 0.9f,
+                  .across_width = 0.43f,
+                  .layers = 6.3f,
+                  .inner = 0.42f,
+                  .body = 0.58f,
                   .fuzz = 0.004f,
                   .fuzz_width = 0.40f,
-                  .transmission = 0.14f,
+                  .transmission = 0.22f,
               },
           .tex = 21.28f,
       },
@@ -365,14 +364,14 @@ std::array<Yarn, 4> make_other_yarns() {
               {
                   .specular = 0.7f,
                   .ior = 1.55f,
-                  .along_width = 0.55f,
-                  .across_width = 0.70f,
-                  .layers = 1.9f,
-                  .inner = 0.10f,
-                  .body = 1.0f,
+                  .along_width = 0.25f,
+                  .across_width = 0.30f,
+                  .layers = 3,
+                  .inner = 0.6f,
+                  .body = 0.85f,
                   .fuzz = 0.48f,
                   .fuzz_width = 0.75f,
-                  .transmission = 0.10f,
+                  .transmission = 0.12f,
               },
           .tex = 250,
       },
@@ -394,14 +393,14 @@ std::array<Yarn, 4> make_other_yarns() {
               {
                   .specular = 0.95f,
                   .ior = 1.63f,
-                  .along_width = 0.11f,
-                  .across_width = 0.44f,
-                  .layers = 4.3f,
-                  .inner = 0.03f,
-                  .body = 0.9f,
+                  .along_width = 0.107f,
+                  .across_width = 0.43f,
+                  .layers = 7.7f,
+                  .inner = 0.38f,
+                  .body = 0.62f,
                   .fuzz = 0.056f,
                   .fuzz_width = 0.50f,
-                  .transmission = 0.12f,
+                  .transmission = 0.17f,
               },
           .tex = 39.37f,
       },

@@ -50,8 +50,8 @@ class ChartRun {
     methods_ = std::move(*methods);
     cells_ = chart_cells(methods_);
     keep_earlier();
+    // `auto` last: it goes by the LOD table that ships, as in every picture.
     for (const bool automatic : {false, true}) {
-      if (automatic) bench_.use_lod_table(lod_table_of(rows_));
       for (const ChartRow& cell : cells_) {
         if ((cell.method == Method::kAuto) != automatic || !part_.holds(cell) || known(cell)) continue;
         if (auto added = add(cell); !added) return added;

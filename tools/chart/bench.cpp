@@ -135,13 +135,9 @@ base::Result<std::unique_ptr<ChartBench>> ChartBench::create(const ChartEffort& 
   auto renderer = Renderer::create();
   if (!renderer) return none(renderer.error());
   bench->renderer_ = std::move(*renderer);
-  bench->use_lod_table(shipped_lod_table().lod_table);
+  bench->lod_table_ = shipped_lod_table().lod_table;
+  bench->renderer_->set_lod_table(bench->lod_table_);
   return bench;
-}
-
-void ChartBench::use_lod_table(const LodTable& lod_table) {
-  lod_table_ = lod_table;
-  renderer_->set_lod_table(lod_table);
 }
 
 std::string ChartBench::fingerprint() const {

@@ -63,8 +63,6 @@ class ChartBench {
   /// All near methods, and the traced tubes, against traced fibres.
   base::Result<std::vector<FibreRow>> against_fibres(size_t scene, int view_deg, double yarns_per_pixel);
   base::Result<double> truth_noise(const ChartRow& cell);
-  /// Sets the LOD table that auto uses.
-  void use_lod_table(const LodTable& lod_table);
   /// Identifies graphics, shaders and effort; rows with another fingerprint are measured again.
   std::string fingerprint() const;
   std::string device() const { return renderer_->device(); }

@@ -16,7 +16,7 @@ namespace weftlight::light {
 namespace thread_formulas = cloth::thread_formulas;
 
 using cloth::FibreDetail, cloth::ThreadBody, cloth::ThreadTexture, cloth::fibre_detail, cloth::thread_texture;
-using design::Yarn, design::yarn_presets;
+using design::Yarn, design::ready_yarns, design::yarn_presets;
 using draft::System;
 
 namespace {
@@ -67,13 +67,15 @@ Light light_of(const Yarn& yarn, const formulas::YarnLobes& lobes, glm::vec2 siz
 
 constexpr glm::vec2 kNear{1e-5f, 1e-5f}, kFar{1, 1};
 
+// One thread alone, in all lights: highlights lose up to a tenth, which those of a whole cloth do not
+// (Gate.FibresAndPliesKeepTheMean).
 TEST(FibreDetailLight, ThreadsSendAsMuchLightNearAsFar) {
-  for (Yarn yarn : yarn_presets()) {
+  for (Yarn yarn : ready_yarns()) {
     for (const int plies : {1, 2}) {
       yarn.plies = plies;
       const formulas::YarnLobes lobes = yarn_lobes(yarn.lobes, {0.5f, 0.4f, 0.3f});
       const Light near = light_of(yarn, lobes, kNear), far = light_of(yarn, lobes, kFar);
-      EXPECT_NEAR(near.key / far.key, 1, yarn.lobes.metallic ? 0.12 : 0.07) << yarn.name << ", plies: " << plies;
+      EXPECT_NEAR(near.key / far.key, 1, yarn.lobes.layers > 5 ? 0.1 : yarn.lobes.metallic ? 0.12 : 0.07) << yarn.name << ", plies: " << plies;
       EXPECT_NEAR(near.sky / far.sky, 1, 0.07) << yarn.name << ", plies: " << plies;
     }
   }

@@ -32,31 +32,28 @@ constexpr unsigned char kFilterUp = 2;
 constexpr size_t kChunk = 8192;  // bytes of packed texels
 
 /// Rounds 0..1 to 0..top; NaN becomes 0. Without a branch, and through int, so that loops over it become vectors.
-inline int stored(float v, float top) { return static_cast<int>(std::min(std::max(0.0f, v), 1.0f) * top + 0.5f); }
+inline int stored(float v, float top) {
+  const float positive = v > 0.0f ? v : 0.0f, inside = positive < 1.0f ? positive : 1.0f;
+  return static_cast<int>(inside * top + 0.5f);
+}
 
-// Bytes may be any object, so without __restrict no loop that writes them becomes vectors.
+// Bytes may be any object: without __restrict, loops that write them do not become vectors.
 
-void to_bytes(unsigned char* __restrict to, const float* __restrict from, size_t count) {
-  platform::with_widest_vectors([=] {
-    for (size_t i = 0; i < count; ++i) to[i] = static_cast<unsigned char>(stored(from[i], 255.0f));
-  });
+inline void to_bytes(unsigned char* __restrict to, const float* __restrict from, size_t count) {
+  for (size_t i = 0; i < count; ++i) to[i] = static_cast<unsigned char>(stored(from[i], 255.0f));
 }
 
 /// Big-endian.
-void to_pairs_of_bytes(unsigned char* __restrict to, const float* __restrict from, size_t count) {
-  platform::with_widest_vectors([=] {
-    for (size_t i = 0; i < count; ++i) {
-      const int value = stored(from[i], 65535.0f);
-      to[2 * i] = static_cast<unsigned char>(value >> 8), to[2 * i + 1] = static_cast<unsigned char>(value);
-    }
-  });
+inline void to_pairs(unsigned char* __restrict to, const float* __restrict from, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    const int value = stored(from[i], 65535.0f);
+    to[2 * i] = static_cast<unsigned char>(value >> 8), to[2 * i + 1] = static_cast<unsigned char>(value);
+  }
 }
 
-void subtract(unsigned char* __restrict to, const unsigned char* __restrict from, const unsigned char* __restrict less,
-              size_t count) {
-  platform::with_widest_vectors([=] {
-    for (size_t i = 0; i < count; ++i) to[i] = static_cast<unsigned char>(from[i] - less[i]);
-  });
+inline void subtract(unsigned char* __restrict to, const unsigned char* __restrict from,
+                     const unsigned char* __restrict less, size_t count) {
+  for (size_t i = 0; i < count; ++i) to[i] = static_cast<unsigned char>(from[i] - less[i]);
 }
 
 void put(std::vector<unsigned char>& to, uint32_t value) {
@@ -139,8 +136,11 @@ PngRows::~PngRows() { deflateEnd(&packer_); }
 
 void PngRows::add(const std::vector<float>& texels) {
   for (size_t at = 0; at + values_ <= texels.size(); at += values_) {
-    (wide_ ? to_pairs_of_bytes : to_bytes)(now_.data(), &texels[at], values_);
-    subtract(filtered_.data() + 1, now_.data(), last_.data(), now_.size());
+    platform::with_widest_vectors([&] {
+      if (wide_) to_pairs(now_.data(), &texels[at], values_);
+      else to_bytes(now_.data(), &texels[at], values_);
+      subtract(filtered_.data() + 1, now_.data(), last_.data(), now_.size());
+    });
     last_.swap(now_);
     pack(filtered_, Z_NO_FLUSH);
   }

@@ -23,7 +23,7 @@ constexpr int64_t kMaxCoarseTexels = int64_t{1} << 20;  // about 75 MB of maps
 constexpr int64_t kMaxRawTexels = int64_t{1} << 22;     // with the horizons of raw sets
 // Of the maps; about 3 MB. Memory of larger pieces went back to the system each time, and new pages cost more than
 // filling them.
-constexpr int64_t kMaxPieceTexels = int64_t{1} << 15;
+constexpr int64_t kMaxPieceTexels = int64_t{1} << 14;
 constexpr int kMaxPieceSide = 16384;                  // of a window of the maps
 constexpr int64_t kMaxBandTexels = int64_t{1} << 18;  // of the maps of a raw set, made on all cores; about 14 MB
 constexpr int kSmallSide = 1024;

@@ -33,7 +33,6 @@ class PngRows {
 
  private:
   void chunk(std::string_view name, const unsigned char* data, size_t size);
-  void encode(const float* texels);
   void pack(const std::vector<unsigned char>& data, int flush);
 
   size_t values_;  // of a row

@@ -10,26 +10,19 @@
 #include <cmath>
 #include <limits>
 
-#include "base/loops.h"
 #include "light/engine_directions.h"
+#include "light/engine_pixels.h"
 
 namespace weftlight::light {
 
-using base::core_count, base::for_each_job;
-
 namespace {
-
-using formulas::EngineMaterial;
-using formulas::EngineParts;
 
 constexpr int kRounds = 3;  // rounds of least squares, for the coupling between the parts
 constexpr int kTintRounds = 8;
-constexpr size_t kSearchedTexels = 64;  // for the descent
-constexpr size_t kLeastPairs = 256;  // of a core: for fewer, the directions in each pixel's frame are much of the work
+constexpr size_t kSearchedTexels = 64;                           // for the descent
 constexpr float kMinBase = 0.25f, kMaxBase = 8, kMaxSheen = 40;  // factors of the colours
-constexpr glm::vec3 kLeastSheen(1e-3f);                // in the equations: at 0 a factor would have none, and stay 0
-constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;  // of the descent, in logarithms
-constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;  // factors of the variances, at footprint weight 1
+constexpr float kFirstStep = 0.7f, kLastStep = 0.06f;            // of the descent, in logarithms
+constexpr float kNarrowestLobe = 0.02f, kWidestLobe = 4.0f;      // factors of the variances, at footprint weight 1
 // Starts of the descent: factors along the fibres and across, and along the weft. There are several minima.
 constexpr std::array<float, 2> kStarts[] = {{0.15f, 1}, {1, 1}};
 // Half vectors of the fit are 5 degrees (0.087) apart. Without this limit organza had a highlight of 0.034 and 0.004 of
@@ -56,88 +49,6 @@ constexpr std::array<float, 3> kChannelWeight{0.3f, 0.5f, 0.2f};
 // one number for the channels, it is the first of three.
 constexpr size_t kBase = 0, kF0 = 3, kF90 = 6, kSheen = 7, kUnknowns = 10;
 using Unknowns = std::array<float, kUnknowns>;
-
-/// A pixel of the engine, with its lobe.
-struct Shaded {
-  EngineMaterial material;
-  formulas::LobeFrame frame;
-  float weight = 0;
-};
-
-std::vector<Shaded> shaded(const EngineTexels& texels, const EngineModel& model, const EngineFit& fit) {
-  std::vector<Shaded> out;
-  float total = 1e-9f;
-  for (const EngineTexel& t : texels.texels) total += t.weight;
-  for (const EngineTexel& t : texels.texels) {
-    const EngineLobe lobe = engine_lobe(t, fit.lobe, texels.footprint_weight);
-    EngineMaterial m = t.material;
-    m.base = glm::min(m.base * fit.base, glm::vec3(1));
-    m.sheen = glm::min(m.sheen * glm::max(fit.sheen, kLeastSheen), glm::vec3(1));
-    m.sheen_roughness = fit.sheen_roughness, m.f0 = fit.f0, m.f90 = fit.f90;
-    m.alpha = model.anisotropic ? lobe.alpha() : glm::vec2(std::sqrt(lobe.alpha().x * lobe.alpha().y));
-    out.push_back({m, formulas::lobe_frame(flattened(t.normal, fit.relief), {lobe.axis, 0}), t.weight / total});
-  }
-  return out;
-}
-
-/// Radiance of the texels for a pair, by part, for factors of one.
-struct PairRadiance {
-  glm::vec3 body{0}, gloss{0}, grazing{0}, fuzz{0};
-};
-
-/// Factor of the reflectance for each pair.
-std::vector<float> shine_of(const EngineDirections& directions, const EngineModel& model, const EngineFit& fit) {
-  std::vector<float> out;
-  out.reserve(directions.pairs.size());
-  for (const EnginePair& p : directions.pairs)
-    out.push_back(fit.tint.shine_at(directions.views[p.view]) *
-                  (model.light_tinted ? fit.tint.shine_at(directions.lights[p.light]) : 1));
-  return out;
-}
-
-/// Adds what the pixels send to the pairs [first, last).
-void add_pixels(std::vector<PairRadiance>& out, const std::vector<Shaded>& pixels, const EngineDirections& directions,
-                const EngineModel& model, const EngineFit& fit, size_t first, size_t last) {
-  std::vector<glm::vec3> wi(directions.lights.size()), wo(directions.views.size());
-  std::vector<float> sheen_wi(wi.size()), sheen_wo(wo.size());
-  const std::vector<float> shine = shine_of(directions, model, fit);
-  for (const Shaded& t : pixels) {
-    EngineMaterial m = t.material;
-    for (size_t i = 0; i < wi.size(); ++i) wi[i] = formulas::lobe_local(t.frame, directions.lights[i]);
-    for (size_t i = 0; i < wo.size(); ++i) wo[i] = formulas::lobe_local(t.frame, directions.views[i]);
-    for (size_t i = 0; i < wi.size(); ++i) sheen_wi[i] = formulas::sheen_albedo(m, model.sheen, wi[i]);
-    for (size_t i = 0; i < wo.size(); ++i) sheen_wo[i] = formulas::sheen_albedo(m, model.sheen, wo[i]);
-    for (size_t i = first; i < last; ++i) {
-      const EnginePair& pair = directions.pairs[i];
-      m.f0 = t.material.f0 * shine[i];
-      if (model.grazing) m.f90 = t.material.f90 * shine[i];
-      const EngineParts p = formulas::engine_parts(m, model.sheen, wi[pair.light], wo[pair.view], sheen_wi[pair.light],
-                                                   sheen_wo[pair.view]);
-      out[i].body += p.body * (p.kept * t.weight) / fit.base;
-      out[i].fuzz += p.fuzz * t.weight / glm::max(fit.sheen, kLeastSheen);
-      out[i].gloss += p.gloss * (shine[i] * p.kept * t.weight);
-      out[i].grazing += p.grazing * ((model.grazing ? shine[i] : 1) * p.kept * t.weight);
-    }
-  }
-}
-
-/// On all cores, each with pairs of its own, to which the pixels are added in order: the bits do not depend on the
-/// cores.
-std::vector<PairRadiance> texel_radiance(const EngineTexels& texels, const EngineDirections& directions,
-                                         const EngineModel& model, const EngineFit& fit) {
-  std::vector<PairRadiance> out(directions.pairs.size());
-  const std::vector<Shaded> pixels = shaded(texels, model, fit);
-  const size_t parts = std::min(static_cast<size_t>(core_count()), out.size() / kLeastPairs + 1);
-  for_each_job(static_cast<int>(parts), [&](int part) {
-    const size_t k = static_cast<size_t>(part);
-    add_pixels(out, pixels, directions, model, fit, out.size() * k / parts, out.size() * (k + 1) / parts);
-  });
-  for (size_t i = 0; i < out.size(); ++i) {
-    out[i].body *= fit.tint.base_at(directions.views[directions.pairs[i].view]);
-    if (model.light_tinted) out[i].body *= fit.tint.base_at(directions.lights[directions.pairs[i].light]);
-  }
-  return out;
-}
 
 glm::vec3 whole(const PairRadiance& radiance, const EngineFit& fit) {
   return radiance.body * fit.base + radiance.gloss * fit.f0 + radiance.grazing * fit.f90 + radiance.fuzz * fit.sheen;

@@ -33,6 +33,25 @@ inline float exp(float x) {
   return p * std::bit_cast<float>((std::bit_cast<int32_t>(shifted) << 23) + 0x3f800000);
 }
 
+/// Likewise the logarithm, of a normal positive number alone, so that it does not hide GLM's: error 2e-7 of it or 1e-7.
+/// Cephes' polynomial about 1.
+inline float log_of_normal(float x) {
+  const int32_t bits = std::bit_cast<int32_t>(x), from_root = bits - 0x3f3504f3;  // of a half
+  const float n = static_cast<float>(from_root >> 23);
+  const float r = std::bit_cast<float>((from_root & 0x007fffff) + 0x3f3504f3) - 1.0f, r2 = r * r;
+  const float p =
+      0.33333331174f +
+      r * (-0.24999993993f +
+           r * (0.20000714765f +
+                r * (-0.16668057665f +
+                     r * (0.14249322787f +
+                          r * (-0.12420140846f + r * (0.1167699874f + r * (-0.1151461031f + r * 0.070376836292f)))))));
+  return (r + (p * r * r2 - n * 2.12194440e-4f - 0.5f * r2)) + n * 0.693359375f;
+}
+
+/// Of a normal positive number, instead of GLM's; relative error 3e-7 times the logarithm of the result, or 3e-7.
+inline float pow(float x, float exponent) { return exp(exponent * log_of_normal(x)); }
+
 #define FORMULA inline
 #include "shaders/fibre.glsl"
 #include "shaders/filter.glsl"

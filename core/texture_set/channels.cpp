@@ -17,9 +17,9 @@ namespace {
 
 using enum Channel;
 
-float encoded(float linear, bool srgb) {
-  static const SrgbTable& table = SrgbTable::get();
-  return srgb ? table.encoded(linear) : linear;
+/// table: null for a linear image.
+inline float encoded(float linear, const SrgbTable* table) {
+  return table != nullptr ? table->encoded(linear) : linear;
 }
 
 float half_range(float v) { return 0.5f + 0.5f * v; }
@@ -63,7 +63,8 @@ bool needs_alphas(Channel channel) {
 }
 
 /// alphas: of the texel, if needs_alphas(channel).
-float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, bool srgb, const SurfaceTexels& surface) {
+float value(Channel channel, const SurfaceTexel& t, const GgxAlphas& alphas, const SrgbTable* srgb,
+            const SurfaceTexels& surface) {
   switch (channel) {
     case kNone:
       return 0;
@@ -319,13 +320,14 @@ Image pack(const ImageRow& row, const SurfaceTexels& surface, int threads) {
       width, height, channels,
       std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels))};
   const bool has_lobes = std::any_of(row.channels.begin(), end, needs_alphas);
+  const SrgbTable* const srgb = row.srgb ? &SrgbTable::get() : nullptr;
   for_each_job(height, threads, [&](int y) {
     const SurfaceTexel* texel = surface.texels.row(y);
     float* out = image.texels.data() + static_cast<size_t>(y) * static_cast<size_t>(width * channels);
     for (int x = width - 1; x >= 0; --x) {
       const GgxAlphas alphas = has_lobes ? ggx_alphas(texel[x]) : GgxAlphas{};
       for (int c = 0; c < channels; ++c)
-        *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], alphas, row.srgb, surface);
+        *out++ = value(row.channels[static_cast<size_t>(c)], texel[x], alphas, srgb, surface);
     }
   });
   return image;

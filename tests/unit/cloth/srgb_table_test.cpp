@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "design/srgb.h"
 
@@ -33,6 +34,12 @@ TEST(SrgbTable, is_within_a_tenth_of_a_byte_of_the_curve) {
   }
   EXPECT_FLOAT_EQ(table.encoded(2.0f), 1.0f);
   EXPECT_EQ(table.encoded_byte(-1.0f), 0);
+}
+
+TEST(SrgbTable, what_is_no_number_is_black) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(SrgbTable::get().encoded(nan), 0.0f);
+  EXPECT_EQ(SrgbTable::get().encoded_byte(nan), 0);
 }
 
 }  // namespace

@@ -80,6 +80,14 @@ TEST(Image, OutOfRangeValuesStayFinite) {
   EXPECT_EQ(read_image(scratch / "half.exr")->texels, (std::vector<float>{0, 65504, -65504, 65504}));
   ASSERT_EQ(problem_of(write_image(scratch / "u8.png", image, PixelType::kU8)), "");
   EXPECT_EQ(read_image(scratch / "u8.png")->texels, (std::vector<float>{0, 1, 0, 1}));
+  ASSERT_EQ(problem_of(write_image(scratch / "u16.png", image, PixelType::kU16)), "");
+  EXPECT_EQ(read_image(scratch / "u16.png")->texels, (std::vector<float>{0, 1, 0, 1}));
+  // As many as are computed side by side, and some more.
+  Image many{45, 2, 1, {}};
+  for (int i = 0; i < 90; ++i) many.texels.push_back(i % 5 == 0 ? nan : i % 5 == 1 ? inf : i % 5 == 2 ? -inf : 0.2f);
+  ASSERT_EQ(problem_of(write_image(scratch / "many.png", many, PixelType::kU8)), "");
+  const Image back = *read_image(scratch / "many.png");
+  for (size_t i = 0; i < 90; ++i) EXPECT_FLOAT_EQ(back.texels[i], i % 5 == 1 ? 1.0f : i % 5 < 3 ? 0.0f : 0.2f) << i;
 }
 
 TEST(Image, EncodesPngInMemory) {

@@ -366,5 +366,23 @@ TEST(Exponential, IsExactToFloat) {
     ASSERT_NEAR(static_cast<double>(formulas::exp(x)) / std::exp(static_cast<double>(x)), 1, 4e-7) << x;
 }
 
+TEST(Logarithm, IsExactToFloat) {
+  for (float x = 1e-30f; x < 1e30f; x *= 1.0137f)
+    ASSERT_NEAR(static_cast<double>(formulas::log_of_normal(x)), std::log(static_cast<double>(x)),
+                1e-7 + 2e-7 * std::abs(std::log(static_cast<double>(x))))
+        << x;
+  EXPECT_EQ(formulas::log_of_normal(1.0f), 0.0f);
+}
+
+TEST(Power, IsExactToAFewTimesTheResolutionOfFloat) {
+  for (float x = 0.0078125f; x <= 1; x += 0.00137f) {
+    for (const float exponent : {0.5f, 1.0f, 2.0f, 12.5f}) {
+      const double exact = std::pow(static_cast<double>(x), static_cast<double>(exponent));
+      ASSERT_NEAR(static_cast<double>(formulas::pow(x, exponent)) / exact, 1, 5e-7 + 3e-7 * std::abs(std::log(exact)))
+          << x << " to the " << exponent;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace weftlight::light

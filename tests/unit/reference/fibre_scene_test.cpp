@@ -174,7 +174,7 @@ TEST(FibreScene, SpreadLampsLeaveTheMeanAndHalveTheGrain) {
     const auto scene = fibres_of(cloth, whole(cloth));
     const Seen truth = seen_from_above(FibreTracer(*scene), cloth.width_mm),
                spread = seen_from_above(FibreTracer(*scene, {}, lamp_spread(64)), cloth.width_mm);
-    EXPECT_NEAR(spread.mean / truth.mean, 1, 0.05) << cloth.yarns[0].name;
+    EXPECT_NEAR(spread.mean / truth.mean, 1, 0.06) << cloth.yarns[0].name;
     variances += spread.variance / truth.variance / 2;
   }
   EXPECT_LT(variances, 0.55);

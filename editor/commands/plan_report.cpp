@@ -74,8 +74,8 @@ void print_size(const ClothMeasures& m, const ClothPlan& plan, Units units) {
     return fill(tr("{ends}, {picks}"), arg("ends", sett_text(ends, System::kWarp, units)),
                 arg("picks", sett_text(picks, System::kWeft, units)));
   };
-  print_row(tr("loom sett"), setts(m.loom_ends_per_cm, m.loom_picks_per_cm));
   print_row(tr("cloth sett"), setts(m.cloth_ends_per_cm, m.cloth_picks_per_cm));
+  print_row(tr("loom sett"), setts(m.loom_ends_per_cm, m.loom_picks_per_cm));  // the reeds follow
 }
 
 void print_reeds(const ClothMeasures& m, const ClothPlan& plan, Units units) {

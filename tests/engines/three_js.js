@@ -14,8 +14,8 @@ const kEngineTolerance = 0.08;  // against the prediction, mean over azimuths: h
 // Tolerance against the cloth at each elevation, mean over the azimuths of views and lights.
 // Open: gaps of cloth close at oblique views, those in an engine do not. The fit holds the means in each plane of the threads
 // first (shipped_cloths_test.cpp); over all azimuths denim pays for it with 0.105, gauze with 0.26.
-const of_cloth = (angle, open) => open ? 0.265 : angle <= 60 ? 0.11 : 0.25;
-const kClothError = 0.25;       // RMS of the difference over the RMS of the cloth, to 60 degrees
+const of_cloth = (angle, open) => open ? 0.29 : angle <= 60 ? 0.11 : 0.25;
+const kClothError = 0.27;       // RMS of the difference over the RMS of the cloth, to 60 degrees
 const kOpenError = 0.3;         // for open cloth
 const kMethodTolerance = 0.05;    // against the method, mean over planes and lights, up to 60 degrees
 const kMethodViews = [0, 43, 59], kMethodLights = [-43, 43];

@@ -15,7 +15,7 @@ const { shown } = require('./three_js.js');
 const kWindowM = 0.12, kPixels = 139;  // 0.86 mm a pixel, as at the metre for which sets are fitted
 const kEngineTolerance = 0.11;         // against the prediction, mean over azimuths: mips average narrow highlights
 // Against the cloth, in the same way. Gaps of open cloth close at oblique views, those in an engine do not.
-const of_cloth = (angle, open) => open ? 0.34 : angle <= 60 ? 0.12 : 0.25;
+const of_cloth = (angle, open) => open ? 0.36 : angle <= 60 ? 0.12 : 0.25;
 const kClothError = 0.3;               // RMS of the difference over the RMS of the cloth, to 60 degrees
 const kCoverTolerance = 0.05;
 const kFold = { window_m: kWindowM, pixels: kPixels, gap_m: 0.02, aside_m: 0.0037 };

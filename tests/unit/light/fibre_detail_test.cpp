@@ -75,7 +75,11 @@ TEST(FibreDetailLight, ThreadsSendAsMuchLightNearAsFar) {
       yarn.plies = plies;
       const formulas::YarnLobes lobes = yarn_lobes(yarn.lobes, {0.5f, 0.4f, 0.3f});
       const Light near = light_of(yarn, lobes, kNear), far = light_of(yarn, lobes, kFar);
-      EXPECT_NEAR(near.key / far.key, 1, yarn.lobes.layers > 5 ? 0.1 : yarn.lobes.metallic ? 0.12 : 0.07) << yarn.name << ", plies: " << plies;
+      EXPECT_NEAR(near.key / far.key, 1,
+                  yarn.lobes.layers > 5 ? 0.1
+                  : yarn.lobes.metallic ? 0.12
+                                        : 0.07)
+          << yarn.name << ", plies: " << plies;
       EXPECT_NEAR(near.sky / far.sky, 1, 0.07) << yarn.name << ", plies: " << plies;
     }
   }

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "base/caught.h"
+#include "base/hash.h"
 #include "base/loops.h"
 #include "base/text.h"
 #include "base/version.h"
@@ -79,6 +80,7 @@ struct SharedDraft {
 struct ExportRun {
   const ExportOptions& options;
   const Mesh& mesh;
+  std::string worn;                           // what sets that show the mesh were made of
   std::map<std::string, SharedDraft> drafts;  // by path
   std::mutex console;
   ProgressMeter progress;
@@ -86,6 +88,16 @@ struct ExportRun {
   std::vector<std::string> failed;
   std::stop_token stop = platform::stop_when_asked();
 };
+
+/// The name of the mesh and a hash of it: its file may change.
+std::string worn_by(const std::string& name, const Mesh& mesh) {
+  uint64_t hash = base::content_hash({});
+  const auto add = [&hash](const auto& values) {
+    hash = base::content_hash({reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]}, hash);
+  };
+  add(mesh.position_mm), add(mesh.normal), add(mesh.tangent), add(mesh.uv_mm), add(mesh.index);
+  return name + " " + std::to_string(hash);
+}
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
@@ -219,6 +231,18 @@ std::vector<Job> jobs_of(const ExportOptions& options, const MaterialOptions& ma
   return jobs;
 }
 
+/// What is wrong where two sets would have one folder, so that the later one would replace the other; or an empty
+/// string.
+std::string shared_folder_problem(const std::vector<Job>& jobs) {
+  std::set<std::string> folders;
+  for (const Job& job : jobs)
+    if (!folders.insert(job.folder).second)
+      return fill(tr("{folder}: several sets would be in this folder; give a --name that has the fields to tell them "
+                     "apart ({fields})"),
+                  arg("folder", job.folder), arg("fields", kNameFields));
+  return {};
+}
+
 std::string archive_of(const Job& job) { return job.folder + ".zip"; }
 
 /// Whether the archive can be written, before its set is.
@@ -324,8 +348,8 @@ void run_job(Job job, int index, ExportRun& run, SharedWork& work) {
   }
   job.options = at_lod(job.options, job.lod);
   job.options.archived = run.options.zip;
-  job.options.key =
-      digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + run.options.mesh + "\n" + job.version);
+  const std::string& worn = job.options.target->wears_mesh ? run.worn : run.options.mesh;
+  job.options.key = digest(opened.file.bytes + "\n" + key_of(job.options) + "\n" + worn + "\n" + job.version);
   if (run.options.resume && is_complete(job.folder, job.options.key) && has_archive(run, job)) {
     ++run.kept;
     const std::lock_guard lock(run.console);
@@ -382,7 +406,10 @@ int run_all(const std::vector<Job>& jobs, const ExportOptions& options, const Me
   const ProgressForm form = options.progress_json ? ProgressForm::kJson
                             : options.quiet       ? ProgressForm::kNone
                                                   : ProgressForm::kTerminal;
-  ExportRun run{options, mesh, {}, {}, ProgressMeter(form, static_cast<int>(jobs.size())), kDone, 0, 0, 0, {}};
+  ExportRun run{options, mesh, worn_by(options.mesh, mesh),
+                {},      {},   ProgressMeter(form, static_cast<int>(jobs.size())),
+                kDone,   0,    0,
+                0,       {}};
   for (const Job& job : jobs) ++run.drafts[job.file].jobs;
   std::vector<size_t> firsts;  // of sets that begin anew
   for (size_t j = 0; j < jobs.size(); ++j)
@@ -421,7 +448,9 @@ void watch(std::vector<Job> jobs, const ExportOptions& options, const Mesh& mesh
     for (Job& job : jobs) {
       std::error_code ec;
       const auto now = fs::last_write_time(job.file, ec);
-      if (!ec && now != job.time) job.time = now, changed_jobs.push_back(job);
+      if (ec || now == job.time) continue;
+      job.time = now, job.options.modified = changed(job.file);
+      changed_jobs.push_back(job);
     }
     if (!changed_jobs.empty()) run_all(changed_jobs, options, mesh);
   }
@@ -461,6 +490,7 @@ int export_command(const ExportOptions& options, const MaterialOptions& material
                  tr("there is no draft in it (.wif, .dtx, .wpo); give drafts or a folder of drafts"),
                  options.files[0]});
   }
+  if (const std::string shared = shared_folder_problem(jobs); !shared.empty()) return refuse(shared);
   platform::keep_freed_memory();
   const int code = run_all(jobs, options, *mesh);
   if (options.watch) watch(jobs, options, *mesh);

@@ -77,6 +77,21 @@ TEST_F(Export, names_follow_the_template) {
   EXPECT_EQ(exported({"--target", "raw,godot", "--name", "{name}"}).code, kUsage) << "two sets in one folder";
 }
 
+TEST_F(Export, sets_that_would_replace_each_other_are_refused) {
+  const std::string one = path("drafts/a.wif");
+  for (const Args& more : {Args{"--lods"}, Args{path("drafts/deep/b.wif")}}) {
+    Args args{"export", one, "-o", path("sets"), "--size", "64", "--name", "cloth"};
+    args.insert(args.end(), more.begin(), more.end());
+    const Ran ran = run(args);
+    EXPECT_EQ(ran.code, kUsage) << more[0];
+    EXPECT_NE(ran.said.find("sets/cloth: several sets would be in this folder"), std::string::npos) << ran.said;
+    EXPECT_FALSE(has("")) << more[0];
+  }
+  EXPECT_EQ(run({"export", one, "-o", path("sets"), "--size", "16", "--target", "raw", "--name", "cloth"}).code, kDone);
+  EXPECT_EQ(run({"export", one, "-o", path("sets"), "--size", "256", "--lods", "--name", "{size}"}).code, kDone);
+  EXPECT_TRUE(has("256/texture_set.json") && has("64/texture_set.json") && has("16/texture_set.json"));
+}
+
 TEST_F(Export, a_template_with_an_unknown_field_is_refused_with_the_fields) {
   for (const char* form : {"{draft}_{target}", "{name", "a}b", "{}", "{Name}"}) {
     const Ran ran = exported({"--target", "raw", "--size", "16", "--name", form});
@@ -177,6 +192,16 @@ TEST_F(Export, resume_makes_sets_with_changed_files_again) {
   EXPECT_NE(exported(again).said.find("1 set written, 1 already complete"), std::string::npos) << "a changed byte";
   EXPECT_EQ(read_file(file).value_or(""), whole);
   EXPECT_NE(exported(again).said.find("0 sets written, 2 already complete"), std::string::npos);
+}
+
+TEST_F(Export, resume_makes_sets_again_whose_mesh_has_changed) {
+  const std::string presets = std::string(WEFTLIGHT_SOURCE_DIR) + "/presets/meshes/", mesh = path("worn.glb");
+  const Args again{"--target", "gltf,raw", "--size", "16", "--mesh", mesh, "--resume"};
+  fs::copy_file(presets + "plane.glb", mesh);
+  EXPECT_EQ(exported(again).code, kDone);
+  EXPECT_NE(exported(again).said.find("0 sets written, 4 already complete"), std::string::npos);
+  fs::copy_file(presets + "sphere.glb", mesh, fs::copy_options::overwrite_existing);
+  EXPECT_NE(exported(again).said.find("2 sets written, 2 already complete"), std::string::npos) << "raw ones show none";
 }
 
 TEST_F(Export, resume_makes_missing_and_truncated_archives) {
@@ -293,18 +318,33 @@ TEST_F(CutShort, what_one_that_was_killed_left_is_not_in_the_way_of_another) {
   for (const auto& entry : fs::directory_iterator(path("sets/a"))) EXPECT_FALSE(entry.is_directory()) << entry.path();
 }
 
-TEST_F(Export, watch_exports_changed_drafts_again) {
-  write_file_atomically(path("drafts/c.dtx"), dtx());
-  const pid_t child = fork();
-  if (child == 0) {
+/// An export that watches its drafts.
+class WatchedExport : public Export {
+ protected:
+  void watch(const std::string& target) {
+    child_ = fork();
+    if (child_ != 0) return;
     execl(WEFTLIGHT_BINARY, WEFTLIGHT_BINARY, "export", path("drafts").c_str(), "-o", path("sets").c_str(), "--target",
-          "raw", "--size", "16", "--watch", nullptr);
+          target.c_str(), "--size", "16", "--watch", nullptr);
     _exit(127);
   }
-  const auto comes = [&](const auto& what) {
+  void TearDown() override {
+    if (child_ > 0) kill(child_, SIGTERM), waitpid(child_, nullptr, 0);
+    Export::TearDown();
+  }
+  template <class What>
+  static bool comes(const What& what) {
     for (int i = 0; i < 600 && !what(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
     return what();
-  };
+  }
+
+ private:
+  pid_t child_ = 0;
+};
+
+TEST_F(WatchedExport, changed_drafts_are_exported_again) {
+  write_file_atomically(path("drafts/c.dtx"), dtx());
+  watch("raw");
   EXPECT_TRUE(comes([&] { return has("a/texture_set.json"); }));
   // The first sets may still be in progress: a change during that time must not be missed.
   fs::copy_file(fixture_path("luminescence.wif"), path("drafts/a.wif"), fs::copy_options::overwrite_existing);
@@ -316,8 +356,23 @@ TEST_F(Export, watch_exports_changed_drafts_again) {
   const int picks_before = picks();
   write_file_atomically(path("drafts/c.dtx"), dtx("1 1 2"));
   EXPECT_TRUE(comes([&] { return picks() != picks_before; })) << picks_before;
-  kill(child, SIGTERM);
-  waitpid(child, nullptr, 0);
+}
+
+TEST_F(WatchedExport, a_material_has_the_date_of_the_draft_that_it_shows) {
+  const auto dated = [&](int hours) {
+    fs::last_write_time(path("drafts/a.wif"), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  const auto date = [&] {
+    const std::string material = read_file(path("sets/a/a.u3m")).value_or("");
+    const size_t at = material.find(R"("modified": )");
+    return at == std::string::npos ? std::string() : material.substr(at, 32);
+  };
+  dated(48);
+  watch("u3m");
+  ASSERT_TRUE(comes([&] { return has("a/texture_set.json"); }));
+  const std::string before = date();
+  dated(24);
+  EXPECT_TRUE(comes([&] { return !date().empty() && date() != before; })) << before;
 }
 
 TEST_F(Export, masks_and_units_of_texture_coordinates_are_options_of_every_target) {

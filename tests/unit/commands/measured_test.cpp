@@ -37,7 +37,8 @@ constexpr MeasuredCloth kCloths[] = {{"sadeghi2013.csv", "linen_plain", false},
                                      {"irawan2012.csv", "silk_charmeuse", true},
                                      {"irawan2012.csv", "cotton_twill", true}};
 // No number of our yarns was fitted to these; the colours of the second were. The first is the shipped gabardine, dyed
-// nearly black as the other cloths of which the specular part alone is known.
+// nearly black as the other cloths of which the specular part alone is known; the second has the shipped taffeta's
+// yarns.
 constexpr MeasuredCloth kOthers[] = {
     {"irawan2012_more.csv", "wool_gabardine", true, false, "tests/measured/wool_gabardine.wif"},
     {"sadeghi2013_more.csv", "silk_shot", false, false, "tests/measured/silk_shot.wif"}};
@@ -207,6 +208,12 @@ TEST_F(Measured, lobes_that_follow_from_fibres_agree_though_no_cloth_was_fitted)
   for (const MeasuredCloth& cloth : kCloths)
     compare_in(cloth, std::string_view(cloth.name) == "silk_crepe_de_chine" ? 0.72 : 0.7);
   for (const MeasuredCloth& cloth : kOthers) compare_in(cloth, 1.0);
+}
+
+TEST(MeasuredOthers, have_the_yarns_of_the_shipped_cloths) {
+  const auto yarns = [](const std::string& path) { return open_design(path).design.yarns; };
+  EXPECT_EQ(yarns(draft_of(kOthers[0])), yarns(presets_dir() + "/cloths/gabardine.wif"));
+  EXPECT_EQ(yarns(draft_of(kOthers[1])), yarns(presets_dir() + "/cloths/shot_taffeta.wif"));
 }
 
 TEST_F(Measured, cloths_that_were_not_fitted_are_no_further_off_than_known) {

@@ -37,6 +37,27 @@ TEST(Fibre, EachReadyYarnIsOfItsOwnFibre) {
   EXPECT_EQ(unnamed(Yarn{}), Yarn{}) << "cotton";
 }
 
+// Files from before the lobes of these followed from their fibres.
+TEST(Fibre, EarlierReadyYarnsWithoutANameAreRecognised) {
+  struct Earlier {
+    const char* name;
+    float along, across, layers, inner, body, transmission;
+  };
+  constexpr Earlier kEarlier[]{{"Silk", 0.087f, 0.89f, 4.5f, 0.09f, 0.9f, 0.14f},
+                               {"Reeled silk", 0.076f, 0.72f, 4.3f, 0.09f, 0.9f, 0.14f},
+                               {"Wool", 0.42f, 0.6f, 2, 0.1f, 1, 0.1f},
+                               {"Woollen yarn", 0.55f, 0.7f, 1.9f, 0.1f, 1, 0.1f},
+                               {"Viscose", 0.1f, 0.6f, 4, 0.1f, 0.9f, 0.2f},
+                               {"Polyester filament", 0.06f, 0.69f, 8, 0.02f, 0.9f, 0.12f},
+                               {"Spun polyester", 0.11f, 0.44f, 4.3f, 0.03f, 0.9f, 0.12f}};
+  for (const Earlier& was : kEarlier) {
+    Yarn yarn = yarn_preset(was.name);
+    yarn.lobes.along_width = was.along, yarn.lobes.across_width = was.across, yarn.lobes.layers = was.layers;
+    yarn.lobes.inner = was.inner, yarn.lobes.body = was.body, yarn.lobes.transmission = was.transmission;
+    EXPECT_EQ(unnamed(yarn), yarn) << was.name;
+  }
+}
+
 TEST(Fibre, AFinishedYarnWithoutANameIsRecognised) {
   Yarn tweed = yarn_preset("Wool");
   tweed.fibre_um = 45, tweed.groove_depth = 0.25f, tweed.hairiness = 1;

@@ -14,7 +14,8 @@ with() {  # new-name draft key=value...: a copy with yarn 1 changed
   shift 2
   cp "$draft" "$work/$name.wif"
   local change
-  for change in "$@"; do sed -i "s/^1 ${change%%=*}=.*/1 $change/" "$work/$name.wif"; done
+  # Numbers that are the usual ones are not in the file.
+  for change in "$@"; do sed -i -e "/^1 ${change%%=*}=/d" -e "s/^1 Name=.*/&\n1 $change/" "$work/$name.wif"; done
   echo "$work/$name.wif"
 }
 

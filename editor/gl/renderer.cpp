@@ -91,7 +91,8 @@ struct Renderer::Parts {
                                 const GpuMesh& on) const;
   void fill_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const;
   void upload_frame(const interop::FrameData& data);
-  void draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out);
+  /// False where there is no memory for the picture, as stats.cloth then says.
+  bool draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
   void draw_flyaways(const DrawnFrame& drawn, const Camera& camera);
   void draw_patch(const FlatPatch& patch, const Look& look);
@@ -351,7 +352,7 @@ void Renderer::Parts::draw_surroundings(const DrawnFrame& drawn, const Camera& c
   if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
 }
 
-void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out) {
+bool Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out) {
   const PreparedMesh& prepared = mesh.prepared();
   const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
@@ -372,7 +373,8 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
       data.light, vec(data.light_color, opacity()), data.sky[0], data.sky[1], data.sky[6], data.sky[8]};
   if (new_light || on_ground != ground_inputs) ground.update(sun.depth(), mesh.ground_sky());
   ground_inputs = on_ground;
-  if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
+  stats.cloth = target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale);
+  if (!stats.cloth) return false;
   sun.bind();
   glClearColor(0, 0, 0, 0);
   glDepthMask(GL_TRUE);
@@ -392,6 +394,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   stats.texture_bytes = cloth.bytes();
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
+  return true;
 }
 
 /// Whether the background is visible: through an open cloth, and at close range through the pinholes of most weaves,
@@ -457,7 +460,8 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   if (p.samples > 0) drawn.frame.samples = p.samples, drawn.frame.exact_samples = true;
   drawn.frame.pass = p.pass;
   drawn.frame.front = p.face;
-  if (!linear.begin(p.width, p.height, 1)) return;
+  stats.cloth = linear.begin(p.width, p.height, 1);
+  if (!stats.cloth) return;
   interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);
   data.light_color = vec(p.light_irradiance, 1);
@@ -533,8 +537,8 @@ void Renderer::upload_lobes(const ClothLobes& lobes) {
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
   parts_->last = {scene, look, frame, kAllMethods, false, {}};
   RenderTarget& screen = parts_->screen;
-  parts_->draw_scene(parts_->last, screen, false);
-  if (frame.pass >= 0)
+  const bool whole = parts_->draw_scene(parts_->last, screen, false);
+  if (whole && frame.pass >= 0)
     parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.pass_weight);
   parts_->read_queries(false);
   return parts_->stats;

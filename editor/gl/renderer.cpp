@@ -103,7 +103,7 @@ struct Renderer::Parts {
   std::array<glm::vec4, 6> ground_inputs{};  // inputs of the baked ground light
   MethodWeights weights;                     // of the last picture
   void fit_lod_table() { lod_table = fitted(asked, cloth.errors()); }
-  bool has_gaps() const;
+  bool has_gaps(int methods) const;
   void read_queries(bool wait);
 };
 
@@ -360,7 +360,7 @@ bool Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
   stats.exposure_ev = exposure_stops(drawn.look, cloth.data(), rig);
   DrawnFrame chosen = drawn;
   chosen.methods = methods_of(drawn, mesh, camera);
-  chosen.gaps = has_gaps();
+  chosen.gaps = has_gaps(chosen.methods);
   chosen.light = scene_light(rig, drawn.scene);
   mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack,
             drawn.frame.render_scale < 1);
@@ -398,12 +398,11 @@ bool Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
 }
 
 /// Whether the background is visible: through an open cloth, and at close range through the pinholes of most weaves,
-/// which are too small for the maps.
-bool Renderer::Parts::has_gaps() const {
-  constexpr float kFew = 0.01f;
+/// which are too small for the maps. However small the part at close range is: pinholes that are not blended are black.
+bool Renderer::Parts::has_gaps(int methods) const {
   if (cloth.data().open > 0.5f) return true;
   if (cloth.thread_kind().closed) return false;
-  return method_facts(stats.method).threads || (stats.method == Method::kAuto && stats.method_weights[0] > kFew);
+  return method_facts(stats.method).threads || (stats.method == Method::kAuto && (methods & kYarnMethod) != 0);
 }
 
 /// Methods that the program of auto must contain. A software renderer runs both sides of a branch, so its program

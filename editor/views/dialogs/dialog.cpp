@@ -42,7 +42,7 @@ DialogResult draw_prompt(PanelContext& c, Question& q) {
 DialogResult draw_prompt(PanelContext& c, PathPrompt& p) {
   heading(c, p.title);
   ImGui::SetNextItemWidth(c.style.px(520));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   const bool enter = ImGui::InputText("##path", &p.path, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("dialog.path");
   const int button = draw_buttons(c, {p.button, mark("Cancel")}, false);
@@ -53,7 +53,7 @@ DialogResult draw_prompt(PanelContext& c, NamePrompt& p) {
   heading(c, p.title);
   if (!p.tip.empty()) muted_text(c, p.tip);
   ImGui::SetNextItemWidth(c.style.px(360));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   const bool enter =
       ImGui::InputText("##name", &p.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   c.map.add_item("dialog.name");
@@ -71,6 +71,7 @@ DialogResult draw_prompt(PanelContext& c, NamesPrompt& p) {
     const std::string number = std::to_string(i + 1);
     ImGui::PushID(static_cast<int>(i));
     const bool deleted = p.names[i].empty();
+    if (i == 0) begin_here();
     ImGui::SetNextItemWidth(width - c.style.px(110));
     ImGui::InputTextWithHint("##name", fill(tr("Will be deleted: {name}"), arg("name", p.before[i])).c_str(),
                              &p.names[i]);
@@ -104,6 +105,7 @@ std::string lost_text(const SizePrompt& p) {
 
 DialogResult draw_prompt(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
+  begin_here();
   number(c, "size.ends", tr("Ends"), p.ends, 1, kMaxThreads);
   number(c, "size.picks", tr("Picks"), p.picks, 1, kMaxThreads);
   number(c, "size.shafts", tr("Shafts"), p.shafts, 1, kMaxShafts);
@@ -132,7 +134,7 @@ DialogResult draw_prompt(PanelContext& c, NotesPrompt& p) {
     ImGui::PopID();
     c.map.add_item(id);
   };
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   field("notes.title", tr("Title"), p.title);
   field("notes.author", tr("Author"), p.author);
   row_label(c, tr("Notes"), nullptr);
@@ -149,7 +151,7 @@ DialogResult draw_prompt(PanelContext& c, ThreadPrompt& p) {
   segmented(c, "goto.system", kSystems, system, c.style.px(244));
   p.system = system == 0 ? System::kWarp : System::kWeft;
   const int last = system == 0 ? p.ends : p.picks;
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   number(c, "goto.number", tr("Number"), p.number, 1, last);
   muted_text(c, fill(tr("of {count}"), arg("count", last)));
   return dialog_result(draw_buttons(c, {mark("Go"), mark("Cancel")}, true));

@@ -107,7 +107,7 @@ void DraftPrompts::ask_notes() {
 
 void DraftPrompts::ask_thread() {
   const Draft& d = document().now().draft;
-  dialogs_.ask(ThreadPrompt{view().chosen.system, 1, d.ends(), d.picks()}, [this](int) {
+  dialogs_.ask(ThreadPrompt{view().chosen.system, d.ends(), d.picks()}, [this](int) {
     const ThreadPrompt p = dialogs_.prompt<ThreadPrompt>();
     const int thread = std::clamp(p.number, 1, document().now().draft.threads(p.system).size()) - 1;
     scroll_to(view().draft, p.system, thread);

@@ -43,6 +43,26 @@ TEST_F(TypingTest, TitleAndNotes) {
   EXPECT_TRUE(comes_true([&] { return now().title == "Scarf"; })) << now().title;
 }
 
+TEST_F(TypingTest, AThreadToGoTo) {
+  const Window& w = *window_;
+  display_.key("ctrl+g");
+  ASSERT_TRUE(comes_true([&] { return w.has("goto.number"); }));
+  display_.type("p40");
+  EXPECT_TRUE(comes_true([&] { return w.has("goto.none"); })) << "there are 24 picks";
+  display_.key("Return");
+  EXPECT_TRUE(w.has("goto.number")) << "it goes nowhere";
+  display_.key("ctrl+a");
+  display_.type("p14");
+  EXPECT_TRUE(comes_true([&] { return !w.has("goto.none"); }));
+  display_.key("Return");
+  ASSERT_TRUE(comes_true([&] { return !w.has("goto.number"); }));
+  display_.key("ctrl+g");
+  ASSERT_TRUE(comes_true([&] { return w.has("goto.number"); }));
+  enter("25");
+  EXPECT_TRUE(w.has("goto.none")) << "picks as before, of which there are 24";
+  display_.key("Escape");
+}
+
 TEST_F(TypingTest, ThreadsOfAGradient) {
   ASSERT_NO_FATAL_FAILURE(open("gradient", "gradient.from"));
   display_.key("ctrl+a");

@@ -63,6 +63,21 @@ TEST_F(TypingTest, AThreadToGoTo) {
   display_.key("Escape");
 }
 
+TEST_F(TypingTest, APickToGoToAtTheLoom) {
+  const Window& w = *window_;
+  display_.key("F9");
+  ASSERT_TRUE(comes_true([&] { return w.has("loom.pick:1"); }));
+  display_.key("ctrl+g");
+  ASSERT_TRUE(comes_true([&] { return w.has("goto.number"); }));
+  enter("9");
+  EXPECT_TRUE(comes_true([&] { return w.has("loom.pick:9"); }));
+  EXPECT_TRUE(comes_true([&] { return now().loom.next_pick == 8; })) << "it is saved with the draft";
+  display_.key("ctrl+g");
+  ASSERT_TRUE(comes_true([&] { return w.has("goto.number"); }));
+  enter("e5");
+  EXPECT_TRUE(comes_true([&] { return w.has("loom.place"); })) << "the ends are threaded";
+}
+
 TEST_F(TypingTest, ThreadsOfAGradient) {
   ASSERT_NO_FATAL_FAILURE(open("gradient", "gradient.from"));
   display_.key("ctrl+a");

@@ -115,7 +115,7 @@ std::optional<double> length_mm_from_text(std::string_view text) {
 std::optional<Reed> reed_from_text(std::string_view text) {
   const std::optional<double> dents = taken_number(text);
   if (!dents || !(*dents > 0 && *dents <= static_cast<double>(kMaxDents))) return std::nullopt;
-  if (text != "/10" && text != "/in" && text != "dpi") return std::nullopt;
+  if (text != "/10" && text != "/in" && text != "/inch" && text != "dpi") return std::nullopt;
   return Reed{static_cast<float>(*dents), text != "/10"};
 }
 

@@ -1,14 +1,13 @@
 // Reports irregular lines of a file, regardless of their meaning. The lines are kept unchanged.
 
 #include "base/text.h"
-#include "base/utf8.h"
 #include "wif/foreign.h"
 #include "wif/numbers.h"
 #include "wif/parse.h"
 
 namespace weftlight::wif {
 
-using base::arg, base::cut_utf8, base::fill, base::is_utf8, base::tr;
+using base::arg, base::fill, base::tr;
 
 namespace {
 
@@ -17,14 +16,6 @@ constexpr const char* kKeyedSections[] = {
     "WIF",         "CONTENTS",     "COLOR PALETTE", "WEAVING",        "WARP",           "WEFT",
     "TIEUP",       "COLOR TABLE",  "THREADING",     "TREADLING",      "LIFTPLAN",       "WARP COLORS",
     "WEFT COLORS", "WARP SPACING", "WEFT SPACING",  "WARP THICKNESS", "WEFT THICKNESS", "NOTES"};
-constexpr size_t kMaxQuotedBytes = 40;
-
-std::string short_quote(std::string_view line) {
-  const std::string_view text = trimmed(line);
-  if (text.size() <= kMaxQuotedBytes) return quoted(text);
-  return wif::quoted(std::string(is_utf8(text) ? cut_utf8(text, kMaxQuotedBytes) : text.substr(0, kMaxQuotedBytes)) +
-                     "...");
-}
 
 void check_head(const WifText& text, Diagnostics& diagnostics) {
   const WifSection* before = text.find("");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "wif/encoding.h"
+#include "wif/numbers.h"
 
 namespace weftlight::wif {
 
@@ -11,6 +13,15 @@ using draft::ShedControl;
 std::string quoted(std::string_view text) {
   std::string out(1, '\'');
   return out.append(text).append("'");
+}
+
+std::string short_quote(std::string_view text) {
+  constexpr size_t kMaxQuotedBytes = 40;
+  text = trimmed(text);
+  if (text.size() <= kMaxQuotedBytes) return quoted(text);
+  const std::string_view start =
+      base::is_utf8(text) ? base::cut_utf8(text, kMaxQuotedBytes) : text.substr(0, kMaxQuotedBytes);
+  return wif::quoted(std::string(start) + "...");
 }
 
 Rgb color_of_bytes(int r, int g, int b, int most) {

@@ -1,5 +1,6 @@
 #include "wif/numbers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <climits>
 #include <cmath>
@@ -79,16 +80,18 @@ std::optional<double> leading_real(std::string_view value, bool* decimal_comma) 
   return result;
 }
 
-void leading_ints(std::string_view value, std::vector<int>& out) {
+std::string_view leading_ints(std::string_view value, std::vector<int>& out) {
   out.clear();
   size_t at = 0;
   int number = 0;
   while (read_int(value, at, number)) {
     out.push_back(number);
     const size_t comma = skip_blanks(value, at);
-    if (comma >= value.size() || value[comma] != ',') break;
+    if (comma >= value.size() || value[comma] != ',') return {};
     at = comma + 1;
   }
+  const std::string_view rest = trimmed(value.substr(at));
+  return rest.starts_with(';') ? std::string_view{} : rest.substr(0, std::min(rest.find(','), rest.size()));
 }
 
 size_t leading_numbers_size(std::string_view value) {

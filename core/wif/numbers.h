@@ -21,8 +21,8 @@ std::string uppercase(std::string_view text);
 std::optional<int> leading_int(std::string_view value);
 /// The real number at the start of a value (".212" too). A decimal comma is accepted and reported.
 std::optional<double> leading_real(std::string_view value, bool* decimal_comma = nullptr);
-/// The comma-separated integers at the start of a value.
-void leading_ints(std::string_view value, std::vector<int>& out);
+/// The comma-separated integers at the start of a value. What stands in the place of the next one, or nothing.
+std::string_view leading_ints(std::string_view value, std::vector<int>& out);
 /// Size in bytes of the list of numbers at the start of a value.
 size_t leading_numbers_size(std::string_view value);
 std::optional<bool> word_as_bool(std::string_view value);

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "draft/drawdown.h"
+#include "wif/foreign.h"
 #include "wif/private.h"
 #include "wif/section_rows.h"
 
@@ -220,6 +221,14 @@ void read_rising(const Reader& r, WifFile* info) {
   if (info) info->rising_stated = value.has_value();
 }
 
+/// "[THREADING] end 3".
+std::string place_of(const WifSection& section, int number) {
+  const char* form = section.name == "THREADING" ? tr("[{section}] end {number}")
+                     : section.name == "TIEUP"   ? tr("[{section}] treadle {number}")
+                                                 : tr("[{section}] pick {number}");
+  return fill(form, arg("section", section.name), arg("number", number));
+}
+
 /// Rows of lists (threading, tie-up, treadling, liftplan) as bits.
 /// `shafts`: the values are shafts, otherwise treadles.
 void read_lists(Reader& r, const char* name, BitMatrix& bits, bool shafts, int value_base = 1) {
@@ -234,22 +243,23 @@ void read_lists(Reader& r, const char* name, BitMatrix& bits, bool shafts, int v
   }
   std::vector<int> list;
   each_row(*section, bits.rows(), base, r.diagnostics, [&](int row, const WifKey& key) {
-    leading_ints(key.value, list);
-    if (list.empty()) {
+    const std::string_view wrong = leading_ints(key.value, list);
+    if (!wrong.empty()) {
       r.diagnostics.warn(
           key.line, section->name + " value",
-          fill(tr("[{section}] has a value that is not a list of numbers"), arg("section", section->name)),
+          fill(shafts ? tr("{place}: {value} is not the number of a shaft")
+                      : tr("{place}: {value} is not the number of a treadle"),
+               arg("place", place_of(*section, key.number)), arg("value", short_quote(wrong))),
           shafts ? tr("ignored; write the numbers of its shafts") : tr("ignored; write the numbers of its treadles"));
     }
     for (const int value : list) {
       if (value >= value_base && value - value_base < bits.cols()) {
         bits.set(row, value - value_base, true);
       } else if (value != 0) {
-        r.diagnostics.warn(
-            key.line, section->name + " shaft",
-            fill(shafts ? tr("[{section}] names shaft {number}") : tr("[{section}] names treadle {number}"),
-                 arg("section", section->name), arg("number", value)),
-            fill(tr("ignored; there are {count}"), arg("count", bits.cols())));
+        r.diagnostics.warn(key.line, section->name + " shaft",
+                           fill(shafts ? tr("{place} names shaft {number}") : tr("{place} names treadle {number}"),
+                                arg("place", place_of(*section, key.number)), arg("number", value)),
+                           fill(tr("ignored; there are {count}"), arg("count", bits.cols())));
       }
     }
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "wif/foreign.h"
 #include "wif/section_rows.h"
 
 namespace weftlight::wif {
@@ -56,13 +57,21 @@ void read_range(Context& c, int largest_channel) {
       fill(tr("colours were read as 0,{high}; write Range= as two numbers"), arg("high", c.dialect.range_high)));
 }
 
-Rgb color_of(Context& c, const int* channel, int line) {
+/// "[WARP SPACING] 3=".
+std::string place_of(std::string_view section, const WifKey& key) {
+  return fill("[{section}] {key}=", arg("section", section), arg("key", key.key));
+}
+
+/// `section`, `key`: where the colour stands.
+Rgb color_of(Context& c, const int* channel, const char* section, const WifKey& key) {
   const double low = c.dialect.range_low, high = c.dialect.range_high;
   float out[3];
   for (int i = 0; i < 3; ++i) {
     if (channel[i] < low || channel[i] > high) {
-      c.diagnostics.warn(line, "channel", tr("a colour is outside Range"),
-                         tr("the nearest colour within Range was used"));
+      c.diagnostics.warn(
+          key.line, "channel",
+          fill(tr("{place}: {value} is outside Range"), arg("place", place_of(section, key)), arg("value", channel[i])),
+          tr("the nearest colour within Range was used"));
     }
     out[i] = static_cast<float>((std::clamp<double>(channel[i], low, high) - low) / (high - low));
   }
@@ -91,11 +100,13 @@ bool read_palette(Context& c) {
   each_row(*table, last - base + 1, base, c.diagnostics, [&](int index, const WifKey& key) {
     leading_ints(key.value, list);
     if (list.size() < 3) {
-      c.diagnostics.warn(key.line, "rgb", tr("a colour has fewer than three numbers"),
+      c.diagnostics.warn(key.line, "rgb",
+                         fill(tr("{place}: {value} has fewer than three numbers"),
+                              arg("place", place_of("COLOR TABLE", key)), arg("value", short_quote(key.value))),
                          tr("read as black; write red,green,blue"));
       return;
     }
-    c.draft.palette[static_cast<size_t>(index)] = color_of(c, list.data(), key.line);
+    c.draft.palette[static_cast<size_t>(index)] = color_of(c, list.data(), "COLOR TABLE", key);
   });
   return true;
 }
@@ -109,7 +120,7 @@ std::optional<Rgb> stated_rgb(Context& c, const char* system) {
   if (list.size() < 4) return std::nullopt;
   const WifKey* range = c.text.find("COLOR PALETTE", "Range");
   if (!range) read_range(c, *std::max_element(list.begin() + 1, list.end()));
-  return color_of(c, list.data() + 1, key->line);
+  return color_of(c, list.data() + 1, system, *key);
 }
 
 void default_palette(Context& c) {
@@ -123,11 +134,13 @@ void default_palette(Context& c) {
                     tr("warp and weft were given a colour each; change them as you like"));
 }
 
-int color_index(Context& c, int number, int base, int line) {
+int color_index(Context& c, int number, int base, std::string_view section, const WifKey& key) {
   const int count = static_cast<int>(c.draft.palette.size());
   const int index = std::clamp(number, base, base + count - 1) - base;
   if (index != number - base) {
-    c.diagnostics.warn(line, "color index", fill(tr("color {number} is not in the color table"), arg("number", number)),
+    c.diagnostics.warn(key.line, "color index",
+                       fill(tr("{place}: color {number} is not in the color table"),
+                            arg("place", place_of(section, key)), arg("number", number)),
                        fill(tr("color {number} was used; correct one of them"), arg("number", index + base)));
   }
   return index;
@@ -136,19 +149,19 @@ int color_index(Context& c, int number, int base, int line) {
 void read_colors(Context& c, const char* system, Threads& threads, ColumnDialect& column, int implied) {
   const WifKey* key = c.text.find(system, "Color");
   const std::optional<int> stated = key ? leading_int(key->value) : std::nullopt;
-  const int fallback = stated ? color_index(c, *stated, c.dialect.default_color_base, key->line)
+  const int fallback = stated ? color_index(c, *stated, c.dialect.default_color_base, system, *key)
                               : std::min(implied, static_cast<int>(c.draft.palette.size()) - 1);
   std::fill(threads.color.begin(), threads.color.end(), fallback);
   column.fallback = fallback;
   const WifSection* rows = c.text.find(std::string(system) + " COLORS");
   if (!rows) return;
   column.list_all = true;
-  each_row(*rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.diagnostics,
-           [&](int thread, const WifKey& row) {
-             if (const std::optional<int> number = leading_int(row.value)) {
-               threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.dialect.palette_base, row.line);
-             }
-           });
+  each_row(
+      *rows, threads.size(), base_of_rows(c, *rows, threads.size()), c.diagnostics, [&](int thread, const WifKey& row) {
+        if (const std::optional<int> number = leading_int(row.value)) {
+          threads.color[static_cast<size_t>(thread)] = color_index(c, *number, c.dialect.palette_base, rows->name, row);
+        }
+      });
   // With Color=, a list may name the exceptions alone.
   if (!stated)
     note_short_list(*rows, threads.size(), c.diagnostics,
@@ -188,14 +201,19 @@ void read_units(Context& c, const char* system, SystemDialect& dialect) {
 }
 
 /// A measure in mm; kFromYarn for 0, empty if it cannot be read.
-std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
+std::optional<float> measure(Context& c, std::string_view section, const WifKey& key, double unit_mm) {
   bool comma = false;
   const std::optional<double> value = leading_real(key.value, &comma);
   if (comma)
-    c.diagnostics.warn(key.line, "comma", tr("a measure has a decimal comma"), tr("read as a point; write a point"));
+    c.diagnostics.warn(key.line, "comma",
+                       fill(tr("{place}: {value} has a decimal comma"), arg("place", place_of(section, key)),
+                            arg("value", short_quote(key.value))),
+                       tr("read as a point; write a point"));
   const float mm = static_cast<float>(value.value_or(-1) * unit_mm);
   if (!value || *value < 0 || !std::isfinite(mm)) {
-    c.diagnostics.warn(key.line, "measure", tr("a spacing or thickness is not a usable number"),
+    c.diagnostics.warn(key.line, "measure",
+                       fill(tr("{place}: {value} is not a usable number"), arg("place", place_of(section, key)),
+                            arg("value", short_quote(key.value))),
                        tr("ignored; write a number of 0 or more"));
     return std::nullopt;
   }
@@ -206,7 +224,7 @@ std::optional<float> measure(Context& c, const WifKey& key, double unit_mm) {
 void read_measures(Context& c, const std::string& system, const std::string& name, std::vector<float>& out,
                    ColumnDialect& column, double unit_mm) {
   const WifKey* stated = c.text.find(system, name);
-  const float base = stated ? measure(c, *stated, unit_mm).value_or(kFromYarn) : kFromYarn;
+  const float base = stated ? measure(c, system, *stated, unit_mm).value_or(kFromYarn) : kFromYarn;
   const WifKey* zoom_key = c.text.find(system, name + " Zoom");
   const int zoom = zoom_key ? leading_int(zoom_key->value).value_or(1) : 1;
   const auto zoomed = [base](int times) { return base > 0 && times > 0 ? base * static_cast<float>(times) : base; };
@@ -224,7 +242,7 @@ void read_measures(Context& c, const std::string& system, const std::string& nam
   if (const WifSection* rows = c.text.find(table)) {
     column.list_all = true;
     each_row(*rows, count, base_of_rows(c, *rows, count), c.diagnostics, [&](int thread, const WifKey& row) {
-      if (const std::optional<float> mm = measure(c, row, unit_mm)) out[static_cast<size_t>(thread)] = *mm;
+      if (const std::optional<float> mm = measure(c, table, row, unit_mm)) out[static_cast<size_t>(thread)] = *mm;
     });
   }
 }

@@ -15,6 +15,7 @@
 #include "design/selection_edits.h"
 #include "design/versions.h"
 #include "session/editing/selection_state.h"
+#include "session/loom/at_loom.h"
 #include "weaves/sections.h"
 
 namespace weftlight::app {
@@ -23,9 +24,9 @@ using base::mark, base::tr;
 using design::Design, design::Loom, design::Repeat, design::structure_repeat, design::ThreadRange, design::WeaveUse,
     design::free_version_name, design::threads_of, design::with_size;
 using draft::BitGrid, draft::BitMatrix, draft::Draft, draft::Selection, draft::System;
-using session::OpenResult, session::color_deletion, session::color_deletion_words, session::delete_color_edit,
-    session::delete_yarn_edit, session::scroll_to, session::with_added, session::yarn_deletion,
-    session::yarn_deletion_words;
+using session::AtLoom, session::LoomWork, session::MaybeEdit, session::OpenResult, session::color_deletion,
+    session::color_deletion_words, session::delete_color_edit, session::delete_yarn_edit, session::go_to,
+    session::scroll_to, session::with_added, session::yarn_deletion, session::yarn_deletion_words;
 using views::ClosestWeavePrompt, views::GradientPrompt, views::JoinPrompt, views::NotesPrompt, views::PicturePrompt,
     views::PictureStage, views::Question, views::SectionsPrompt, views::SizePrompt, views::ThreadPrompt,
     views::VersionPictures, views::VersionsPrompt, views::WeaveOverPrompt, views::WeavePrompt, views::prompt_for;
@@ -105,11 +106,19 @@ void DraftPrompts::ask_notes() {
   });
 }
 
+/// At the loom, the end to thread or the pick to weave next.
 void DraftPrompts::ask_thread() {
   const Draft& d = document().now().draft;
-  dialogs_.ask(ThreadPrompt{view().chosen.system, 1, d.ends(), d.picks()}, [this](int) {
+  const AtLoom& at = view().at_loom;
+  const System system = !at.open ? view().chosen.system : at.work == LoomWork::kWeave ? System::kWeft : System::kWarp;
+  dialogs_.ask(ThreadPrompt{system, d.ends(), d.picks()}, [this](int) {
     const ThreadPrompt p = dialogs_.prompt<ThreadPrompt>();
     const int thread = std::clamp(p.number, 1, document().now().draft.threads(p.system).size()) - 1;
+    if (AtLoom& loom = view().at_loom; loom.open) {
+      loom.work = p.system == System::kWarp ? LoomWork::kThread : LoomWork::kWeave;
+      if (const MaybeEdit there = go_to(loom, document().now(), thread).edit) editing_.commit(*there);
+      return;
+    }
     scroll_to(view().draft, p.system, thread);
     view().chosen = {p.system, {thread}, thread, {}, false, false};
   });

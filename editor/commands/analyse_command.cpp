@@ -174,13 +174,13 @@ void print_loom(const DraftAnalysis& f) {
                  arg("percent", f.warp_up * 100), arg("warp", f.interlacings.warp), arg("weft", f.interlacings.weft)));
 }
 
-/// The sett that threads of one size alone would have.
+/// The sett on the loom that threads of one size alone would have.
 void print_wraps(const std::string& yarn, double tex, double spun_mm, double firm_sett, Units units) {
   const bool imperial = units == Units::kImperial;
   const double wraps = wraps_per_cm(static_cast<float>(spun_mm));
-  print_row(tr("  from wraps"),
-            fill(imperial ? tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per inch, {sett}")
-                          : tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per cm, {sett}"),
+  print_row(tr("firm sett"),
+            fill(imperial ? tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per inch, {sett} on the loom")
+                          : tr("{yarn}: {tex:.1f} tex, {wraps:.1f} wraps per cm, {sett} on the loom"),
                  arg("yarn", yarn), arg("tex", tex), arg("wraps", imperial ? wraps * kInch_mm / 10 : wraps),
                  arg("sett", sett_text(wraps * firm_sett, System::kWarp, units))));
 }

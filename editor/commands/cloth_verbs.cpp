@@ -155,7 +155,8 @@ std::shared_ptr<PictureVerb> add_picture_options(CLI::App& verb) {
   add_mesh_options(verb, o);
   add_view_options(verb, *picture);
   add_light_options(verb, *picture);
-  verb.add_flag("--transparent", picture->transparent, tr("Cloth and form only, on a transparent background"));
+  verb.add_flag("--transparent", picture->transparent, tr("Cloth and form only, on a transparent background"))
+      ->excludes(verb.get_option("--surroundings"));
   add_progress(verb, o.quiet, o.progress_json);
   verb.add_option("--stats", o.stats,
                   tr("JSON file for the cost and the estimated error of the picture; default: none"))

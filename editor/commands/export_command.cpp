@@ -138,8 +138,14 @@ std::string changed(const std::string& path) {
 
 constexpr const char* kNameFields = "{name}, {target}, {size}";
 
-/// What is wrong with a template of folders, or an empty string: a field that there is not, or a brace alone.
+/// What is wrong with a template of folders, or an empty string: a way out of the output folder, a field that there is
+/// not, or a brace alone.
 std::string template_problem(const std::string& form) {
+  const fs::path folders(form);
+  if (folders.has_root_path() || std::ranges::any_of(folders, [](const fs::path& p) { return p == "." || p == ".."; }))
+    return fill(tr("--name {name}: give a name for a folder in the output folder, without . and .., and no path from "
+                   "the root"),
+                arg("name", form));
   const std::string rest = fill_template(form, {{"name", ""}, {"target", ""}, {"size", ""}});
   const size_t open = rest.find_first_of("{}");
   if (open == std::string::npos) return {};

@@ -25,6 +25,13 @@ bool has_check(CLI::Option& option, const char* name) {
   }
 }
 
+/// ".pdf, .svg or .png".
+std::string any_of(const std::vector<std::string>& extensions) {
+  if (extensions.size() < 2) return CLI::detail::join(extensions, ", ");
+  const std::vector<std::string> first(extensions.begin(), extensions.end() - 1);
+  return fill(tr("{first} or {last}"), arg("first", CLI::detail::join(first, ", ")), arg("last", extensions.back()));
+}
+
 std::string name_problem(const std::string& name, const Extensions& extensions) {
   if (name.empty()) return tr("the name is empty");
   const std::string extension = extension_of(name);
@@ -33,7 +40,7 @@ std::string name_problem(const std::string& name, const Extensions& extensions) 
   if (any) return {};
   if (std::ranges::count(extensions.allowed, extension) > 0) return {};
   return fill(tr("{file} must end in {extensions}"), arg("file", quoted(name)),
-              arg("extensions", CLI::detail::join(extensions.allowed, ", ")));
+              arg("extensions", any_of(extensions.allowed)));
 }
 
 CLI::Validator checked_name(Extensions extensions) {

@@ -45,11 +45,11 @@ std::string text_of(const DraftEntry& e) {
   const std::string treadles = fill(tr_n("{count} treadle", "{count} treadles", e.treadles), arg("count", e.treadles));
   const std::string loom =
       e.treadles == 0 ? shafts : fill(tr("{shafts}, {treadles}"), arg("shafts", shafts), arg("treadles", treadles));
-  const char* facts = e.title.empty() ? tr("{path}: {ends} x {picks}, {loom}, {weave}")
-                                      : tr("{path}: {ends} x {picks}, {loom}, {weave}; {title}");
+  const std::string weave = tr(analysis::kWeaveFamilyNames[static_cast<size_t>(e.family)].label);
+  const char* facts = e.title.empty() || e.title == weave ? tr("{path}: {ends} x {picks}, {loom}, {weave}")
+                                                          : tr("{path}: {ends} x {picks}, {loom}, {weave}; {title}");
   return fill(facts, arg("path", e.path), arg("ends", e.ends), arg("picks", e.picks), arg("loom", loom),
-              arg("weave", tr(analysis::kWeaveFamilyNames[static_cast<size_t>(e.family)].label)),
-              arg("title", e.title));
+              arg("weave", weave), arg("title", e.title));
 }
 
 void print_found(const FolderIndex& index, const std::vector<int>& found, bool json) {

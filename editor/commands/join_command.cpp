@@ -8,7 +8,7 @@
 
 namespace weftlight::commands {
 
-using base::tr, base::write_file_atomically;
+using base::arg, base::fill, base::tr, base::write_file_atomically;
 using design::Design;
 using weaves::JoinBy, weaves::Joining, weaves::joined_drafts;
 using wif::write_new_wif;
@@ -38,8 +38,14 @@ int join_command(const JoinOptions& options) {
   if (ends + picks + layers != 1) return refuse(tr("give one of --ends, --picks and --layers, as --ends 1:1"));
   Joining joining;
   joining.by = ends ? JoinBy::kEnds : picks ? JoinBy::kPicks : JoinBy::kLayers;
-  if (!read_turns(ends ? options.ends : picks ? options.picks : options.layers, joining))
-    return refuse(tr("write the threads of each draft in turn as two numbers from 1 to 1000: 2:1"));
+  const std::string& turns = ends ? options.ends : picks ? options.picks : options.layers;
+  if (!read_turns(turns, joining))
+    return refuse(
+        fill(tr("--{option} {value}: give the threads of each draft in turn as two numbers from 1 to 1000: 2:1"),
+             arg("option", ends    ? "ends"
+                           : picks ? "picks"
+                                   : "layers"),
+             arg("value", turns)));
   const OpenedDesign a = open_design(options.a), b = open_design(options.b);
   if (!a.ok || !b.ok) return kBadInput;
   const base::Result<Design> made = joined_drafts(a.design, b.design, joining);

@@ -72,22 +72,39 @@ void add_lengths(CLI::App& verb, PlanOptions& o) {
   add("--raddle", o.raddle_mm, tr("Width of a group in the raddle; default: the file's plan"));
 }
 
+/// Makes "8%" 0.08; all else is left to the check that follows.
+CLI::Validator percentage() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double percent = 0;
+        if (!text.ends_with('%')) return std::string();
+        const char* const sign = text.data() + text.size() - 1;
+        const auto [end, error] = std::from_chars(text.data(), sign, percent);
+        if (error == std::errc() && end == sign) text = fmt::format("{:.8g}", percent / 100);
+        return std::string();
+      },
+      "");
+}
+
 void add_fractions(CLI::App& verb, PlanOptions& o) {
   // The limit as it is written: 0.9, not the float beside it.
+  const auto add_number = [&](const char* name, std::optional<float>& part, float most, const char* help) {
+    return verb.add_option(name, part, help)->check(number_in(0.0, std::round(1e6 * static_cast<double>(most)) / 1e6));
+  };
   const auto add = [&](const char* name, std::optional<float>& part, float most, const char* help) {
-    verb.add_option(name, part, help)->check(number_in(0.0, std::round(1e6 * static_cast<double>(most)) / 1e6));
+    add_number(name, part, most, help)->transform(percentage());
   };
   add("--shrinkage", o.shrinkage, kMaxShrinkage,
-      tr("Shrinkage of length and width, as a fraction: 0.08 is 8%; default: the file's plan"));
+      tr("Shrinkage of length and width, as 8% or 0.08; default: the file's plan"));
   add("--warp-shrinkage", o.warp_shrinkage, kMaxShrinkage, tr("Shrinkage of the length; default: as --shrinkage"));
   add("--weft-shrinkage", o.weft_shrinkage, kMaxShrinkage, tr("Shrinkage of the width; default: as --shrinkage"));
   add("--warp-take-up", o.warp_take_up, kMaxTakeUp,
-      tr("How much longer the warp is than the cloth on the loom, as a fraction; default: the file's plan"));
+      tr("How much longer the warp is than the cloth on the loom; default: the file's plan"));
   add("--weft-take-up", o.weft_take_up, kMaxTakeUp,
       tr("Draw-in: how much wider the reed is than the cloth on the loom; default: the file's plan"));
   add("--spare", o.spare, kMaxSpare, tr("Yarn lost in winding and on the bobbins; default: the file's plan"));
-  add("--ends-per-cm", o.ends_per_cm, kMaxSettPerCm, tr("Desired sett on the loom; default: the file's plan"));
-  add("--picks-per-cm", o.picks_per_cm, kMaxSettPerCm, tr("Picks on the loom; default: the file's plan"));
+  add_number("--ends-per-cm", o.ends_per_cm, kMaxSettPerCm, tr("Desired sett on the loom; default: the file's plan"));
+  add_number("--picks-per-cm", o.picks_per_cm, kMaxSettPerCm, tr("Picks on the loom; default: the file's plan"));
 }
 
 /// Empty if the text is not a price.

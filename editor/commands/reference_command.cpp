@@ -79,7 +79,9 @@ int reference_command(const PictureOptions& o, Backdrop backdrop) {
   Frame frame = frame_over(setup, o, backdrop);
   frame.cloth = false;
   const FrameStats drawn = setup.renderer->draw(design.scene, design.look, frame);
+  if (!drawn.cloth) return fail(drawn.cloth.error());
   Image picture = setup.renderer->read_back(linear);
+  if (const auto around = setup.renderer->measure().cloth; !around) return fail(around.error());
   ProgressMeter meter(setup.progress, 1);
   const TracedImage traced = scene.trace(view, progress_on(meter, o.out));
   meter.clear();

@@ -86,7 +86,7 @@ int draw_turntable(PictureSetup& setup, const PictureOptions& o, Backdrop backdr
       progress.clear();
       return fail(stats.cloth.error());
     }
-    const auto saved = write_picture(file, setup.renderer->read_back(writes_linear(o.out)), backdrop);
+    const auto saved = write_drawn(file, *setup.renderer, backdrop);
     if (!saved) {
       progress.clear();
       return fail(saved.error());
@@ -140,7 +140,7 @@ int render_command(const PictureOptions& o, Backdrop backdrop) {
     print_problem(fill(tr("drawn with the method {method}, the closest one available"),
                        arg("method", std::string(method_name(stats.method)))));
   }
-  base::Result<void> saved = write_picture(o.out, setup.renderer->read_back(writes_linear(o.out)), backdrop);
+  base::Result<void> saved = write_drawn(o.out, *setup.renderer, backdrop);
   progress.clear();
   if (saved) progress.set(0, 1, o.out);
   if (saved && !o.stats.empty()) saved = write_stats(o.stats, stats, setup.design.look.tolerance, o);

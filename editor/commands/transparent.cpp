@@ -30,6 +30,13 @@ Frame frame_over(const PictureSetup& setup, const PictureOptions& options, Backd
   return frame;
 }
 
+base::Result<void> write_drawn(const std::string& path, gl::Renderer& renderer, Backdrop backdrop) {
+  // A scene-linear picture is drawn here, in memory of its own.
+  const Image image = renderer.read_back(writes_linear(path));
+  if (const auto& drawn = renderer.measure().cloth; !drawn) return drawn;
+  return write_picture(path, image, backdrop);
+}
+
 base::Result<void> write_picture(const std::string& path, const Image& image, Backdrop backdrop) {
   if (backdrop == Backdrop::kShown || writes_linear(path)) return write_picture(path, image);
   return write_image(path, straight(image), PixelType::kU8);

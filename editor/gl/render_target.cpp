@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+
 namespace weftlight::gl {
 
+using base::arg, base::fill, base::tr;
 using opengl::decode_srgb, opengl::encode_srgb, opengl::use_multisample;
 
 namespace {
@@ -35,35 +38,68 @@ void RenderTarget::make(Resolved& to, int width, int height) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, to.texture.get(), 0);
 }
 
-bool RenderTarget::begin(int width, int height, float scale) {
-  const int w = std::max(1, static_cast<int>(std::lround(static_cast<float>(width) * scale)));
-  const int h = std::max(1, static_cast<int>(std::lround(static_cast<float>(height) * scale)));
-  if (w != drawn_width_ || h != drawn_height_) {
-    drawn_width_ = w, drawn_height_ = h;
-    glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, half_ ? GL_RGBA16F : GL_SRGB8_ALPHA8, w, h);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT24, w, h);
-    glBindFramebuffer(GL_FRAMEBUFFER, samples_.get());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
-  }
-  width_ = width, height_ = height;
+void RenderTarget::make_samples(int width, int height) {
+  if (drawn_width_ == width && drawn_height_ == height) return;
+  drawn_width_ = width, drawn_height_ = height;
+  glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, half_ ? GL_RGBA16F : GL_SRGB8_ALPHA8, width, height);
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT24, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, samples_.get());
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
-  glViewport(0, 0, w, h);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
+}
+
+/// Everything of these sizes that is not there yet, so that a lack of memory is known before anything is drawn.
+bool RenderTarget::make_all(float scale) {
+  const int w = std::max(1, static_cast<int>(std::lround(static_cast<float>(width_) * scale)));
+  const int h = std::max(1, static_cast<int>(std::lround(static_cast<float>(height_) * scale)));
+  const bool scaled = w != width_ || h != height_;
+  const auto has_size = [](const Resolved& of, int width, int height) {
+    return of.width == width && of.height == height;
+  };
+  if (drawn_width_ == w && drawn_height_ == h && has_size(picture_, width_, height_) &&
+      (!scaled || has_size(small_, w, h)))
+    return true;
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  make_samples(w, h);
+  make(picture_, width_, height_);
+  if (scaled) make(small_, w, h);
+  bool made = glGetError() == GL_NO_ERROR;
+  for (const GLuint one : {samples_.name(), picture_.framebuffer.name(), scaled ? small_.framebuffer.name() : 0}) {
+    if (one == 0) continue;
+    glBindFramebuffer(GL_FRAMEBUFFER, one);
+    made = made && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  }
+  return made;
+}
+
+base::Result<void> RenderTarget::begin(int width, int height, float scale) {
+  width_ = width, height_ = height;
+  if (!make_all(scale)) {
+    // What there is may be as large as a card's memory.
+    samples_.reset(), color_.reset(), depth_.reset();
+    drawn_width_ = drawn_height_ = 0;
+    picture_ = {}, small_ = {};
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return base::failure(
+        base::ErrorKind::kGraphics,
+        fill(tr("the graphics driver has no room for a picture of {width} x {height} pixels; make it smaller"),
+             arg("width", width), arg("height", height)));
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_.name());
+  glViewport(0, 0, drawn_width_, drawn_height_);
   use_multisample();
   encode_srgb(true);
-  return true;
+  return {};
 }
 
 void RenderTarget::end() {
-  make(picture_, width_, height_);
   encode_srgb(true);
   if (drawn_width_ == width_ && drawn_height_ == height_) {
     blit(samples_.get(), width_, height_, picture_.framebuffer.get(), width_, height_, GL_NEAREST);
   } else {
-    make(small_, drawn_width_, drawn_height_);
     blit(samples_.get(), drawn_width_, drawn_height_, small_.framebuffer.get(), drawn_width_, drawn_height_,
          GL_NEAREST);
     blit(small_.framebuffer.get(), drawn_width_, drawn_height_, picture_.framebuffer.get(), width_, height_, GL_LINEAR);

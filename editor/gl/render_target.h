@@ -1,6 +1,7 @@
 #pragma once
 // A multisampled render target (four samples a pixel) that resolves to a texture; blending is in linear light.
 
+#include "base/result.h"
 #include "files/files.h"
 #include "gl/gl_objects.h"
 
@@ -13,8 +14,9 @@ class RenderTarget {
   /// 8-bit sRGB for the screen, or half floats for scene-linear pictures.
   explicit RenderTarget(bool half) : half_(half) {}
 
-  /// Binds the multisampled framebuffer at `scale` times the picture's size. False if there is no memory for it.
-  bool begin(int width, int height, float scale);
+  /// Binds the multisampled framebuffer at `scale` times the picture's size. An error if there is no memory for it, or
+  /// for the picture: there is none then.
+  base::Result<void> begin(int width, int height, float scale);
   /// Resolves into texture(), scaled to the picture's size.
   void end();
   GLuint texture() const { return picture_.texture.name(); }
@@ -31,6 +33,8 @@ class RenderTarget {
     int width = 0, height = 0;
   };
   void make(Resolved& to, int width, int height);
+  void make_samples(int width, int height);
+  bool make_all(float scale);
 
   bool half_;
   int width_ = 0, height_ = 0, drawn_width_ = 0, drawn_height_ = 0;

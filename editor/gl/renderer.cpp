@@ -91,7 +91,8 @@ struct Renderer::Parts {
                                 const GpuMesh& on) const;
   void fill_lights(const DrawnFrame& drawn, const Camera& camera, interop::FrameData& data) const;
   void upload_frame(const interop::FrameData& data);
-  void draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out);
+  /// False where there is no memory for the picture, as stats.cloth then says.
+  bool draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out);
   void draw_cloth(const DrawnFrame& drawn, GpuMesh& on);
   void draw_flyaways(const DrawnFrame& drawn, const Camera& camera);
   void draw_patch(const FlatPatch& patch, const Look& look);
@@ -102,7 +103,7 @@ struct Renderer::Parts {
   std::array<glm::vec4, 6> ground_inputs{};  // inputs of the baked ground light
   MethodWeights weights;                     // of the last picture
   void fit_lod_table() { lod_table = fitted(asked, cloth.errors()); }
-  bool has_gaps() const;
+  bool has_gaps(int methods) const;
   void read_queries(bool wait);
 };
 
@@ -351,7 +352,7 @@ void Renderer::Parts::draw_surroundings(const DrawnFrame& drawn, const Camera& c
   if (drawn.frame.ground && camera.eye.y > mesh.prepared().ground_mm) ground.draw();
 }
 
-void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out) {
+bool Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, bool linear_out) {
   const PreparedMesh& prepared = mesh.prepared();
   const Camera camera = place_camera(drawn.scene, prepared.mesh, prepared.bounds, drawn.frame.width, drawn.frame.height,
                                      drawn.frame.yarns_per_pixel, cloth.mean_spacing_mm());
@@ -359,7 +360,7 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
   stats.exposure_ev = exposure_stops(drawn.look, cloth.data(), rig);
   DrawnFrame chosen = drawn;
   chosen.methods = methods_of(drawn, mesh, camera);
-  chosen.gaps = has_gaps();
+  chosen.gaps = has_gaps(chosen.methods);
   chosen.light = scene_light(rig, drawn.scene);
   mesh.sort(camera.eye, chosen.gaps ? TriangleOrder::kBackToFront : TriangleOrder::kFrontToBack,
             drawn.frame.render_scale < 1);
@@ -372,7 +373,8 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
       data.light, vec(data.light_color, opacity()), data.sky[0], data.sky[1], data.sky[6], data.sky[8]};
   if (new_light || on_ground != ground_inputs) ground.update(sun.depth(), mesh.ground_sky());
   ground_inputs = on_ground;
-  if (!target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale)) return;
+  stats.cloth = target.begin(drawn.frame.width, drawn.frame.height, drawn.frame.render_scale);
+  if (!stats.cloth) return false;
   sun.bind();
   glClearColor(0, 0, 0, 0);
   glDepthMask(GL_TRUE);
@@ -392,15 +394,15 @@ void Renderer::Parts::draw_scene(const DrawnFrame& drawn, RenderTarget& target, 
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   stats.texture_bytes = cloth.bytes();
   stats.yarns_per_pixel = cloth.mean_spacing_mm() > 0 ? camera.pixel_mm / cloth.mean_spacing_mm() : 0;
+  return true;
 }
 
 /// Whether the background is visible: through an open cloth, and at close range through the pinholes of most weaves,
-/// which are too small for the maps.
-bool Renderer::Parts::has_gaps() const {
-  constexpr float kFew = 0.01f;
+/// which are too small for the maps. However small the part at close range is: pinholes that are not blended are black.
+bool Renderer::Parts::has_gaps(int methods) const {
   if (cloth.data().open > 0.5f) return true;
   if (cloth.thread_kind().closed) return false;
-  return method_facts(stats.method).threads || (stats.method == Method::kAuto && stats.method_weights[0] > kFew);
+  return method_facts(stats.method).threads || (stats.method == Method::kAuto && (methods & kYarnMethod) != 0);
 }
 
 /// Methods that the program of auto must contain. A software renderer runs both sides of a branch, so its program
@@ -457,7 +459,8 @@ void Renderer::Parts::draw_patch(const FlatPatch& p, const Look& look) {
   if (p.samples > 0) drawn.frame.samples = p.samples, drawn.frame.exact_samples = true;
   drawn.frame.pass = p.pass;
   drawn.frame.front = p.face;
-  if (!linear.begin(p.width, p.height, 1)) return;
+  stats.cloth = linear.begin(p.width, p.height, 1);
+  if (!stats.cloth) return;
   interop::FrameData data = frame_data(drawn, camera, true, patch);
   data.light = vec(p.light_towards, p.light_sine);
   data.light_color = vec(p.light_irradiance, 1);
@@ -533,8 +536,8 @@ void Renderer::upload_lobes(const ClothLobes& lobes) {
 FrameStats Renderer::draw(const Scene& scene, const Look& look, const Frame& frame) {
   parts_->last = {scene, look, frame, kAllMethods, false, {}};
   RenderTarget& screen = parts_->screen;
-  parts_->draw_scene(parts_->last, screen, false);
-  if (frame.pass >= 0)
+  const bool whole = parts_->draw_scene(parts_->last, screen, false);
+  if (whole && frame.pass >= 0)
     parts_->average.add(screen.texture(), screen.framebuffer(), frame.width, frame.height, frame.pass_weight);
   parts_->read_queries(false);
   return parts_->stats;

@@ -27,7 +27,7 @@ using base::ErrorKind, base::TaskProgress, base::failure, base::message;
 using design::Design, design::Scene;
 using draft::Face;
 using files::Image, files::PixelType;
-using gl::Frame, gl::FrameStats, gl::HeadlessContext, gl::upload_once;
+using gl::Frame, gl::HeadlessContext, gl::upload_once;
 using reference::TracedImage;
 using render_data::ReferenceScene, render_data::ReferenceView, render_data::StageWatch, render_data::TracedThreads;
 
@@ -81,9 +81,10 @@ class Graphics {
     const Released released{*context_};
     upload(design, task);
     renderer_->draw(design.scene, design.look, frame);
-    const FrameStats stats = renderer_->measure();
-    value_of(stats.cloth);
-    return renderer_->read_back(linear);
+    value_of(renderer_->measure().cloth);
+    Image image = renderer_->read_back(linear);
+    value_of(renderer_->measure().cloth);
+    return image;
   }
   std::string device() {
     const std::lock_guard lock(mutex_);

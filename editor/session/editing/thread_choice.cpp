@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -11,7 +12,7 @@
 
 namespace weftlight::session {
 
-using base::arg, base::fill, base::tr_n;
+using base::arg, base::fill, base::tr, base::tr_n;
 using cloth::ThreadSize, cloth::thread_size;
 using draft::Threads;
 
@@ -202,6 +203,23 @@ std::optional<std::vector<int>> threads_of_words(std::string_view words, int cou
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+std::optional<NamedThread> named_thread(std::string_view words) {
+  const std::string text = plain(words);
+  const size_t digit = std::min(text.find_first_of("0123456789"), text.size());
+  const std::string word = text.substr(0, digit);
+  NamedThread out;
+  const auto [stop, error] = std::from_chars(text.data() + digit, text.data() + text.size(), out.number);
+  if (error == std::errc::result_out_of_range) out.number = std::numeric_limits<int>::max();
+  else if (error != std::errc()) return std::nullopt;
+  if (stop != text.data() + text.size()) return std::nullopt;
+  if (word.empty()) return out;
+  const auto begins = [&word](std::string_view whole) { return plain(whole).starts_with(word); };
+  if (begins("ends") || begins(tr("End"))) out.system = System::kWarp;
+  else if (begins("picks") || begins(tr("Pick"))) out.system = System::kWeft;
+  else return std::nullopt;
   return out;
 }
 

@@ -43,6 +43,14 @@ std::string words_of_threads(const std::vector<int>& threads);
 /// no thread.
 std::optional<std::vector<int>> threads_of_words(std::string_view words, int count);
 
+/// "120"; "e120" or "end 120", "p40" or "pick 40", also by the words of the user's language. The number is not checked
+/// against a draft.
+struct NamedThread {
+  std::optional<System> system;
+  int number = 0;  // from 1
+};
+std::optional<NamedThread> named_thread(std::string_view words);
+
 /// A property shared by several threads: one value, or several.
 struct SharedIndex {
   int value = 0;            // that of the first thread

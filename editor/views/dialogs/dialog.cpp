@@ -5,9 +5,11 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 #include "design/edits.h"
+#include "session/editing/thread_choice.h"
 #include "ui/imgui_compat.h"
 #include "ui/keyboard.h"
 #include "ui/widgets.h"
@@ -17,6 +19,7 @@ namespace weftlight::views {
 using base::arg, base::fill, base::mark, base::tr, base::tr_n;
 using design::SizeLoss, design::lost_by_size;
 using draft::Draft, draft::ShedControl, draft::kMaxShafts, draft::kMaxThreads;
+using session::named_thread;
 using ui::Colors, ui::begin_list, ui::begin_padded_child, ui::blend, ui::close_popups_above, ui::dim_behind_dialogs,
     ui::fitted, ui::key_pressed, ui::muted_text, ui::open_popups, ui::push_font, ui::row_label, ui::segmented,
     ui::text_button;
@@ -42,7 +45,7 @@ DialogResult draw_prompt(PanelContext& c, Question& q) {
 DialogResult draw_prompt(PanelContext& c, PathPrompt& p) {
   heading(c, p.title);
   ImGui::SetNextItemWidth(c.style.px(520));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   const bool enter = ImGui::InputText("##path", &p.path, ImGuiInputTextFlags_EnterReturnsTrue);
   c.map.add_item("dialog.path");
   const int button = draw_buttons(c, {p.button, mark("Cancel")}, false);
@@ -53,7 +56,7 @@ DialogResult draw_prompt(PanelContext& c, NamePrompt& p) {
   heading(c, p.title);
   if (!p.tip.empty()) muted_text(c, p.tip);
   ImGui::SetNextItemWidth(c.style.px(360));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   const bool enter =
       ImGui::InputText("##name", &p.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   c.map.add_item("dialog.name");
@@ -71,6 +74,7 @@ DialogResult draw_prompt(PanelContext& c, NamesPrompt& p) {
     const std::string number = std::to_string(i + 1);
     ImGui::PushID(static_cast<int>(i));
     const bool deleted = p.names[i].empty();
+    if (i == 0) begin_here();
     ImGui::SetNextItemWidth(width - c.style.px(110));
     ImGui::InputTextWithHint("##name", fill(tr("Will be deleted: {name}"), arg("name", p.before[i])).c_str(),
                              &p.names[i]);
@@ -104,6 +108,7 @@ std::string lost_text(const SizePrompt& p) {
 
 DialogResult draw_prompt(PanelContext& c, SizePrompt& p) {
   heading(c, p.title);
+  begin_here();
   number(c, "size.ends", tr("Ends"), p.ends, 1, kMaxThreads);
   number(c, "size.picks", tr("Picks"), p.picks, 1, kMaxThreads);
   number(c, "size.shafts", tr("Shafts"), p.shafts, 1, kMaxShafts);
@@ -132,7 +137,7 @@ DialogResult draw_prompt(PanelContext& c, NotesPrompt& p) {
     ImGui::PopID();
     c.map.add_item(id);
   };
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  begin_here();
   field("notes.title", tr("Title"), p.title);
   field("notes.author", tr("Author"), p.author);
   row_label(c, tr("Notes"), nullptr);
@@ -142,17 +147,43 @@ DialogResult draw_prompt(PanelContext& c, NotesPrompt& p) {
   return dialog_result(enter ? 0 : button);
 }
 
+constexpr float kGoToWidth = 244;
+
 DialogResult draw_prompt(PanelContext& c, ThreadPrompt& p) {
   heading(c, tr("Go to thread"));
   constexpr const char* kSystems[] = {mark("End"), mark("Pick")};
   int system = p.system == System::kWarp ? 0 : 1;
-  segmented(c, "goto.system", kSystems, system, c.style.px(244));
-  p.system = system == 0 ? System::kWarp : System::kWeft;
-  const int last = system == 0 ? p.ends : p.picks;
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  number(c, "goto.number", tr("Number"), p.number, 1, last);
-  muted_text(c, fill(tr("of {count}"), arg("count", last)));
-  return dialog_result(draw_buttons(c, {mark("Go"), mark("Cancel")}, true));
+  if (segmented(c, "goto.system", kSystems, system, c.style.px(kGoToWidth))) {
+    p.system = system == 0 ? System::kWarp : System::kWeft;
+    // The letter of the other system is no longer right.
+    if (const auto named = named_thread(p.typed); named && named->system) p.typed = std::to_string(named->number);
+  }
+  row_label(c, tr("Number"), tr("As 120; or e120 for an end, p40 for a pick"));
+  ImGui::SetNextItemWidth(c.style.px(140));
+  // A number that there is not is typed anew.
+  bool& anew = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("anew"));
+  if (std::exchange(anew, false)) ImGui::SetKeyboardFocusHere();
+  begin_here();
+  anew = ImGui::InputText("##n", &p.typed, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  c.map.add_item("goto.number");
+  const auto named = named_thread(p.typed);
+  if (named && named->system) p.system = *named->system;
+  const bool warp = p.system == System::kWarp;
+  const int last = warp ? p.ends : p.picks;
+  p.number = named ? named->number : 0;
+  const bool there = p.number >= 1 && p.number <= last;
+  ImGui::PushStyleColor(ImGuiCol_Text, there || p.typed.empty() ? c.style.color.muted : c.style.color.warn);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + c.style.px(kGoToWidth));
+  ImGui::TextUnformatted(!named && !p.typed.empty()
+                             ? tr("Type a number, as 120; or e120 for an end, p40 for a pick.")
+                             : fill(warp ? tr_n("The draft has {count} end.", "The draft has {count} ends.", last)
+                                         : tr_n("The draft has {count} pick.", "The draft has {count} picks.", last),
+                                    arg("count", last))
+                                   .c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  if (!there) c.map.add_item("goto.none");
+  return dialog_result(draw_buttons(c, {mark("Go"), mark("Cancel")}, true, there));
 }
 
 constexpr float kRecoveryWidth = 480;

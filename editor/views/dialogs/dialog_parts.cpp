@@ -77,6 +77,10 @@ void heading(PanelContext& c, const std::string& text) {
   ImGui::Dummy({0, c.style.px(2)});
 }
 
+void begin_here() {
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+}
+
 void number(PanelContext& c, const char* id, const char* label, int& value, int min, int max, const char* tip) {
   row_label(c, label, tip);
   push_font(c.style.font.mono);

@@ -22,6 +22,8 @@ struct DialogResult {
 };
 
 void heading(PanelContext& c, const std::string& text);
+/// Gives the next field the keyboard when the dialog appears, so that it can be typed into at once.
+void begin_here();
 /// The id of the text field in ImGui::InputInt with steps, under its id.
 unsigned field_of_number(const char* label);
 /// A labelled whole number with steps of one and ten.

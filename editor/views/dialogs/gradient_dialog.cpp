@@ -109,6 +109,7 @@ DialogResult draw_prompt(PanelContext& c, GradientPrompt& p) {
   segmented(c, "gradient.system", kSystems, system, c.style.px(kWidth));
   p.system = system == 0 ? System::kWarp : System::kWeft;
   muted_text(c, counted(p));
+  begin_here();
   draw_color(c, p, "gradient.from", tr("From"), p.gradient.from);
   draw_color(c, p, "gradient.to", tr("To"), p.gradient.to);
   number(c, "gradient.steps", tr("Colours"), p.gradient.steps, 2, kMaxSteps);

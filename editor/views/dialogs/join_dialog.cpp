@@ -60,6 +60,7 @@ DialogResult draw_prompt(PanelContext& c, JoinPrompt& p) {
   ImGui::PushTextWrapPos(c.style.px(kWidth));
   muted_text(c, explanation(p.joining.by));
   ImGui::PopTextWrapPos();
+  begin_here();
   number(c, "join.first", tr("This draft"), p.joining.first, 1, kMaxInTurn);
   number(c, "join.second", tr("The other"), p.joining.second, 1, kMaxInTurn);
   MaybeEdit edit;

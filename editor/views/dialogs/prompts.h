@@ -60,7 +60,9 @@ WeavePrompt prompt_for(int kind, ClothSize about, Units units);
 Design new_design(const WeavePrompt& p);
 struct ThreadPrompt {
   System system = System::kWarp;
-  int number = 1, ends = 1, picks = 1;
+  int ends = 1, picks = 1;
+  std::string typed = "1";
+  int number = 1;  // what it says; in the draft when it is done
 };
 /// A weave over the draft or some of its threads. The draft shows it while the dialog is open.
 struct WeaveOverPrompt {

@@ -69,6 +69,7 @@ void draw_range(PanelContext& c, Page& page) {
     value = std::clamp(value, 1, page.count());
   };
   row_label(c, page.system == System::kWarp ? tr("Ends") : tr("Picks"), tr("The range of threads to add as a section"));
+  begin_here();
   field("sections.first", first);
   ImGui::SameLine();
   ImGui::TextUnformatted("\xE2\x80\x93");

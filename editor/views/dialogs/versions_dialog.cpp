@@ -163,6 +163,7 @@ MaybeEdit draw_name_row(PanelContext& c, VersionsPrompt& p) {
   const bool is_own = p.chosen >= 0 && c.design.versions[chosen].name == name;
   const bool is_taken = std::ranges::find(c.design.versions, name, &Version::name) != c.design.versions.end();
   MaybeEdit edit;
+  if (c.design.versions.empty()) begin_here();  // otherwise the arrows go through them
   ImGui::SetNextItemWidth(c.style.px(260));
   const bool enter = ImGui::InputTextWithHint("##name", tr("Name of the version"), &p.name,
                                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);

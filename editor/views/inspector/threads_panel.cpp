@@ -64,7 +64,7 @@ const LengthSpec kThickness = {
     &SharedThreads::thickness,
     with_thread_thickness};
 const LengthSpec kSpacing = {{"threads.spacing", mark("Spacing"), 0.05f, 20, "%.2f mm",
-                              mark("Distance between the centres of neighbouring threads"), true},
+                              mark("Distance between the centres of neighbouring threads in the finished cloth"), true},
                              ThreadProperty::kSpacing,
                              "threads.spacing:yarn",
                              &SharedThreads::spacing,
@@ -364,7 +364,7 @@ MaybeEdit draw_length(PanelContext& c, const Subject& s, const LengthSpec& spec)
 /// The spacing as sett: threads per centimetre or inch.
 MaybeEdit draw_sett(PanelContext& c, const Subject& s) {
   const bool warp = s.system == System::kWarp;
-  const char* tip = warp ? tr("Sett: ends per centimetre or inch") : tr("Sett: picks per centimetre or inch");
+  const char* tip = sett_tip(s.system);
   row_label(c, warp ? tr("Ends") : tr("Picks"), tip);
   const bool inches = c.settings.imperial;
   const float unit = inches ? kMmPerInch : kMmPerCm;
@@ -410,6 +410,15 @@ void draw_file_words(const PanelContext& c, const FileUnits& units, const Subjec
 }
 
 }  // namespace
+
+const char* sett_tip(System system) {
+  return system == System::kWarp
+             ? tr("Sett of the finished cloth, as the draft is drawn: ends per centimetre or inch. The Plan page has "
+                  "the "
+                  "sett on the loom")
+             : tr("Sett of the finished cloth, as the draft is drawn: picks per centimetre or inch. The Plan page has "
+                  "the sett on the loom");
+}
 
 MaybeEdit draw_threads(const PanelContext& panel, const ThreadChoice& chosen, const FileUnits& units,
                        TypedThreads& typed) {

@@ -17,6 +17,9 @@ struct TypedThreads {
   MaybeEdit order_waits;  // until the typing rests
 };
 
+/// Which sett it is that the panel shows and sets.
+const char* sett_tip(draft::System system);
+
 MaybeEdit draw_threads(const PanelContext& c, const ThreadChoice& chosen, const FileUnits& units, TypedThreads& typed);
 
 }  // namespace weftlight::views

@@ -46,6 +46,7 @@ TEST(Units, TypedLengths) {
 TEST(Units, TypedReeds) {
   EXPECT_EQ(reed_from_text("40/10"), Reed({40, false}));
   EXPECT_EQ(reed_from_text("12/in"), Reed({12, true}));
+  EXPECT_EQ(reed_from_text("12/inch"), Reed({12, true}));
   EXPECT_EQ(reed_from_text("12.5 dpi"), Reed({12.5f, true}));
   for (const char* wrong : {"", "40", "0/10", "-4/10", "40/11", "9999/10", "nan/10"})
     EXPECT_FALSE(reed_from_text(wrong)) << wrong;

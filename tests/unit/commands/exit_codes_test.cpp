@@ -80,6 +80,8 @@ TEST_F(ExitCodes, bad_usage_is_2) {
            {"render", draft(), "-o", out, "--no-such-option"},
            {"render", draft(), "-o", out, "--surroundings"},
            {"reference", draft(), "-o", out, "--surroundings", "--lights", "window"},
+           {"render", draft(), "-o", out, "--transparent", "--environment", "sky.hdr", "--surroundings"},
+           {"reference", draft(), "-o", out, "--transparent", "--environment", "sky.hdr", "--surroundings"},
            {"render", draft(), "-o", out, "--mesh", "no_such_drape"},
            {"reference", draft(), "-o", out, "--mesh", "no_such_drape"},
            {"export", draft(), "-o", path("set"), "--mesh", "no_such_drape"},

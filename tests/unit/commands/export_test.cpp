@@ -101,6 +101,16 @@ TEST_F(Export, a_template_with_an_unknown_field_is_refused_with_the_fields) {
   }
 }
 
+TEST_F(Export, a_template_stays_in_the_output_folder) {
+  for (const char* form : {"..", ".", "../{name}", "a/../{name}", "/{name}"}) {
+    const Ran ran = exported({"--target", "raw", "--size", "16", "--name", form});
+    EXPECT_EQ(ran.code, kUsage) << form;
+    EXPECT_TRUE(ran.said.starts_with("weftlight: --name " + std::string(form) + ": give a name for a folder"))
+        << ran.said;
+    EXPECT_FALSE(has("")) << form;
+  }
+}
+
 TEST_F(Export, texels_per_millimetre_and_tiles_of_several_repeats) {
   EXPECT_EQ(exported({"--target", "raw", "--px-per-mm", "12", "--tile-cm", "1"}).code, kDone);
   const json a = list("a");

@@ -40,6 +40,13 @@ TEST_F(Find, ListsTheDraftsThatHaveWhatIsAskedFor) {
   EXPECT_EQ(found({"--fresh"}), all);
 }
 
+TEST_F(Find, ATitleThatIsTheWeaveIsToldOnce) {
+  const Variable cache("XDG_CACHE_HOME", path("cache"));
+  ASSERT_EQ(run({"weave", "twill", "-o", path("a.wif")}).code, kDone);
+  const Ran ran = run({"find", path("")});
+  EXPECT_TRUE(ran.out.ends_with("4 treadles, Twill\n")) << ran.out;
+}
+
 TEST_F(Find, SaysWhatItCannotUse) {
   EXPECT_EQ(run({"find", path("nowhere")}).code, kBadInput);
   EXPECT_EQ(run({"find"}).code, kUsage);

@@ -99,9 +99,9 @@ TEST_F(OwnInput, outputs_have_the_extension_of_their_format_in_any_case) {
            {{"lobes", draft, "-o", path("w.png")}, ".wif"},
            {{"yarns", draft, "-o", path("w.wif")}, ".txt"},
            {{"curves", draft, "-o", path("w.obj")}, ".usda"},
-           {{"print", draft, "-o", path("w.txt")}, ".pdf, .svg, .png"},
-           {{"print", draft, "-o", path("w")}, ".pdf, .svg, .png"},
-           {{"render", draft, "-o", path("w.gif")}, ".png, .exr"},
+           {{"print", draft, "-o", path("w.txt")}, ".pdf, .svg or .png"},
+           {{"print", draft, "-o", path("w")}, ".pdf, .svg or .png"},
+           {{"render", draft, "-o", path("w.gif")}, ".png or .exr"},
        })
     expect_refused(args, "must end in " + format);
   for (const char* name : {"d.PNG", "d.Svg", "d.PDF", "d.TXT"})

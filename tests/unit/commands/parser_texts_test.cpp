@@ -57,12 +57,14 @@ TEST(ParserTexts, name_the_argument_and_what_to_give) {
       {{"convert", "--", "--x.wif"}, "weftlight convert: OUT is required (Output file: .wif)\n"},
       {{"export", "--", "--x.wif"}, "weftlight export: -o is required (Output folder)\n"},
       {{"export", draft(), "-o", "a", "--versions=all"}, "weftlight export: --versions takes no value\n"},
-      {{"convert", draft(), "c.foo"}, "weftlight convert: 'c.foo' must end in .wif, .wifw\n"},
+      {{"convert", draft(), "c.foo"}, "weftlight convert: 'c.foo' must end in .wif or .wifw\n"},
+      {{"join", draft(), draft(), "-o", "a.wif", "--picks", "0:1"},
+       "weftlight: --picks 0:1: give the threads of each draft in turn as two numbers from 1 to 1000: 2:1\n"},
       {{"completion", "csh"}, "weftlight completion: 'csh' must be one of bash, zsh, fish\n"},
       {{"convert", draft(), "-"}, "weftlight convert: OUT: a - is no file; the standard output is /dev/stdout\n"},
       {{"drawdown", draft(), "-o", "-"},
        "weftlight drawdown: --output: a - is no file; the standard output is /dev/stdout\n"},
-      {{"render", draft(), "-o", "-"}, "weftlight render: --output: '-' must end in .png, .exr\n"},
+      {{"render", draft(), "-o", "-"}, "weftlight render: --output: '-' must end in .png or .exr\n"},
       {{"convert", draft(), ""}, "weftlight convert: OUT: the name is empty\n"},
       {{"info", ""}, "weftlight info: FILE: the name is empty\n"},
       {{"export", draft(), "", "-o", "a"}, "weftlight export: FILES: the name is empty\n"},
@@ -100,6 +102,14 @@ TEST(ParserTexts, two_dashes_end_the_options) {
     EXPECT_EQ(ran.code, kBadInput) << ran.said;
     EXPECT_TRUE(ran.said.starts_with("--none.wif: ")) << ran.said;
   }
+}
+
+TEST(ParserTexts, a_fraction_may_be_a_percentage) {
+  const auto shrunk = [](const char* by) { return run({"analyse", draft(), "--shrinkage", by}); };
+  EXPECT_EQ(shrunk("12%").out, shrunk("0.12").out);
+  EXPECT_NE(shrunk("12%").out, shrunk("0.08").out);
+  for (const char* wrong : {"95%", "%", "-1%", "8%%", "x%"}) EXPECT_EQ(shrunk(wrong).code, kUsage) << wrong;
+  EXPECT_EQ(run({"analyse", draft(), "--ends-per-cm", "12%"}).code, kUsage);
 }
 
 TEST(ParserTexts, a_number_is_finite_and_may_have_a_sign) {

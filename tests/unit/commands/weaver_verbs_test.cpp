@@ -80,7 +80,8 @@ TEST_F(WeaverVerbs, wraps_are_of_the_threads_as_the_file_has_them) {
     return said(analyse_command, options);
   };
   const std::string even = said_of("0.1");
-  EXPECT_NE(even.find("tex, 10.0 wraps per cm, 5.0 ends per cm"), std::string::npos) << even;
+  EXPECT_NE(even.find("tex, 10.0 wraps per cm, 5.0 ends per cm on the loom\n"), std::string::npos) << even;
+  EXPECT_NE(even.find("\nfirm sett       "), std::string::npos) << "no part of the sett as drawn\n" << even;
   EXPECT_EQ(even.find("in the warp"), std::string::npos) << even;
   const std::string thick = said_of("0.2");
   EXPECT_NE(thick.find("in the warp: "), std::string::npos) << thick;

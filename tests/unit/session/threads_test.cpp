@@ -53,6 +53,22 @@ TEST(ThreadChoice, ShiftExtendsAndCtrlAddsOrRemoves) {
   EXPECT_EQ(c.threads, Indices{2}) << "warp and weft are not chosen at once";
 }
 
+TEST(ThreadChoice, AThreadIsNamedAsWeaversTypeIt) {
+  const auto named = [](std::string_view words) {
+    const std::optional<NamedThread> read = named_thread(words);
+    if (!read) return std::string("none");
+    const std::string system = !read->system ? "" : *read->system == System::kWarp ? "end " : "pick ";
+    return system + std::to_string(read->number);
+  };
+  EXPECT_EQ(named("120"), "120");
+  EXPECT_EQ(named(" 7 "), "7");
+  for (const char* end : {"e120", "E120", "end 120", "ends120", "e 120"}) EXPECT_EQ(named(end), "end 120") << end;
+  for (const char* pick : {"p40", "P40", "pick 40", "Picks 40"}) EXPECT_EQ(named(pick), "pick 40") << pick;
+  EXPECT_EQ(named("99999999999"), "2147483647");
+  for (const char* none : {"", "e", "pick", "x12", "12e", "1-3", "-4", "endless 3", "1.5"})
+    EXPECT_EQ(named(none), "none") << none;
+}
+
 TEST(ThreadChoice, AnEmptyChoiceMeansAllAndDeletedThreadsAreDropped) {
   const Design d = striped();
   ThreadChoice c;

@@ -279,6 +279,29 @@ TEST(read, as_many_yarns_as_stated_but_no_more_than_a_draft_may_have) {
   }
 }
 
+TEST(read, a_wrong_value_is_told_with_its_thread) {
+  const auto told = [](const std::string& from, const std::string& to) {
+    std::string bytes = fixture("twill.wif");
+    const size_t at = bytes.find(from);
+    if (at == std::string::npos) return "there is no " + from;
+    bytes.replace(at, from.size(), to);
+    std::string all;
+    for (const Diagnostic& d : read_wif(bytes).diagnostics) all += d.text + "\n";
+    return all;
+  };
+  EXPECT_EQ(told("[THREADING]\r\n1=1\r\n", "[THREADING]\r\n1=first\r\n"),
+            "[THREADING] end 1: 'first' is not the number of a shaft\n");
+  EXPECT_EQ(told("[THREADING]\r\n1=1\r\n", "[THREADING]\r\n1=1, x ,3\r\n"),
+            "[THREADING] end 1: 'x' is not the number of a shaft\n");
+  EXPECT_EQ(told("[THREADING]\r\n1=1\r\n", "[THREADING]\r\n1=-7\r\n"), "[THREADING] end 1 names shaft -7\n");
+  EXPECT_EQ(told("[TIEUP]\r\n1=1,", "[TIEUP]\r\n1=one,"), "[TIEUP] treadle 1: 'one' is not the number of a shaft\n");
+  EXPECT_EQ(told("[TREADLING]\r\n1=", "[TREADLING]\r\n1=left "),
+            "[TREADLING] pick 1: 'left 1' is not the number of a treadle\n");
+  const std::string thick = told("[WARP]\r\n", "[WARP THICKNESS]\r\n3=thick\r\n[WARP]\r\n");
+  EXPECT_NE(thick.find("[WARP THICKNESS] 3=: 'thick' is not a usable number\n"), std::string::npos) << thick;
+  EXPECT_EQ(told("[THREADING]\r\n1=1\r\n", "[THREADING]\r\n1=1, ; the first\r\n"), "");
+}
+
 TEST(read, the_locale_does_not_matter) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {

@@ -83,7 +83,10 @@ int find_command(const FindOptions& options) {
         fill(tr_n("{count} more draft is not listed; give a subfolder",
                   "{count} more drafts are not listed; give a subfolder", static_cast<long long>(index.left_out)),
              arg("count", index.left_out)));
-  print_found(index, found_drafts(*index.entries, options.query), options.json);
+  const std::vector<int> found = found_drafts(*index.entries, options.query);
+  if (found.empty() && !options.json)
+    print_problem(index.entries->empty() ? tr("There are no drafts in this folder.") : tr("No draft matches."));
+  print_found(index, found, options.json);
   return kDone;
 }
 

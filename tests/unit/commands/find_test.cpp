@@ -47,6 +47,16 @@ TEST_F(Find, ATitleThatIsTheWeaveIsToldOnce) {
   EXPECT_TRUE(ran.out.ends_with("4 treadles, Twill\n")) << ran.out;
 }
 
+TEST_F(Find, SaysThatNothingMatches) {
+  const Variable cache("XDG_CACHE_HOME", path("cache"));
+  EXPECT_NE(run({"find", path("")}).said.find("There are no drafts in this folder."), std::string::npos);
+  ASSERT_EQ(run({"weave", "twill", "-o", path("a.wif")}).code, kDone);
+  const Ran none = run({"find", path(""), "--shafts", "900-"});
+  EXPECT_EQ(none.code, kDone);
+  EXPECT_EQ(none.out, "");
+  EXPECT_NE(none.said.find("No draft matches."), std::string::npos) << none.said;
+}
+
 TEST_F(Find, SaysWhatItCannotUse) {
   EXPECT_EQ(run({"find", path("nowhere")}).code, kBadInput);
   EXPECT_EQ(run({"find"}).code, kUsage);

@@ -33,6 +33,9 @@ void each_row(int height, int threads, const std::stop_token& stop, const Progre
   });
 }
 
+/// Steps between the seeds of one pixel.
+constexpr uint64_t kOtherSeed = 0xA24BAED4963EE407u;
+
 uint64_t seed_of(int x, int y, int width) {
   return (static_cast<uint64_t>(y) * static_cast<uint64_t>(width) + static_cast<uint64_t>(x)) * 0x9E3779B97F4A7C15u + 1;
 }
@@ -82,11 +85,52 @@ glm::vec3 ray_through(const DrapePicture& picture, glm::vec2 p) {
   return glm::normalize(glm::vec3(far) / far.w - picture.eye);
 }
 
+glm::vec2 middle_of(const DrapePicture& picture) { return 0.5f * glm::vec2(picture.width, picture.height); }
+
+glm::vec3 axis_of(const DrapePicture& picture) { return ray_through(picture, middle_of(picture)); }
+
 /// Angle of a pixel in the middle of the picture.
 float pixel_angle(const DrapePicture& picture) {
-  const glm::vec2 middle = 0.5f * glm::vec2(picture.width, picture.height);
-  return glm::length(ray_through(picture, middle + glm::vec2(0, 1)) - ray_through(picture, middle));
+  return glm::length(ray_through(picture, middle_of(picture) + glm::vec2(0, 1)) - axis_of(picture));
 }
+
+/// One sample of a pixel; its layers have a thread where the light's alpha is 1.
+struct SeenSample {
+  glm::vec4 light{0};
+  PixelLayers layers;
+};
+
+/// The layers of a pixel from those of its samples.
+class LayerSums {
+ public:
+  void add(const SeenSample& sample) {
+    sum_.direct += sample.layers.direct;
+    if (sample.light.a == 0) return;
+    if (hits_++ == 0) sum_.uv_mm = sample.layers.uv_mm;
+    sum_.depth_mm += sample.layers.depth_mm;
+    sum_.normal += sample.layers.normal;
+    sum_.albedo += sample.layers.albedo;
+    vote(sample.layers);
+  }
+  PixelLayers mean(int samples) const {
+    PixelLayers out = sum_;
+    out.direct /= static_cast<float>(samples);
+    if (hits_ == 0) return out;
+    out.depth_mm /= static_cast<float>(hits_), out.albedo /= static_cast<float>(hits_);
+    const float length = glm::length(out.normal);
+    if (length > 0) out.normal /= length;
+    return out;
+  }
+
+ private:
+  /// The majority, if there is one (Boyer, Moore 1981).
+  void vote(const PixelLayers& one) {
+    if (votes_ == 0) sum_.system = one.system, sum_.thread = one.thread;
+    votes_ += sum_.system == one.system && sum_.thread == one.thread ? 1 : -1;
+  }
+  PixelLayers sum_;
+  int hits_ = 0, votes_ = 0;
+};
 
 struct DrapeTrace {
   const TraceRay& trace_ray;
@@ -95,6 +139,7 @@ struct DrapeTrace {
   const DrapePicture& picture;
   float thickness;
   float pixel_angle;
+  glm::vec3 axis;  // of the camera, away from the eye
 
   /// The back is seen in the front's (u, v), each thread at its own place: only z changes sign.
   glm::vec3 face(glm::vec3 l) const { return picture.front ? l : glm::vec3(l.x, l.y, -l.z); }
@@ -138,7 +183,17 @@ struct DrapeTrace {
     return s;
   }
 
-  glm::vec4 sample(glm::vec3 direction, RandomStream& sampler) const {
+  PixelLayers layers_of(const PathSample& traced, const MeshHit& hit, glm::vec3 direction) const {
+    PixelLayers layers;
+    layers.depth_mm = hit.t * glm::dot(direction, axis);
+    layers.normal = LocalFrame{hit}.from(face(traced.normal));
+    layers.uv_mm = hit.uv_mm;
+    layers.albedo = traced.albedo, layers.direct = traced.direct;
+    layers.system = traced.system, layers.thread = traced.thread;
+    return layers;
+  }
+
+  SeenSample sample(glm::vec3 direction, RandomStream& sampler) const {
     float t_min = 0;
     MeshHit stop;
     const LightSample light =
@@ -147,8 +202,8 @@ struct DrapeTrace {
     const bool stopped = body && body->intersect(picture.eye, direction, 0, stop);
     for (int layer = 0; layer < kMaxLayers; ++layer) {
       MeshHit hit;
-      if (!cloth.intersect(picture.eye, direction, t_min, hit)) return glm::vec4(0);
-      if (stopped && stop.t < hit.t) return glm::vec4(0);
+      if (!cloth.intersect(picture.eye, direction, t_min, hit)) return {};
+      if (stopped && stop.t < hit.t) return {};
       lean_to(hit, direction);
       const LocalFrame frame{hit};
       const glm::vec3 local = face(frame.to(direction));
@@ -158,31 +213,36 @@ struct DrapeTrace {
           trace_ray(at - local * (kEnterThicknesses * thickness), local, around(hit, light, sampler), sampler,
                     pixel_angle * hit.t /
                         std::sqrt(kSamplesOfAPixel * std::max(std::abs(glm::dot(hit.normal, direction)), 0.1f)));
-      if (traced.hit) return glm::vec4(traced.radiance, 1);
+      if (traced.hit) return {glm::vec4(traced.radiance, 1), layers_of(traced, hit, direction)};
       t_min = hit.t + thickness;
     }
-    return glm::vec4(0);
+    return {};
   }
 };
 
 TracedImage trace_pixels(const DrapeTrace& drape, const DrapePicture& picture, const Progress& progress) {
   TracedImage image{picture.width, picture.height, {}};
   image.pixels.resize(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height));
+  if (picture.layers) image.layers.resize(image.pixels.size());
   each_row(picture.height, picture.threads, picture.stop, progress, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
-      const uint64_t seed = seed_of(x, y, picture.width);
+      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x);
+      const uint64_t seed = seed_of(x, y, picture.width) + picture.seed * kOtherSeed;
       RandomStream sampler(seed);
       const glm::vec2 shift(sampler.next(), sampler.next());
       if (picture.first_sample > 0) {
         sampler = RandomStream(seed + static_cast<uint64_t>(picture.first_sample) * 0xD1B54A32D192ED03u);
       }
       glm::vec4 sum(0);
+      LayerSums layers;
       for (int k = 0; k < picture.spp; ++k) {
         const glm::vec2 p = glm::vec2(x, y) + pixel_sample(picture.first_sample + k, shift);
-        sum += drape.sample(ray_through(picture, p), sampler);
+        const SeenSample seen = drape.sample(ray_through(picture, p), sampler);
+        sum += seen.light;
+        if (picture.layers) layers.add(seen);
       }
-      image.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] =
-          sum / static_cast<float>(picture.spp);
+      image.pixels[pixel] = sum / static_cast<float>(picture.spp);
+      if (picture.layers) image.layers[pixel] = layers.mean(picture.spp);
     }
   });
   return image;
@@ -222,16 +282,17 @@ TracedImage trace_drape(const TubeScene& tubes, const MeshScene& cloth, const Me
                         const DrapePicture& picture, const Progress& progress) {
   const ClothTracer tracer(tubes, picture.colours);
   const TraceRay trace_ray = ray_among(tracer, picture.bounces);
-  return trace_pixels({trace_ray, cloth, body, picture, tubes.z_max() - tubes.z_min(), pixel_angle(picture)}, picture,
-                      progress);
+  return trace_pixels(
+      {trace_ray, cloth, body, picture, tubes.z_max() - tubes.z_min(), pixel_angle(picture), axis_of(picture)}, picture,
+      progress);
 }
 
 TracedImage trace_drape(const FibreScene& fibres, const MeshScene& cloth, const MeshScene* body,
                         const DrapePicture& picture, const Progress& progress) {
   const FibreTracer tracer(fibres, {}, lamp_spread(picture.first_sample + picture.spp));
   const TraceRay trace_ray = ray_among(tracer);
-  return trace_pixels({trace_ray, cloth, body, picture, fibres.thickness_mm(), pixel_angle(picture)}, picture,
-                      progress);
+  return trace_pixels({trace_ray, cloth, body, picture, fibres.thickness_mm(), pixel_angle(picture), axis_of(picture)},
+                      picture, progress);
 }
 
 SeenPatch seen_patch(const MeshScene& cloth, const MeshScene* body, const DrapePicture& picture) {

@@ -13,10 +13,22 @@
 
 namespace weftlight::reference {
 
+/// What a pixel shows of the threads beside their light: means over the samples that meet them; all 0 where none does.
+struct PixelLayers {
+  float depth_mm = 0;   // along the axis of the camera
+  glm::vec3 normal{0};  // unit, in the world; of the threads with their fibres
+  glm::vec2 uv_mm{0};   // on the cloth; of one sample, since a mean over a seam would be neither side's
+  glm::vec3 albedo{0};  // colour of the fibres, linear
+  glm::vec3 direct{0};  // of the radiance, premultiplied as that is: what comes without another thread between
+  System system = System::kWarp;
+  int thread = -1;  // that most samples meet
+};
+
 /// Linear RGB and coverage of each pixel, row 0 on top. rgb is premultiplied by alpha.
 struct TracedImage {
   int width = 0, height = 0;
   std::vector<glm::vec4> pixels;
+  std::vector<PixelLayers> layers{};  // empty unless they were asked for
 };
 
 /// Called with the fraction done, 0..1, from one thread at a time.
@@ -43,6 +55,8 @@ struct DrapePicture {
   glm::vec3 body_reflectance{0};                    // of the sky's light; the key light is not sent on
   bool front = true;                                // the front of the mesh shows the front of the cloth
   int first_sample = 0;  // index of the first sample of each pixel, so that passes can be averaged
+  uint64_t seed = 0;     // different seeds give independent samples
+  bool layers = false;   // of tubes alone
   int threads = 0;       // 0: all cores
   std::stop_token stop;  // when stopped, the remaining rows stay empty
 };

@@ -41,6 +41,7 @@ struct ClothTracer::Point {
   formulas::LobeSide out;
   glm::vec3 local_out{0};
   float groove = 1;
+  glm::vec3 colour{0};  // of the fibres
   thread_formulas::SurfaceFrame surface;
   const ThreadTexture* texture = nullptr;
   FibreDetail detail;
@@ -119,6 +120,7 @@ ClothTracer::Point ClothTracer::point_of(const TubeHit& hit, glm::vec3 from, flo
   const Yarn& yarn = cloth.yarns[static_cast<size_t>(body.yarn)];
   const Linear& dye = colour_along(cloth, hit.system, hit.thread, hit.along_mm);
   const glm::vec3 colour = thread_formulas::fibre_colour(texel, {dye.r, dye.g, dye.b});
+  p.colour = colour;
   p.lobes = yarn_lobes(yarn.lobes, {colour.r, colour.g, colour.b});
   const float relief = thread_formulas::fibre_relief(p.lobes.slope_cov.z, formulas::nap_of(p.lobes.fuzz));
   const glm::vec3 normal =
@@ -182,14 +184,23 @@ PathSample ClothTracer::trace(glm::vec3 origin, glm::vec3 direction, float t_min
   for (int depth = 0;; ++depth) {
     const Point p = point_of(hit, -direction, depth == 0 ? sample_mm : kCoarseSample_mm);
     weight *= alone(p.position);
-    traced.radiance += weight * direct(p, around, sampler);
+    const glm::vec3 lit = weight * direct(p, around, sampler);
+    traced.radiance += lit;
+    if (depth == 0) {
+      traced.direct = lit;
+      traced.normal = p.frame.n, traced.albedo = p.colour;
+      traced.system = p.system, traced.thread = p.thread;
+    }
     if (depth == bounces && !around.sky) return traced;
     direction = cosine_direction(p.frame.n, sampler);
     if (glm::dot(direction, p.smooth) <= 0) return traced;
     weight *= reflected_from(p, direction);
     const glm::vec3 from = p.position + p.smooth * ray_epsilon_mm_;
     if (!tubes_.intersect(from, direction, 0, hit)) {
-      if (around.sky) traced.radiance += weight * around.sky(direction) * p.among_plies(direction);
+      if (!around.sky) return traced;
+      const glm::vec3 from_sky = weight * around.sky(direction) * p.among_plies(direction);
+      traced.radiance += from_sky;
+      if (depth == 0) traced.direct += from_sky;
       return traced;
     }
     if (depth == bounces) return traced;

@@ -33,6 +33,12 @@ struct Surroundings {
 struct PathSample {
   glm::vec3 radiance{0};
   bool hit = false;  // false: the ray went through a gap
+  // What was hit; of tubes alone.
+  glm::vec3 direct{0};        // of the radiance, what lamp and sky send without another thread
+  glm::vec3 normal{0, 0, 1};  // unit, of the thread with its fibres
+  glm::vec3 albedo{0};        // colour of the fibres, linear
+  System system = System::kWarp;
+  int thread = 0;  // of the cloth's ends or picks
 };
 
 /// No single fibre is resolved.

@@ -108,6 +108,8 @@ DrapePicture ReferenceScene::picture_of(const ReferenceView& view) const {
   // Without bounces one reflection stands for all of them.
   if (view.bounces > 0) picture.colours = Colours::kOfTheCloth;
   picture.first_sample = view.first_sample;
+  picture.seed = view.seed;
+  picture.layers = view.layers;
   picture.threads = view.threads;
   picture.stop = view.stop;
   picture.eye = camera.eye;

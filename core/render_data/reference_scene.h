@@ -33,6 +33,8 @@ struct ReferenceView {
   int bounces = 2;       // between threads; with 0, one reflection stands for all of them
   bool fibres = false;   // as fibres; prepare_fibres() with the same view comes first
   int first_sample = 0;  // see DrapePicture
+  uint64_t seed = 0;     // see DrapePicture
+  bool layers = false;   // see PixelLayers; not with fibres
   int threads = 0;       // 0: all cores
   std::stop_token stop;
 };

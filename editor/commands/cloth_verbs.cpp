@@ -202,10 +202,15 @@ RunVerb add_reference(CLI::App& verb) {
   auto* bounces =
       verb.add_option("--bounces", o.bounces, tr("Number of times that light goes from thread to thread; default: 2"))
           ->check(whole_number(0, 16));
-  verb.add_flag("--fibres", o.fibres,
-                tr("Trace every fibre, for close-ups of up to a few square centimetres; light is followed until it "
-                   "leaves the fibres"))
-      ->excludes(bounces);
+  auto* fibres = verb.add_flag("--fibres", o.fibres,
+                               tr("Trace every fibre, for close-ups of up to a few square centimetres; light is "
+                                  "followed until it leaves the fibres"))
+                     ->excludes(bounces);
+  verb.add_flag("--layers", o.layers,
+                tr("More channels in the .exr, of the cloth alone: depth, normal, place, thread, colour, direct and "
+                   "indirect light"))
+      ->excludes(fibres);
+  verb.add_option("--seed", o.seed, tr("Random seed of the noise; default: 0"))->check(whole_number(0, 1 << 30));
   return [picture] {
     return apply_picture_texts(*picture) ? reference_command(picture->options, picture->backdrop()) : kUsage;
   };

@@ -75,6 +75,8 @@ struct PictureOptions {
   int spp = 64;         // reference only
   int bounces = 2;      // reference only
   bool fibres = false;  // reference only: every fibre instead of threads as tubes
+  bool layers = false;  // reference only: depth, normal and others as channels of the .exr
+  unsigned seed = 0;    // reference only: another one gives independent noise
 };
 struct ExportOptions {
   std::vector<std::string> files;  // or folders of drafts

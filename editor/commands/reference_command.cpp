@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "commands/open_design.h"
 #include "commands/transparent.h"
+#include "render_data/picture_layers.h"
 #include "render_data/reference_scene.h"
 
 namespace weftlight::commands {
@@ -17,7 +18,8 @@ using design::Design, design::Scene;
 using files::Image;
 using gl::Frame, gl::FrameStats;
 using reference::Progress, reference::TracedImage;
-using render_data::ReferenceScene, render_data::ReferenceView, render_data::TracedThreads, render_data::lay_over;
+using render_data::ReferenceScene, render_data::ReferenceView, render_data::TracedThreads, render_data::lay_over,
+    render_data::layer_channels, render_data::with_layers;
 
 namespace {
 
@@ -33,7 +35,18 @@ ReferenceView view_of(const PictureOptions& o, const Scene& scene) {
   view.front = o.face;
   view.spp = o.spp, view.bounces = o.bounces;
   view.fibres = o.fibres;
+  view.layers = o.layers, view.seed = o.seed;
   return view;
+}
+
+/// kDone, or the code of a line on stderr: layers are asked for that no .exr of ours holds.
+int check_layers(const PictureOptions& o) {
+  constexpr int64_t kMostPixels = 25'000'000;  // of an image's 2^29 values (core/files)
+  if (!o.layers) return kDone;
+  if (!writes_linear(o.out)) return refuse(tr("--layers: give an .exr as the output"));
+  if (int64_t{o.width} * o.height <= kMostPixels) return kDone;
+  return refuse(fill(tr("--layers: give a --size of at most {count} million pixels, such as 5000x5000"),
+                     arg("count", kMostPixels / 1'000'000)));
 }
 
 int in_mb(int64_t bytes) { return static_cast<int>((bytes + (1 << 20) - 1) >> 20); }
@@ -60,6 +73,7 @@ base::Result<void> make_fibres(ReferenceScene& scene, const ReferenceView& view,
 int reference_command(const PictureOptions& o) { return reference_command(o, Backdrop::kShown); }
 
 int reference_command(const PictureOptions& o, Backdrop backdrop) {
+  if (const int code = check_layers(o); code != kDone) return code;
   PictureSetup setup;
   if (const int code = setup.read(o); code != kDone) return code;
   const Design& design = setup.design;
@@ -86,7 +100,10 @@ int reference_command(const PictureOptions& o, Backdrop backdrop) {
   const TracedImage traced = scene.trace(view, progress_on(meter, o.out));
   meter.clear();
   lay_over(picture, traced, linear ? design.look.exposure_ev : drawn.exposure_ev, linear);
-  const base::Result<void> saved = write_picture(o.out, picture, backdrop);
+  const base::Result<void> saved =
+      o.layers ? files::write_image(o.out, with_layers(picture, traced, design.look.exposure_ev),
+                                    files::PixelType::kFloat, layer_channels())
+               : write_picture(o.out, picture, backdrop);
   if (saved) meter.set(0, 1, o.out);
   return finish(saved);
 }

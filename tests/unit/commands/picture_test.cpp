@@ -13,6 +13,7 @@
 #include "design/edits.h"
 #include "design/lights.h"
 #include "files/files.h"
+#include "render_data/picture_layers.h"
 #include "render_data/reference_scene.h"
 #include "scene/camera.h"
 #include "scratch_folder.h"
@@ -71,6 +72,43 @@ TEST_F(Pictures, the_weave_lies_on_a_drape_where_the_traced_threads_lie) {
       difference(presets_dir() + "/drafts/starter.wif", {"--mesh", "tablecloth", "--yarns-per-pixel", "0.3"});
   if (!off) GTEST_SKIP() << "no graphics";
   EXPECT_LT(*off, 0.15);
+}
+
+// A compositor adds direct and indirect light and finds the picture again.
+TEST_F(Pictures, layers_of_an_exr_add_up_to_its_picture) {
+  const auto traced = [this](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> line{
+        "reference", corner_of("twill_2_2"), "-o", path(name), "--size", "48x36", "--mesh", "plane", "--spp",
+        "4",         "--exposure",           "1"};
+    line.insert(line.end(), more.begin(), more.end());
+    return run(line);
+  };
+  const Ran plain = traced("plain.exr", {});
+  if (plain.code == kNoGraphics) GTEST_SKIP() << "no graphics";
+  ASSERT_EQ(plain.code, kDone) << plain.said;
+  ASSERT_EQ(traced("layers.exr", {"--layers"}).code, kDone);
+  ASSERT_EQ(traced("other.exr", {"--seed", "7"}).code, kDone);
+  const base::Result<Image> image = read_image(path("layers.exr")), alone = read_image(path("plain.exr")),
+                            other = read_image(path("other.exr"));
+  ASSERT_TRUE(image && alone && other) << problem_of(image) << problem_of(alone) << problem_of(other);
+  EXPECT_EQ(alone->channels, 4);
+  ASSERT_EQ(image->channels, 21);
+  EXPECT_NE(alone->texels, other->texels);
+  const std::vector<std::string>& names = render_data::layer_channels();
+  const auto at = [&](size_t pixel, const std::string& name) {
+    const auto channel = std::find(names.begin(), names.end(), name) - names.begin();
+    return image->texels[pixel * 21 + static_cast<size_t>(channel)];
+  };
+  int covered = 0;
+  for (size_t i = 0; i < size_t{48} * 36; ++i) {
+    EXPECT_NEAR(at(i, "G"), alone->texels[i * 4 + 1], 0.002f * at(i, "G") + 1e-4f);
+    if (at(i, "A") < 1 || at(i, "Z") == 0) continue;
+    ++covered;
+    EXPECT_GT(at(i, "normal.Z"), 0.0f);
+    EXPECT_NE(at(i, "thread.end") > 0, at(i, "thread.pick") > 0);
+    EXPECT_LE(std::max(at(i, "thread.end"), at(i, "thread.pick")), 16.0f);
+  }
+  EXPECT_GT(covered, 300);
 }
 
 // Samples under the edge of another thread have no horizons. Lit as if they were on top: 0.33, otherwise 0.22.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -12,7 +13,7 @@ namespace weftlight::reference {
 using base::problem_of;
 using cloth::Cloth;
 using design::Twist, design::Yarn;
-using draft::BitMatrix;
+using draft::BitMatrix, draft::System;
 
 namespace {
 
@@ -58,20 +59,36 @@ drape::Mesh rounded_prism(int sides, float radius_mm, float height_mm) {
   return mesh;
 }
 
-TEST(drape, a_rim_shows_the_face_that_the_eye_sees) {
-  const auto built = TubeScene::build(white_over_black(), {});
-  const auto draped = MeshScene::build(rounded_prism(12, 60, 100));
-  ASSERT_TRUE(built && draped) << problem_of(built) << problem_of(draped);
-  const std::unique_ptr<TubeScene>& tubes = *built;
-  const std::unique_ptr<MeshScene>& mesh = *draped;
+/// The prism from 4 m in front of its axis, 2 mm high, under an even sky.
+DrapePicture front_of_prism(int width) {
   DrapePicture picture;
-  picture.width = 1240, picture.height = 2, picture.spp = 8;
+  picture.width = width, picture.height = 2, picture.spp = 8;
   picture.eye = {0, 50, 4000};
   const glm::mat4 view = glm::lookAt(picture.eye, glm::vec3(0, 50, 0), glm::vec3(0, 1, 0));
   picture.clip_to_world = glm::inverse(glm::perspective(2 * std::atan(1.0f / 4000), 62.0f, 100.0f, 8000.0f) * view);
   picture.light_irradiance = glm::vec3(0);
   picture.sky = [](glm::vec3) { return glm::vec3(1); };
-  const TracedImage image = trace_drape(*tubes, *mesh, nullptr, picture, {});
+  return picture;
+}
+
+/// White ends over black picks on a prism of 60 mm around the world's upright axis.
+class Drape : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto built = TubeScene::build(white_over_black(), {});
+    auto draped = MeshScene::build(rounded_prism(12, 60, 100));
+    ASSERT_TRUE(built && draped) << problem_of(built) << problem_of(draped);
+    tubes_ = std::move(*built), mesh_ = std::move(*draped);
+  }
+  TracedImage traced(const DrapePicture& picture) const { return trace_drape(*tubes_, *mesh_, nullptr, picture, {}); }
+
+ private:
+  std::unique_ptr<TubeScene> tubes_;
+  std::unique_ptr<MeshScene> mesh_;
+};
+
+TEST_F(Drape, a_rim_shows_the_face_that_the_eye_sees) {
+  const TracedImage image = traced(front_of_prism(1240));
   float darkest = 1, lit = 0;
   for (const glm::vec4& p : image.pixels) {
     if (p.a < 0.999f) continue;
@@ -79,6 +96,54 @@ TEST(drape, a_rim_shows_the_face_that_the_eye_sees) {
   }
   EXPECT_GT(lit, 2000);
   EXPECT_GT(darkest, 0.05f) << "the black back, or the inside of a thread, shows at the rim";
+}
+
+TEST_F(Drape, layers_say_what_a_pixel_shows) {
+  DrapePicture picture = front_of_prism(124);
+  picture.bounces = 2, picture.layers = true, picture.spp = 32;
+  const TracedImage image = traced(picture);
+  ASSERT_EQ(image.layers.size(), image.pixels.size());
+  EXPECT_TRUE(traced(front_of_prism(124)).layers.empty()) << "not asked for";
+  std::array<float, 2> outwards{};  // the mean normal of the left half and of the right, in x
+  for (size_t x = 0; x < 124; ++x) {
+    const PixelLayers& l = image.layers[x];
+    const glm::vec4& light = image.pixels[x];
+    const float at = static_cast<float>(x) + 0.5f - 62;  // mm from the axis
+    if (std::abs(at) > 65) {
+      EXPECT_EQ(l.thread, -1);
+    }
+    if (std::abs(at) > 40) continue;
+    EXPECT_GT(light.a, 0.99f);
+    EXPECT_NEAR(l.depth_mm, 4000 - std::sqrt(60 * 60 - at * at), 3) << at;  // a prism of 12 sides
+    outwards[at > 0 ? 1 : 0] += l.normal.x / 40;
+    EXPECT_GT(l.normal.z, 0.6f);
+    EXPECT_EQ(l.system, System::kWarp);
+    EXPECT_TRUE(l.thread >= 0 && l.thread < 4) << l.thread;
+    EXPECT_GT(l.albedo.g, 0.95f) << "white";
+    EXPECT_GT(l.direct.g, 0.5f * light.g);
+    EXPECT_LE(l.direct.g, light.g * 1.0001f);
+    EXPECT_NEAR(std::remainder(l.uv_mm.x - 60 * std::asin(at / 60), 2 * kPi * 60), 0, 2.5f) << at;
+  }
+  // Of round threads at a slant the side towards the eye is seen.
+  EXPECT_TRUE(outwards[0] < -0.1f && outwards[0] > -0.35f) << outwards[0];
+  EXPECT_TRUE(outwards[1] > 0.1f && outwards[1] < 0.35f) << outwards[1];
+}
+
+TEST_F(Drape, another_seed_is_other_noise_around_the_same_mean) {
+  DrapePicture picture = front_of_prism(124);
+  picture.spp = 32;
+  const TracedImage image = traced(picture), again = traced(picture);
+  picture.seed = 1;
+  const TracedImage other = traced(picture);
+  EXPECT_EQ(image.pixels, again.pixels);
+  double mean = 0, other_mean = 0;
+  int differ = 0;
+  for (size_t i = 0; i < image.pixels.size(); ++i) {
+    mean += static_cast<double>(image.pixels[i].g), other_mean += static_cast<double>(other.pixels[i].g);
+    differ += image.pixels[i] != other.pixels[i] ? 1 : 0;
+  }
+  EXPECT_GT(differ, 150);
+  EXPECT_NEAR(other_mean / mean, 1, 0.03);
 }
 
 }  // namespace

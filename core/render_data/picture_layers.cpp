@@ -25,9 +25,9 @@ std::array<float, kLayerChannels> values_of(const PixelLayers& l, glm::vec3 radi
 
 const std::vector<std::string>& layer_channels() {
   static const std::vector<std::string> names{
-      "R",        "G",        "B",        "A",          "Z",           "normal.X",   "normal.Y",
-      "normal.Z", "uv.U",     "uv.V",     "thread.end", "thread.pick", "albedo.R",   "albedo.G",
-      "albedo.B", "direct.R", "direct.G", "direct.B",   "indirect.R",  "indirect.G", "indirect.B"};
+      "R",        "G",        "B",        "A",        "Z",          "normal.X",   "normal.Y",
+      "normal.Z", "uv.U",     "uv.V",     "thread.X", "thread.Y",   "albedo.R",   "albedo.G",
+      "albedo.B", "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G", "indirect.B"};
   return names;
 }
 

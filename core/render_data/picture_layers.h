@@ -17,8 +17,8 @@ using reference::TracedImage;
 const std::vector<std::string>& layer_channels();
 
 /// `picture`: linear, with alpha, the cloth in it (lay_over()), of the size of `traced`, which has layers. Lengths are
-/// in mm, numbers of ends and picks begin with 1; layers are 0 where there is no cloth. Direct and indirect light are
-/// as bright as the picture.
+/// in mm, numbers of ends (thread.X) and picks (thread.Y) begin with 1; layers are 0 where there is no cloth. Direct
+/// and indirect light are as bright as the picture.
 Image with_layers(const Image& picture, const TracedImage& traced, float exposure_ev);
 
 }  // namespace weftlight::render_data

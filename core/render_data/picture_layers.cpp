@@ -16,18 +16,18 @@ std::array<float, kLayerChannels> values_of(const PixelLayers& l, glm::vec3 radi
   const glm::vec3 direct = l.direct * exposure, indirect = radiance * exposure - direct;
   const float number = static_cast<float>(l.thread + 1);
   const bool end = l.system == System::kWarp;
-  return {l.depth_mm,       l.normal.x,       l.normal.y, l.normal.z, l.uv_mm.x,  l.uv_mm.y,
-          end ? number : 0, end ? 0 : number, l.albedo.r, l.albedo.g, l.albedo.b, direct.r,
-          direct.g,         direct.b,         indirect.r, indirect.g, indirect.b};
+  return {l.depth_mm, l.albedo.r,       l.albedo.g,       l.albedo.b, direct.r,   direct.g,
+          direct.b,   indirect.r,       indirect.g,       indirect.b, l.normal.x, l.normal.y,
+          l.normal.z, end ? number : 0, end ? 0 : number, l.uv_mm.x,  l.uv_mm.y};
 }
 
 }  // namespace
 
 const std::vector<std::string>& layer_channels() {
   static const std::vector<std::string> names{
-      "R",        "G",        "B",        "A",        "Z",          "normal.X",   "normal.Y",
-      "normal.Z", "uv.U",     "uv.V",     "thread.X", "thread.Y",   "albedo.R",   "albedo.G",
-      "albedo.B", "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G", "indirect.B"};
+      "R",        "G",        "B",        "A",        "Z",          "albedo.R",   "albedo.G",
+      "albedo.B", "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G", "indirect.B",
+      "normal.X", "normal.Y", "normal.Z", "thread.X", "thread.Y",   "uv.U",       "uv.V"};
   return names;
 }
 

@@ -13,7 +13,8 @@ namespace weftlight::render_data {
 using files::Image;
 using reference::TracedImage;
 
-/// Names of the channels of with_layers(): R, G, B, A, then the layers by the names that compositing programs group by.
+/// Names of the channels of with_layers(): R, G, B, A, then the layers by the names that compositing programs group by,
+/// in the order in which they are read again.
 const std::vector<std::string>& layer_channels();
 
 /// `picture`: linear, with alpha, the cloth in it (lay_over()), of the size of `traced`, which has layers. Lengths are
